@@ -1,0 +1,124 @@
+// A raster in the real world: cells of one size, row-major in memory, x east and y north in metres.
+//
+//   column 0 is the western edge, row 0 the NORTHERN edge (as in every image file), a sample sits at its cell's centre:
+//   x(column) = west_m + (column + 1/2) cell_m,  y(row) = north_m - (row + 1/2) cell_m.
+//
+// Calls are in (x, y) order: grid(column, row).
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace seamount {
+
+/// Where a raster lies: size, cell, corner and, where it is known, the coordinate reference system.
+struct GridFrame {
+  int width = 0;         ///< columns, >= 1
+  int height = 0;        ///< rows, >= 1
+  double cell_m = 1.0;   ///< cell size in metres, > 0
+  double west_m = 0.0;   ///< x of the western edge (not of the first centre)
+  double north_m = 0.0;  ///< y of the northern edge
+  std::string crs = {};  ///< WKT or PROJ text of a metric system in which (x, y) are coordinates; empty: local metres
+
+  /// A frame whose middle is (0, 0).
+  static GridFrame centred(int width, int height, double cell_m) {
+    return {width, height, cell_m, -0.5 * width * cell_m, 0.5 * height * cell_m, {}};
+  }
+
+  double x(double column) const { return west_m + (column + 0.5) * cell_m; }
+  double y(double row) const { return north_m - (row + 0.5) * cell_m; }
+  /// Inverse of x(): fractional column of a place.
+  double column(double x) const { return (x - west_m) / cell_m - 0.5; }
+  double row(double y) const { return (north_m - y) / cell_m - 0.5; }
+  double width_m() const { return width * cell_m; }
+  double height_m() const { return height * cell_m; }
+  double east_m() const { return west_m + width_m(); }
+  double south_m() const { return north_m - height_m(); }
+  int64_t cells() const { return static_cast<int64_t>(width) * height; }
+
+  bool operator==(const GridFrame&) const = default;
+};
+
+namespace detail {
+/// Leaves new elements uninitialised, so that the threads that compute a large grid also touch its pages first.
+template <class T>
+struct UninitialisedAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = UninitialisedAllocator<U>;
+  };
+  using std::allocator<T>::allocator;
+  template <class U>
+  void construct(U* p) noexcept {
+    ::new (static_cast<void*>(p)) U;
+  }
+  template <class U, class... Args>
+  void construct(U* p, Args&&... args) {
+    ::new (static_cast<void*>(p)) U(std::forward<Args>(args)...);
+  }
+};
+}  // namespace detail
+
+/// A value per cell. A regular value type: copies copy the cells, moves do not.
+template <class T>
+class Grid {
+ public:
+  using Value = T;
+
+  Grid() = default;
+  /// Cells are NOT initialised: for results of which every cell is written.
+  explicit Grid(GridFrame frame) : frame_(std::move(frame)), cells_(static_cast<size_t>(frame_.cells())) {}
+  Grid(GridFrame frame, T fill) : frame_(std::move(frame)), cells_(static_cast<size_t>(frame_.cells()), fill) {}
+
+  const GridFrame& frame() const { return frame_; }
+  int width() const { return frame_.width; }
+  int height() const { return frame_.height; }
+  double cell_m() const { return frame_.cell_m; }
+  bool empty() const { return cells_.empty(); }
+  size_t size() const { return cells_.size(); }
+
+  T& operator()(int x, int y) { return cells_[index(x, y)]; }
+  const T& operator()(int x, int y) const { return cells_[index(x, y)]; }
+  /// The nearest cell of a place that may lie outside.
+  const T& clamped(int x, int y) const {
+    return (*this)(std::clamp(x, 0, width() - 1), std::clamp(y, 0, height() - 1));
+  }
+  bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width() && y < height(); }
+
+  std::span<T> row(int y) { return {cells_.data() + index(0, y), static_cast<size_t>(width())}; }
+  std::span<const T> row(int y) const { return {cells_.data() + index(0, y), static_cast<size_t>(width())}; }
+  std::span<T> cells() { return cells_; }
+  std::span<const T> cells() const { return cells_; }
+  T* data() { return cells_.data(); }
+  const T* data() const { return cells_.data(); }
+
+  /// The same cells in another place (a translated or newly referenced raster). REQUIRES: same width and height.
+  void set_frame(GridFrame frame) { frame_ = std::move(frame); }
+
+  bool operator==(const Grid&) const = default;
+
+ private:
+  size_t index(int x, int y) const {
+    return static_cast<size_t>(y) * static_cast<size_t>(width()) + static_cast<size_t>(x);
+  }
+
+  GridFrame frame_;
+  std::vector<T, detail::UninitialisedAllocator<T>> cells_;
+};
+
+/// Heights in metres above sea level (z = 0), z up.
+using HeightField = Grid<float>;
+
+/// Any other scalar per cell; its unit is stated where it is made.
+using ScalarField = Grid<float>;
+
+/// A selection: 0 outside, 1 inside, soft in between.
+using Mask = Grid<float>;
+
+}  // namespace seamount
