@@ -1,0 +1,127 @@
+// convert, info, render: daily chores with files, made as small recipes where that is what they are.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "app.h"
+#include "seamount/io/info.h"
+#include "seamount/io/vector.h"
+#include "seamount/recipe/recipe.h"
+
+namespace seamount::app {
+namespace {
+
+namespace fs = std::filesystem;
+using recipe::Json;
+
+struct ChoreFlags : RunFlags {
+  std::string in;
+  std::string out;
+  std::string as;
+  std::string labels;
+  std::optional<int> size;
+  std::optional<double> cell_m, low_m, high_m;
+  std::vector<std::string> sets;
+};
+
+std::string absolute(const std::string& file) { return fs::absolute(file).lexically_normal().string(); }
+
+bool is_drawing(const std::string& file) {
+  const std::string extension = fs::path(file).extension().string();
+  return extension == ".geojson" || extension == ".gpkg" || extension == ".shp" || extension == ".json";
+}
+
+/// "name=value" of an output format's parameter.
+void set_member(Json& output, const std::string& assignment) {
+  const size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw InvalidArgument("--set", "expected NAME=VALUE, found '" + assignment + "'");
+  const Json value = Json::parse(assignment.substr(equals + 1), nullptr, false);
+  output[assignment.substr(0, equals)] = value.is_discarded() ? Json(assignment.substr(equals + 1)) : value;
+}
+
+/// Areas and lines as they are; a terrain by importing it and writing one output.
+void convert(const ChoreFlags& flags) {
+  if (is_drawing(flags.in)) {
+    io::write_drawing(io::read_drawing(flags.in), flags.out);
+    std::cout << flags.out << "\n";
+    return;
+  }
+  Json step = {{"id", "file"}, {"op", "terrain.import"}, {"params", {{"file", absolute(flags.in)}}}};
+  if (flags.cell_m) step["params"]["cell_m"] = *flags.cell_m;
+  if (flags.low_m) step["params"]["low_m"] = *flags.low_m;
+  if (flags.high_m) step["params"]["high_m"] = *flags.high_m;
+  const fs::path out(flags.out);
+  Json output = {{"from", "file.terrain"}, {"path", out.filename().string()}};
+  if (!flags.as.empty()) output["as"] = flags.as;
+  if (flags.size) output["size"] = *flags.size;
+  for (const std::string& assignment : flags.sets) set_member(output, assignment);
+  const Json document = {{"seamount", 1}, {"steps", {step}}, {"outputs", {output}}};
+  const recipe::Recipe recipe = recipe::parse_recipe(document.dump(), "convert", "");
+  run_and_report(recipe, out.has_parent_path() ? out.parent_path().string() : ".", flags);
+}
+
+/// A picture of a terrain file.
+void render(const ChoreFlags& flags) {
+  const std::string op = "render." + (flags.as.empty() ? std::string("perspective") : flags.as);
+  Json step = {
+      {"id", "picture"}, {"op", op}, {"in", {{"terrain", {{"file", absolute(flags.in)}}}}}, {"params", Json::object()}};
+  if (!flags.labels.empty()) step["in"]["labels"] = {{"file", absolute(flags.labels)}};
+  for (const std::string& assignment : flags.sets) set_member(step["params"], assignment);
+  const fs::path out(flags.out);
+  const Json document = {{"seamount", 1},
+                         {"steps", {step}},
+                         {"outputs", {{{"from", "picture.image"}, {"path", out.filename().string()}}}}};
+  const recipe::Recipe recipe = recipe::parse_recipe(document.dump(), "render", "");
+  run_and_report(recipe, out.has_parent_path() ? out.parent_path().string() : ".", flags);
+}
+
+void info(const ChoreFlags& flags) {
+  const io::FileInfo lines = io::describe_file(flags.in);
+  if (flags.json) {
+    Json object = Json::object();
+    for (const auto& [key, value] : lines) object[key] = value;
+    std::cout << object.dump(2) << "\n";
+    return;
+  }
+  size_t width = 0;
+  for (const auto& [key, value] : lines) width = std::max(width, key.size());
+  for (const auto& [key, value] : lines) fmt::print("{:<{}}  {}\n", key, width, value);
+}
+
+}  // namespace
+
+void add_chore_commands(CLI::App& program, Work& work) {
+  const auto flags = std::make_shared<ChoreFlags>();
+
+  CLI::App* convert_command = program.add_subcommand("convert", "Convert a terrain between file formats");
+  convert_command->add_option("in", flags->in, "terrain file")->required();
+  convert_command->add_option("out", flags->out, "file to write; its extension is the format")->required();
+  convert_command->add_option("--as", flags->as,
+                              "output format, where the extension does not say: unreal, unity, mesh, ...");
+  convert_command->add_option("--size", flags->size, "samples a side, for engines");
+  convert_command->add_option("--cell", flags->cell_m, "cell size in metres, where the file does not say");
+  convert_command->add_option("--low", flags->low_m, "height of the lowest code of an 8- or 16-bit image, in metres");
+  convert_command->add_option("--high", flags->high_m, "height of the highest code, in metres");
+  convert_command->add_option("--set", flags->sets, "a parameter of the output format: NAME=VALUE")
+      ->allow_extra_args(false);
+  add_run_flags(*convert_command, *flags);
+  convert_command->callback([=, &work] { work = [=] { convert(*flags); }; });
+
+  CLI::App* info_command = program.add_subcommand("info", "Say what a file is, and the numbers to type into an engine");
+  info_command->add_option("file", flags->in, "any file that Seamount reads")->required();
+  info_command->add_flag("--json", flags->json, "as JSON");
+  info_command->callback([=, &work] { work = [=] { info(*flags); }; });
+
+  CLI::App* render_command = program.add_subcommand("render", "Draw a terrain file");
+  render_command->add_option("file", flags->in, "terrain file")->required();
+  render_command->add_option("--out", flags->out, "picture to write (.png)")->required();
+  render_command->add_option("--as", flags->as, "perspective (default), map, relief or texture");
+  render_command->add_option("--labels", flags->labels, "label map that goes with it");
+  render_command->add_option("--set", flags->sets, "a parameter of the picture: NAME=VALUE")->allow_extra_args(false);
+  add_run_flags(*render_command, *flags);
+  render_command->callback([=, &work] { work = [=] { render(*flags); }; });
+}
+
+}  // namespace seamount::app

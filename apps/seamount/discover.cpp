@@ -1,0 +1,120 @@
+// list, describe, schema, new: finding out what there is and where to start.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "app.h"
+#include "examples.h"
+#include "seamount/base/text.h"
+#include "seamount/io/atomic_file.h"
+#include "seamount/recipe/reference.h"
+
+namespace seamount::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void list(bool json) {
+  if (json) {
+    recipe::Json names = {{"operators", recipe::Json::array()}, {"formats", recipe::Json::array()}};
+    for (const auto& op : recipe::operators().all())
+      names["operators"].push_back({{"name", op.name}, {"summary", op.summary}});
+    for (const auto& format : recipe::output_formats())
+      names["formats"].push_back({{"name", format.name}, {"summary", format.summary}});
+    std::cout << names.dump(2) << "\n";
+    return;
+  }
+  std::cout << "operators (seamount describe NAME)\n";
+  for (const auto& op : recipe::operators().all()) fmt::print("  {:<20} {}\n", op.name, op.summary);
+  fmt::print("\noutput formats (\"as\" in a recipe)\n");
+  for (const auto& format : recipe::output_formats()) fmt::print("  {:<20} {}\n", format.name, format.summary);
+}
+
+void describe(const std::string& name, bool markdown) {
+  if (markdown) {
+    std::cout << recipe::reference_markdown();
+    return;
+  }
+  if (const auto* op = recipe::operators().find(name)) {
+    std::cout << recipe::describe_operator(*op);
+  } else if (const auto* format = recipe::find_output_format(name)) {
+    std::cout << recipe::describe_format(*format);
+  } else {
+    std::vector<std::string> names = recipe::operators().names();
+    for (const auto& row : recipe::output_formats()) names.push_back(row.name);
+    throw InvalidArgument(name, "is no operator or output format" + suggestion(name, names));
+  }
+}
+
+std::vector<std::string> example_names() {
+  std::vector<std::string> names;
+  for (const Example& example : example_files()) {
+    const fs::path file(example.file);
+    if (file.extension() == ".json") names.push_back(file.stem().string());
+  }
+  return names;
+}
+
+void write_new_file(const fs::path& path, std::string_view content) {
+  if (fs::exists(path)) throw IoError(path.string(), "exists already; nothing was written over it");
+  io::write_atomically(path.string(), [&](const std::string& temporary) {
+    std::ofstream file(temporary, std::ios::binary);
+    file << content;
+    if (!file.flush()) throw IoError(path.string(), "cannot be written");
+  });
+  std::cout << path.string() << "\n";
+}
+
+/// Writes an example recipe, and beside it the data that it names.
+void make_new(const std::string& name, const std::string& folder) {
+  const Example* recipe = nullptr;
+  for (const Example& example : example_files()) {
+    if (example.file == name + ".json") recipe = &example;
+  }
+  if (recipe == nullptr)
+    throw InvalidArgument("example", "there is no '" + name + "'" + suggestion(name, example_names()));
+  std::string text(recipe->content);
+  for (const Example& data : example_files()) {
+    const std::string reference = "../data/" + std::string(data.file);
+    const size_t at = text.find(reference);
+    if (at == std::string::npos) continue;
+    text.replace(at, reference.size(), data.file);
+    if (!fs::exists(fs::path(folder) / data.file)) write_new_file(fs::path(folder) / data.file, data.content);
+  }
+  write_new_file(fs::path(folder) / recipe->file, text);
+}
+
+}  // namespace
+
+void add_discover_commands(CLI::App& program, Work& work) {
+  const auto name = std::make_shared<std::string>();
+  const auto folder = std::make_shared<std::string>(".");
+  const auto json = std::make_shared<bool>(false);
+  const auto markdown = std::make_shared<bool>(false);
+
+  CLI::App* list_command = program.add_subcommand("list", "List operators and output formats");
+  list_command->add_flag("--json", *json, "as JSON");
+  list_command->callback([=, &work] { work = [=] { list(*json); }; });
+
+  CLI::App* describe_command = program.add_subcommand("describe", "Describe an operator or an output format");
+  describe_command->add_option("name", *name, "its name");
+  describe_command->add_flag("--markdown", *markdown, "the whole reference, as docs/operators.md");
+  describe_command->callback([=, &work] {
+    work = [=] {
+      if (name->empty() && !*markdown) throw InvalidArgument("describe", "which one? 'seamount list' shows them");
+      describe(*name, *markdown);
+    };
+  });
+
+  CLI::App* schema_command = program.add_subcommand("schema", "Print the JSON Schema of recipes");
+  schema_command->callback([&work] { work = [] { std::cout << recipe::recipe_schema().dump(2) << "\n"; }; });
+
+  CLI::App* new_command = program.add_subcommand("new", "Write an example recipe to start from");
+  new_command->add_option("example", *name, fmt::format("one of {}", fmt::join(example_names(), ", ")))->required();
+  new_command->add_option("--out", *folder, "folder to write to");
+  new_command->callback([=, &work] { work = [=] { make_new(*name, *folder); }; });
+}
+
+}  // namespace seamount::app

@@ -1,0 +1,120 @@
+// Every operator as a command of its own: a recipe of one step, made from flags.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app.h"
+#include "seamount/base/text.h"
+#include "seamount/recipe/recipe.h"
+
+namespace seamount::app {
+namespace {
+
+using recipe::Json;
+using recipe::Operator;
+
+struct OperatorFlags : RunFlags {
+  std::string out;
+  std::vector<std::string> in;
+  std::string domain;
+  std::optional<double> cell_m;
+  std::optional<int> size;
+  std::map<std::string, std::string> params;
+};
+
+std::string absolute(const std::string& file) { return std::filesystem::absolute(file).lexically_normal().string(); }
+
+/// "60000x40000" or "60000": width and height in metres.
+void set_domain(Json& domain, const std::string& text) {
+  const size_t cross = text.find('x');
+  const auto number = [&](const std::string& part) {
+    size_t used = 0;
+    double value = 0;
+    try {
+      value = std::stod(part, &used);
+    } catch (const std::exception&) {
+      used = 0;
+    }
+    if (used == 0 || used != part.size())
+      throw InvalidArgument("--domain", "expected WIDTHxHEIGHT in metres, found '" + text + "'");
+    return value;
+  };
+  domain["width_m"] = number(text.substr(0, cross));
+  domain["height_m"] = cross == std::string::npos ? domain["width_m"] : Json(number(text.substr(cross + 1)));
+}
+
+std::string file_for(const recipe::Port& port) {
+  switch (port.kind) {
+    case recipe::ValueKind::terrain:
+    case recipe::ValueKind::field:
+      return port.name + ".tif";
+    case recipe::ValueKind::drawing:
+      return port.name + ".geojson";
+    default:
+      return port.name + ".png";
+  }
+}
+
+/// The document that the flags stand for. File names in it are absolute: there is no recipe file that they could be
+/// relative to.
+Json make_document(const Operator& op, const OperatorFlags& flags) {
+  Json step = {{"id", "step"},
+               {"op", op.name},
+               {"in", Json::object()},
+               {"params", Json::object()},
+               {"seed", flags.seed.value_or(0)}};
+  for (const recipe::ParamInfo& info : op.params) {
+    const auto given = flags.params.find(info.name);
+    if (given == flags.params.end() || given->second.empty()) continue;
+    step["params"][info.name] =
+        info.kind == "file" ? Json(absolute(given->second)) : recipe::parse_flag(info, given->second);
+  }
+  for (const std::string& assignment : flags.in) {
+    const size_t equals = assignment.find('=');
+    if (equals == std::string::npos) throw InvalidArgument("--in", "expected NAME=FILE, found '" + assignment + "'");
+    step["in"][assignment.substr(0, equals)] = {{"file", absolute(assignment.substr(equals + 1))}};
+  }
+  Json document = {{"seamount", 1}, {"domain", Json::object()}, {"steps", {step}}, {"outputs", Json::array()}};
+  if (!flags.domain.empty()) set_domain(document["domain"], flags.domain);
+  if (flags.cell_m) document["domain"]["cell_m"] = *flags.cell_m;
+  for (const recipe::Port& port : op.out)
+    document["outputs"].push_back({{"from", "step." + port.name}, {"path", file_for(port)}});
+  return document;
+}
+
+void add_operator_command(CLI::App& program, const Operator& op, Work& work) {
+  const auto flags = std::make_shared<OperatorFlags>();
+  CLI::App* command = program.add_subcommand(op.name, op.summary)->group("Operators");
+  command->add_option("--out", flags->out, "folder for the results")->required();
+  if (!op.in.empty()) {
+    command->add_option("--in", flags->in, "an input: NAME=FILE")->allow_extra_args(false);
+  }
+  command->add_option("--domain", flags->domain, "width and height of the terrain in metres: 60000x40000");
+  command->add_option("--cell", flags->cell_m, "cell size in metres");
+  command->add_option("--size", flags->size, "cells along the longer side")->check(CLI::Range(1, 65536));
+  add_run_flags(*command, *flags);
+  for (const recipe::ParamInfo& info : op.params) {
+    std::string names = "--" + info.name;
+    std::string dashed = info.name;
+    std::replace(dashed.begin(), dashed.end(), '_', '-');
+    if (dashed != info.name) names += ",--" + dashed;
+    command->add_option(names, flags->params[info.name], info.help + (info.unit.empty() ? "" : " [" + info.unit + "]"))
+        ->type_name(info.kind)
+        ->group("Parameters");
+  }
+  command->callback([flags, &op, &work] {
+    work = [flags, &op] {
+      const Json document = make_document(op, *flags);
+      const recipe::Recipe recipe = recipe::parse_recipe(document.dump(), op.name, "", {.size = flags->size});
+      run_and_report(recipe, flags->out, *flags);
+    };
+  });
+}
+
+}  // namespace
+
+void add_operator_commands(CLI::App& program, Work& work) {
+  for (const Operator& op : recipe::operators().all()) add_operator_command(program, op, work);
+}
+
+}  // namespace seamount::app

@@ -1,0 +1,29 @@
+// Iso-contours of a scalar field by marching squares, as lines to draw and as areas to build on.
+//
+// The field is bilinear-free: linear along the lattice edges between cell centres, constant over the half cell between
+// the outermost centres and the frame's edge. A saddle joins its high corners where their mean with the low ones
+// reaches the level, the same way in every trace, so contours of one field never cross.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "seamount/model/drawn.h"
+#include "seamount/model/grid.h"
+
+namespace seamount::geom {
+
+/// The area where value >= level: outer rings counter-clockwise, each with its holes (clockwise); the frame's edge
+/// closes areas that reach it. Rings are simple and do not touch each other. In order of their first cell, row by row.
+/// A value that is not a number counts as below. Linear in cells plus n log n in contour points.
+std::vector<Polygon> trace_areas(const ScalarField& field, double level);
+
+/// Contour lines for drawing, higher ground on the left; a closed line repeats its first point at the end, an open one
+/// ends at the frame's edge. Same cost.
+std::vector<Polyline> trace_lines(const ScalarField& field, double level);
+
+/// The area of cells with inside != 0, its stair steps smoothed away without moving the border further than one cell
+/// anywhere. Oriented and nested like trace_areas.
+std::vector<Polygon> trace_mask(const Grid<uint8_t>& inside);
+
+}  // namespace seamount::geom

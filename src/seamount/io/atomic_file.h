@@ -1,0 +1,56 @@
+// Files that appear whole or not at all: written under a temporary name in the same folder, synced, then renamed. Every
+// writer of this module goes through here.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace seamount::io {
+
+/// Calls write(temporary) and renames what it wrote to `path`. Missing parent folders are created. The temporary name
+/// keeps the extension, for writers that look at it. Whatever fails (write() itself, a full disk, a folder in the way),
+/// the temporary is removed, an earlier file stays as it was, and IoError{path} is thrown; other exceptions of write()
+/// pass through.
+void write_atomically(const std::string& path, const std::function<void(const std::string& temporary)>& write);
+
+/// The same for bytes at hand.
+void write_bytes(const std::string& path, std::span<const uint8_t> bytes);
+void write_text(const std::string& path, std::string_view text);
+
+/// A file that is written piece by piece inside write_atomically(); every call that fails throws IoError{shown_path}.
+class FileWriter {
+ public:
+  FileWriter(const std::string& file, std::string shown_path);
+  ~FileWriter();
+  FileWriter(const FileWriter&) = delete;
+  FileWriter& operator=(const FileWriter&) = delete;
+
+  void write(std::span<const uint8_t> bytes);
+  /// A plain value or an array of them as they are in memory.
+  template <class T>
+  void write_raw(std::span<const T> values) {
+    write({reinterpret_cast<const uint8_t*>(values.data()), values.size_bytes()});
+  }
+  void close();
+
+ private:
+  std::string path_;
+  std::FILE* file_;
+};
+
+/// Throws IoError unless `path` is a regular file that may be read.
+void check_readable(const std::string& path);
+
+/// The whole file. Throws IoError if it is missing, not a regular file, or larger than max_bytes.
+std::vector<uint8_t> read_file(const std::string& path, uint64_t max_bytes = uint64_t{4} << 30);
+
+/// Lower-case extension with its dot: ".tif"; empty if there is none.
+std::string extension_of(const std::string& path);
+
+}  // namespace seamount::io

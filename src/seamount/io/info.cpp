@@ -1,0 +1,114 @@
+#include "seamount/io/info.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "seamount/base/error.h"
+#include "seamount/base/text.h"
+#include "seamount/io/atomic_file.h"
+#include "seamount/io/image_file.h"
+#include "seamount/io/png_codec.h"
+#include "seamount/io/projection.h"
+#include "seamount/io/raster.h"
+#include "seamount/io/sidecar.h"
+#include "seamount/io/vector.h"
+
+namespace seamount::io {
+namespace {
+
+/// Six significant digits are enough to read.
+std::string short_number(double value) {
+  if (value == 0 || !std::isfinite(value)) return format_number(value);
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5);
+  return format_number(unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value));
+}
+
+/// To a hundredth of a millimetre.
+std::string rounded(double value) { return format_number(std::round(value * 1e5) / 1e5); }
+
+std::string metres_between(double low, double high) { return short_number(low) + " m to " + short_number(high) + " m"; }
+
+void describe_place(FileInfo& info, double cell_m, int width, int height, const std::string& crs) {
+  info.emplace_back("cell", short_number(cell_m) + " m");
+  info.emplace_back("extent", short_number(cell_m * width) + " m x " + short_number(cell_m * height) + " m");
+  info.emplace_back("coordinate system", crs.empty() ? "none (local metres)" : crs_name(crs));
+}
+
+void describe_sidecar(FileInfo& info, const Sidecar& sidecar) {
+  describe_place(info, sidecar.frame.cell_m, sidecar.frame.width, sidecar.frame.height, sidecar.frame.crs);
+  if (sidecar.heights) info.emplace_back("heights", metres_between(sidecar.min_m, sidecar.max_m));
+  if (!sidecar.heights) info.emplace_back("values", short_number(sidecar.min_m) + " to " + short_number(sidecar.max_m));
+  if (sidecar.range)
+    info.emplace_back("codes stand for", rounded(sidecar.range->low_m) + " to " + rounded(sidecar.range->high_m) +
+                                             (sidecar.heights ? " m" : ""));
+  info.emplace_back("first row", sidecar.south_first ? "south" : "north");
+  if (!sidecar.target.empty()) info.emplace_back("made for", sidecar.target);
+  for (const auto& [place, value] : sidecar.import) info.emplace_back("  " + place, value);
+  if (!sidecar.provenance.program.empty()) info.emplace_back("made by", sidecar.provenance.program);
+  if (!sidecar.provenance.recipe.empty()) info.emplace_back("recipe", sidecar.provenance.recipe);
+  if (sidecar.provenance.seed) info.emplace_back("seed", std::to_string(*sidecar.provenance.seed));
+}
+
+void describe_raster(FileInfo& info, const std::string& path) {
+  const RasterInfo raster = raster_info(path);
+  info.emplace_back("format", raster.format + ", " + raster.type);
+  info.emplace_back("size", std::to_string(raster.width) + " x " + std::to_string(raster.height));
+  if (raster.bands > 1) info.emplace_back("bands", std::to_string(raster.bands));
+  if (const std::optional<Sidecar> sidecar = read_sidecar(path)) return describe_sidecar(info, *sidecar);
+  if (raster.geographic) {
+    info.emplace_back("cell", short_number(raster.cell_x) + " x " + short_number(raster.cell_y) + " degrees");
+    info.emplace_back("coordinate system", crs_name(raster.crs));
+  } else if (raster.cell_x > 0) {
+    describe_place(info, raster.cell_x, raster.width, raster.height, raster.crs);
+  } else {
+    info.emplace_back("cell", "not stated");
+  }
+  const bool real = raster.cell_x > 0 || raster.type.starts_with("float");
+  info.emplace_back(real ? "values" : "codes", short_number(raster.min) + " to " + short_number(raster.max));
+  if (raster.nodata) info.emplace_back("no-data value", short_number(*raster.nodata));
+  if (raster.void_cells > 0) info.emplace_back("cells without value", std::to_string(raster.void_cells));
+}
+
+void describe_picture(FileInfo& info, const std::string& path) {
+  const Image image = read_image(path);
+  info.emplace_back("format", "picture");
+  info.emplace_back("size", std::to_string(image.width) + " x " + std::to_string(image.height));
+}
+
+void describe_vector(FileInfo& info, const std::string& path) {
+  const std::vector<std::string> names = feature_names(path);
+  info.emplace_back("format", "areas and lines");
+  std::string list;
+  constexpr size_t kMostNames = 20;
+  for (size_t i = 0; i < std::min(kMostNames, names.size()); ++i) list += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > kMostNames) list += ", ...";
+  info.emplace_back("features", names.empty() ? "without names" : list);
+}
+
+}  // namespace
+
+FileInfo describe_file(const std::string& path) {
+  check_readable(path);
+  const std::string extension = extension_of(path);
+  FileInfo info{{"file", path}};
+  const std::vector<std::string> vectors = {".geojson", ".json", ".gpkg", ".shp"};
+  const auto& rasters = readable_raster_extensions();
+  const auto is_in = [&](const std::vector<std::string>& list) {
+    return std::find(list.begin(), list.end(), extension) != list.end();
+  };
+  if (is_in(vectors)) {
+    describe_vector(info, path);
+  } else if (extension == ".jpg" || extension == ".jpeg" ||
+             (extension == ".png" && png_header(read_file(path), path).channels > 2)) {
+    describe_picture(info, path);
+  } else if (is_in(rasters)) {
+    describe_raster(info, path);
+  } else {
+    std::vector<std::string> known = rasters;
+    known.insert(known.end(), vectors.begin(), vectors.end());
+    throw IoError(path, "'" + extension + "' is not a format that can be described" + suggestion(extension, known));
+  }
+  return info;
+}
+
+}  // namespace seamount::io

@@ -1,0 +1,25 @@
+// Coordinate reference systems as text: "EPSG:32604" where an authority's code is known, else WKT 2.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "seamount/model/drawn.h"
+
+namespace seamount::io {
+
+/// A transverse Mercator on WGS 84, in metres, whose origin and place of true scale is the given one. Scale grows to
+/// 1.0012 at 300 km east or west of it.
+std::string local_crs(double longitude_deg, double latitude_deg);
+
+/// Places (metres) of a system to longitude, latitude in degrees on WGS 84. Throws InvalidArgument{"crs"} for text that
+/// is not a system or a place outside of it.
+std::vector<Vec2> to_lonlat(const std::vector<Vec2>& places, const std::string& crs);
+
+/// The inverse.
+std::vector<Vec2> from_lonlat(const std::vector<Vec2>& degrees, const std::string& crs);
+
+/// A name for people: "WGS 84 / UTM zone 4N".
+std::string crs_name(const std::string& crs);
+
+}  // namespace seamount::io

@@ -1,0 +1,306 @@
+#include "seamount/io/raster.h"
+
+#include <gdal_alg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "seamount/base/error.h"
+#include "seamount/base/text.h"
+#include "seamount/io/atomic_file.h"
+#include "seamount/io/gdal_call.h"
+#include "seamount/io/image_file.h"
+#include "seamount/io/label_image.h"
+#include "seamount/io/png_codec.h"
+#include "seamount/io/raster_files.h"
+
+namespace seamount::io {
+namespace {
+
+enum class Meaning { heights, field, mask };
+
+bool is_gdal_format(const std::string& extension) {
+  return extension == ".tif" || extension == ".tiff" || extension == ".hgt" || extension == ".asc";
+}
+
+[[noreturn]] void refuse_extension(const std::string& path, const std::vector<std::string>& known) {
+  const std::string extension = extension_of(path);
+  throw IoError(path, "'" + extension + "' is not a raster format" + suggestion(extension, known));
+}
+
+Stored decode(std::span<const uint8_t> bytes, const std::string& name, const ReadOptions& options,
+              const std::optional<Sidecar>& sidecar, Meaning meaning) {
+  const std::string extension = extension_of(name);
+  if (bytes.empty()) throw IoError(name, "is empty");
+  if (extension == ".npy") return decode_npy(bytes, name, options.max_cells);
+  if (extension == ".exr") return decode_exr(bytes, name, options.max_cells);
+  if (extension == ".png") return decode_png_heights(bytes, name, options.max_cells);
+  if (is_gdal_format(extension)) {
+    const MemoryFile memory(bytes, name);
+    return read_gdal(memory.path(), name, options, meaning == Meaning::heights);
+  }
+  if (extension != ".r16" && extension != ".raw" && extension != ".r32")
+    refuse_extension(name, readable_raster_extensions());
+  std::optional<std::pair<int, int>> size;
+  if (sidecar) size = std::pair(sidecar->frame.width, sidecar->frame.height);
+  return decode_raw(bytes, name, options.max_cells, size);
+}
+
+void flip_rows(Grid<float>& grid) {
+  for (int y = 0; y < grid.height() / 2; ++y)
+    std::swap_ranges(grid.row(y).begin(), grid.row(y).end(), grid.row(grid.height() - 1 - y).begin());
+}
+
+void place(Stored& stored, const std::string& name, const ReadOptions& options, const std::optional<Sidecar>& sidecar) {
+  Grid<float>& grid = stored.values;
+  if (sidecar) {
+    if (sidecar->frame.width != grid.width() || sidecar->frame.height != grid.height())
+      throw IoError(name, "is " + std::to_string(grid.width()) + " x " + std::to_string(grid.height()) +
+                              ", its side-car '" + sidecar_path(name) + "' says " +
+                              std::to_string(sidecar->frame.width) + " x " + std::to_string(sidecar->frame.height));
+    grid.set_frame(sidecar->frame);
+    if (sidecar->south_first) flip_rows(grid);
+  } else if (!stored.georeferenced) {
+    if (!options.cell_m) throw IoError(name, "does not say its cell size; give cell_m");
+    if (!(*options.cell_m > 0) || !std::isfinite(*options.cell_m))
+      throw InvalidArgument("cell_m", format_number(*options.cell_m) + " is not above 0");
+    grid.set_frame(GridFrame::centred(grid.width(), grid.height(), *options.cell_m));
+  }
+}
+
+/// Codes to heights. A range given for real values maps 0..1, which is what other tools export.
+void apply_range(Stored& stored, const std::string& name, const ReadOptions& options,
+                 const std::optional<Sidecar>& sidecar, Meaning meaning) {
+  std::optional<HeightRange> range = options.range;
+  if (!range && sidecar && stored.code_max > 0) range = sidecar->range;
+  if (!range && stored.code_max > 0 && meaning == Meaning::mask) range = HeightRange{0.0, 1.0};
+  if (!range && stored.code_max > 0 && meaning == Meaning::heights && !stored.georeferenced)
+    throw IoError(name, "its " + stored.type + " codes say nothing of metres; give the heights of codes 0 and " +
+                            format_number(stored.code_max) + " (low_m, high_m) or the side-car '" + sidecar_path(name) +
+                            "'");
+  if (!range) return;
+  if (!std::isfinite(range->low_m) || !std::isfinite(range->high_m) || !(range->high_m > range->low_m))
+    throw InvalidArgument("range", "low_m must be below high_m");
+  const double scale = (range->high_m - range->low_m) / (stored.code_max > 0 ? stored.code_max : 1.0);
+  for (float& z : stored.values.cells()) z = static_cast<float>(range->low_m + z * scale);
+}
+
+/// Interpolates cells without a value from the rim of their hole.
+void fill_voids(Grid<float>& grid, const std::string& name) {
+  GdalCall call(name);
+  Grid<uint8_t> valid(grid.frame());
+  for (size_t i = 0; i < grid.size(); ++i) valid.cells()[i] = std::isfinite(grid.cells()[i]) ? 255 : 0;
+  for (float& z : grid.cells())
+    if (!std::isfinite(z)) z = 0.0F;
+  const auto band_over = [&](void* cells, GDALDataType type) {
+    GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
+    DatasetPtr dataset(memory->Create("", grid.width(), grid.height(), 0, type, nullptr));
+    char text[64];
+    text[CPLPrintPointer(text, cells, sizeof(text) - 1)] = '\0';
+    CPLStringList where;
+    where.SetNameValue("DATAPOINTER", text);
+    dataset->AddBand(type, where.List());
+    return dataset;
+  };
+  const DatasetPtr heights = band_over(grid.data(), GDT_Float32), mask = band_over(valid.data(), GDT_Byte);
+  const double reach = grid.width() + grid.height();
+  if (GDALFillNodata(heights->GetRasterBand(1), mask->GetRasterBand(1), reach, 0, 0, nullptr, nullptr, nullptr) !=
+      CE_None)
+    call.fail("its holes cannot be filled");
+}
+
+void treat_voids(Grid<float>& grid, const std::string& name, Voids voids) {
+  int64_t count = 0, first = -1;
+  for (int64_t i = 0; i < static_cast<int64_t>(grid.size()); ++i) {
+    if (std::isfinite(grid.cells()[static_cast<size_t>(i)])) continue;
+    if (first < 0) first = i;
+    ++count;
+  }
+  if (count == 0) return;
+  const std::string all = std::to_string(grid.size());
+  if (count == static_cast<int64_t>(grid.size())) throw IoError(name, "none of its " + all + " cells has a value");
+  if (voids == Voids::refuse)
+    throw IoError(name, std::to_string(count) + " of " + all + " cells have no value, the first is (column " +
+                            std::to_string(first % grid.width()) + ", row " + std::to_string(first / grid.width()) +
+                            "); ask for voids to be filled");
+  fill_voids(grid, name);
+}
+
+Grid<float> finish(Stored stored, const std::string& name, const ReadOptions& options,
+                   const std::optional<Sidecar>& sidecar, Meaning meaning) {
+  place(stored, name, options, sidecar);
+  apply_range(stored, name, options, sidecar, meaning);
+  treat_voids(stored.values, name, options.voids);
+  return std::move(stored.values);
+}
+
+Grid<float> read(const std::string& path, const ReadOptions& options, Meaning meaning) {
+  check_readable(path);
+  if (is_gdal_format(extension_of(path)))
+    return finish(read_gdal(path, path, options, meaning == Meaning::heights), path, options, std::nullopt, meaning);
+  const std::optional<Sidecar> sidecar = read_sidecar(path);
+  const std::vector<uint8_t> bytes = read_file(path);
+  return finish(decode(bytes, path, options, sidecar, meaning), path, options, sidecar, meaning);
+}
+
+Sidecar sidecar_of(const Grid<float>& grid, const WriteOptions& options, bool heights) {
+  const HeightRange extremes = finite_range(grid);
+  Sidecar sidecar;
+  sidecar.frame = grid.frame();
+  sidecar.min_m = extremes.low_m;
+  sidecar.max_m = extremes.high_m;
+  sidecar.heights = heights;
+  sidecar.provenance = options.provenance;
+  return sidecar;
+}
+
+/// Writes the side-car, or removes the one that described the earlier file.
+void finish_sidecar(const Sidecar& sidecar, const std::string& path, const WriteOptions& options) {
+  if (options.sidecar) return write_sidecar(sidecar, path);
+  std::error_code none_there;
+  std::filesystem::remove(sidecar_path(path), none_there);
+}
+
+void write(const Grid<float>& grid, const std::string& path, const WriteOptions& options, bool heights) {
+  const std::string extension = extension_of(path);
+  Sidecar sidecar = sidecar_of(grid, options, heights);
+  if (extension == ".tif" || extension == ".tiff") return write_geotiff(grid, path, options, heights);
+  if (extension == ".asc") return write_asc(grid, path);
+  if (extension == ".exr") {
+    write_atomically(path, [&](const std::string& temporary) { encode_exr(grid, temporary, path); });
+  } else if (extension == ".npy") {
+    write_atomically(path, [&](const std::string& temporary) { encode_npy(grid, temporary, path); });
+  } else if (extension == ".r32") {
+    write_bytes(path, {reinterpret_cast<const uint8_t*>(grid.data()), grid.size() * sizeof(float)});
+  } else if (extension == ".png" || extension == ".r16" || extension == ".raw") {
+    sidecar.range = coding_range(grid, options.range);
+    write_codes(to_codes(grid, *sidecar.range), path);
+  } else {
+    refuse_extension(path, writable_raster_extensions());
+  }
+  finish_sidecar(sidecar, path, options);
+}
+
+}  // namespace
+
+const std::vector<std::string>& readable_raster_extensions() {
+  static const std::vector<std::string> kExtensions = {".tif", ".tiff", ".hgt", ".asc", ".png",
+                                                       ".exr", ".r16",  ".raw", ".r32", ".npy"};
+  return kExtensions;
+}
+
+const std::vector<std::string>& writable_raster_extensions() {
+  static const std::vector<std::string> kExtensions = {".tif", ".tiff", ".asc", ".png", ".exr",
+                                                       ".r16", ".raw",  ".r32", ".npy"};
+  return kExtensions;
+}
+
+void count_values(const Grid<float>& grid, RasterInfo& info) {
+  bool any = false;
+  for (const float z : grid.cells()) {
+    if (!std::isfinite(z)) {
+      ++info.void_cells;
+      continue;
+    }
+    info.min = any ? std::min<double>(info.min, z) : z;
+    info.max = any ? std::max<double>(info.max, z) : z;
+    any = true;
+  }
+}
+
+RasterInfo raster_info(const std::string& path) {
+  check_readable(path);
+  if (is_gdal_format(extension_of(path))) return gdal_info(path);
+  const std::optional<Sidecar> sidecar = read_sidecar(path);
+  const Stored stored = decode(read_file(path), path, ReadOptions{}, sidecar, Meaning::field);
+  RasterInfo info;
+  info.width = stored.values.width();
+  info.height = stored.values.height();
+  info.format = stored.format;
+  info.type = stored.type;
+  if (sidecar) {
+    info.cell_x = info.cell_y = sidecar->frame.cell_m;
+    info.crs = sidecar->frame.crs;
+  }
+  count_values(stored.values, info);
+  return info;
+}
+
+HeightField read_heights(const std::string& path, const ReadOptions& options) {
+  return read(path, options, Meaning::heights);
+}
+
+HeightField read_heights(std::span<const uint8_t> bytes, const std::string& name, const ReadOptions& options) {
+  return finish(decode(bytes, name, options, std::nullopt, Meaning::heights), name, options, std::nullopt,
+                Meaning::heights);
+}
+
+ScalarField read_field(const std::string& path, const ReadOptions& options) {
+  return read(path, options, Meaning::field);
+}
+
+Mask read_mask(const std::string& path, const ReadOptions& options) { return read(path, options, Meaning::mask); }
+
+LabelMap read_labels(const std::string& path, const ReadOptions& options) {
+  if (extension_of(path) == ".png") {
+    const std::optional<Sidecar> sidecar = read_sidecar(path);
+    const Image image = read_image(path);
+    Stored size{Grid<float>(GridFrame{image.width, image.height}), false, 0.0, "PNG", "uint8"};
+    place(size, path, options, sidecar);
+    return decode_labels(image, size.values.frame(), RunContext{}).labels;
+  }
+  const Grid<float> numbers = read(path, options, Meaning::field);
+  LabelMap labels(numbers.frame());
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    const float number = numbers.cells()[i];
+    if (!(number >= 0 && number < kRegionCount && number == std::floor(number)))
+      throw IoError(path, "label " + format_number(number) + " is not one of 0 (mountain) to 4 (abyss)");
+    labels.cells()[i] = static_cast<Region>(number);
+  }
+  return labels;
+}
+
+void write_heights(const HeightField& heights, const std::string& path, const WriteOptions& options) {
+  write(heights, path, options, true);
+}
+
+void write_field(const ScalarField& field, const std::string& path, const WriteOptions& options) {
+  write(field, path, options, false);
+}
+
+void write_mask(const Mask& mask, const std::string& path, const WriteOptions& options) {
+  const std::string extension = extension_of(path);
+  const bool tiff = extension == ".tif" || extension == ".tiff";
+  if (!tiff && extension != ".png") return write_field(mask, path, options);
+  Sidecar sidecar = sidecar_of(mask, options, false);
+  Grid<uint8_t> bytes(mask.frame());
+  for (size_t i = 0; i < bytes.size(); ++i)
+    bytes.cells()[i] = static_cast<uint8_t>(std::clamp(mask.cells()[i], 0.0F, 1.0F) * 255.0F + 0.5F);
+  if (tiff) return write_geotiff8(bytes, path, options, false);
+  write_bytes(path, encode_png8(bytes.cells(), mask.width(), mask.height(), 1));
+  sidecar.range = HeightRange{0.0, 1.0};
+  finish_sidecar(sidecar, path, options);
+}
+
+void write_labels(const LabelMap& labels, const std::string& path, const WriteOptions& options) {
+  if (labels.empty()) throw InvalidArgument("labels", "there are no cells");
+  const std::string extension = extension_of(path);
+  if (extension == ".png") {
+    write_png(encode_labels(labels), path);
+    Sidecar sidecar;
+    sidecar.frame = labels.frame();
+    sidecar.max_m = kRegionCount - 1;
+    sidecar.heights = false;
+    sidecar.provenance = options.provenance;
+    finish_sidecar(sidecar, path, options);
+    return;
+  }
+  if (extension != ".tif" && extension != ".tiff") refuse_extension(path, {".tif", ".png"});
+  Grid<uint8_t> numbers(labels.frame());
+  std::transform(labels.cells().begin(), labels.cells().end(), numbers.cells().begin(),
+                 [](Region region) { return static_cast<uint8_t>(region); });
+  write_geotiff8(numbers, path, options, true);
+}
+
+}  // namespace seamount::io

@@ -1,0 +1,100 @@
+// Elevation and other rasters from and to files.
+//
+// Read:  GeoTIFF/COG, SRTM HGT, Arc/Info ASC, PNG (8, 16 bit grey), EXR, R16/R32/RAW (square, little endian), NPY.
+// Write: .tif .asc .png .exr .r16 .raw .r32 .npy, by extension.
+//
+// What a file does not say must be told: an unsigned integer image without side-car (sidecar.h) needs
+// ReadOptions::range, a file without georeference needs ReadOptions::cell_m. Both are errors that say so, never a
+// guess. Float, signed and georeferenced files hold metres (vertical feet in a GeoTIFF are converted).
+//
+// Rasters in degrees, feet or oblong cells are warped (bilinear) to square cells in metres that cover the largest
+// upright rectangle inside the raster, about as many cells as before: degrees to a local transverse Mercator
+// (projection.h), at most 20 degrees of longitude across. An ASC file without .prj whose cells are below 0.05 is taken
+// as degrees.
+//
+// Everything here throws IoError{path} with one line: missing, truncated, too large, not a raster, rotated.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "seamount/io/sidecar.h"
+#include "seamount/model/grid.h"
+#include "seamount/model/label_map.h"
+
+namespace seamount::io {
+
+/// What a raster file says of itself, without its cells being kept.
+struct RasterInfo {
+  int width = 0, height = 0;
+  int bands = 1;
+  double cell_x = 0.0, cell_y = 0.0;  ///< metres, or degrees where geographic; 0: not stated
+  bool geographic = false;            ///< cells are in degrees
+  std::string crs;                    ///< "EPSG:32604" or WKT; empty: none
+  std::string format;                 ///< "GeoTIFF", "PNG", ...
+  std::string type;                   ///< "float32", "uint16", ...
+  std::optional<double> nodata;
+  double min = 0.0, max = 0.0;  ///< over valid cells, as stored (codes, not metres, for integer images)
+  int64_t void_cells = 0;       ///< nodata or not finite
+};
+
+/// What to do with cells that have no height.
+enum class Voids {
+  fill,    ///< interpolate from the rim of the hole, weighted by inverse distance
+  refuse,  ///< an error that says how many and where the first is
+};
+
+struct ReadOptions {
+  std::optional<double> cell_m;      ///< where the file does not say; > 0
+  std::optional<HeightRange> range;  ///< heights of the lowest and highest code of an integer image, or of 0 and 1 of
+                                     ///< real values; beats a side-car
+  Voids voids = Voids::refuse;
+  int band = 1;                     ///< of a multi-band raster
+  int64_t max_cells = 300'000'000;  ///< larger rasters are refused (17 320 squared)
+};
+
+struct WriteOptions {
+  std::optional<HeightRange> range;  ///< of 16-bit formats; default: the field's own minimum and maximum
+  bool cloud_optimised = false;      ///< .tif only: tiles and overviews in COG order
+  bool sidecar = true;               ///< beside formats that cannot say their own scale
+  Provenance provenance;
+};
+
+/// Reads the whole file once for the extremes. Cost: a read.
+RasterInfo raster_info(const std::string& path);
+
+/// Heights in metres, row 0 north, all finite. Formats are told apart by extension, GIS formats by content.
+HeightField read_heights(const std::string& path, const ReadOptions& options = {});
+/// The same from memory; `name` gives the extension and stands in messages. No side-car.
+HeightField read_heights(std::span<const uint8_t> bytes, const std::string& name, const ReadOptions& options = {});
+
+/// Any other scalar: the same, but no units are converted.
+ScalarField read_field(const std::string& path, const ReadOptions& options = {});
+
+/// A selection: integer formats are scaled to [0, 1] unless options.range says otherwise.
+Mask read_mask(const std::string& path, const ReadOptions& options = {});
+
+/// Regions from a GeoTIFF of their numbers (mountain 0 ... abyss 4) or a PNG in the colours of label_image.h.
+LabelMap read_labels(const std::string& path, const ReadOptions& options = {});
+
+/// GeoTIFF: float32, tiled, deflate with the floating point predictor, pixel is area, "0 m is sea level" as metadata;
+/// CRS and geotransform come back exactly. 16-bit formats come back within half of range / 65535.
+void write_heights(const HeightField& heights, const std::string& path, const WriteOptions& options = {});
+
+/// Any other scalar: the same without the vertical datum.
+void write_field(const ScalarField& field, const std::string& path, const WriteOptions& options = {});
+
+/// A selection as 8 bits: .png or .tif, 0..255 for [0, 1] (clamped); other extensions as write_field.
+void write_mask(const Mask& mask, const std::string& path, const WriteOptions& options = {});
+
+/// .tif: 8 bit, palette and category names; .png: the colours of label_image.h.
+void write_labels(const LabelMap& labels, const std::string& path, const WriteOptions& options = {});
+
+/// Extensions that read_heights() and write_heights() know, with their dots.
+const std::vector<std::string>& readable_raster_extensions();
+const std::vector<std::string>& writable_raster_extensions();
+
+}  // namespace seamount::io

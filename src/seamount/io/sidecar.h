@@ -1,0 +1,44 @@
+// The JSON file beside a raster that cannot say its own scale (PNG, R16, R32, EXR, NPY): "height.r16" has
+// "height.r16.json". Written with every such export, used by every such import.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "seamount/io/provenance.h"
+#include "seamount/model/grid.h"
+
+namespace seamount::io {
+
+/// Values of the lowest and the highest code of an integer raster: 0 and 65535, or 0 and 255. high > low.
+struct HeightRange {
+  double low_m = 0.0;
+  double high_m = 1.0;
+  bool operator==(const HeightRange&) const = default;
+};
+
+/// One number that a person types into another program, with the place where it goes: {"Scale Z", "97.7"}.
+using ImportNumber = std::pair<std::string, std::string>;
+
+struct Sidecar {
+  GridFrame frame;                   ///< size, cell, place and CRS of the samples, row 0 north
+  double min_m = 0.0, max_m = 0.0;   ///< of the heights themselves
+  std::optional<HeightRange> range;  ///< integer formats only
+  bool south_first = false;          ///< the first row of the file is the southern one
+  bool heights = true;               ///< metres above sea level; else any other scalar
+  std::string target;                ///< "unreal", "unity", ...; empty: none in particular
+  std::vector<ImportNumber> import;  ///< what to type in there
+  Provenance provenance;
+};
+
+/// "height.r16" -> "height.r16.json".
+std::string sidecar_path(const std::string& raster_path);
+
+void write_sidecar(const Sidecar& sidecar, const std::string& raster_path);
+
+/// The side-car of a raster, if there is one. Throws IoError if there is one that cannot be understood.
+std::optional<Sidecar> read_sidecar(const std::string& raster_path);
+
+}  // namespace seamount::io

@@ -1,0 +1,297 @@
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "seamount/base/error.h"
+#include "seamount/base/text.h"
+#include "seamount/io/atomic_file.h"
+#include "seamount/io/gdal_call.h"
+#include "seamount/io/projection.h"
+#include "seamount/io/vector.h"
+#include "seamount/io/warp.h"
+
+namespace seamount::io {
+namespace {
+
+constexpr const char* const kDrivers[] = {"GeoJSON", "GPKG", "ESRI Shapefile", nullptr};
+constexpr const char* kWhat = "a GeoJSON, GeoPackage or Shapefile";
+constexpr size_t kMostPoints = 50'000'000;
+constexpr double kMostDegrees = 20.0;
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// Index of the first field with one of these names, any case; -1 if there is none.
+int find_field(const OGRFeatureDefn& definition, const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    for (int i = 0; i < definition.GetFieldCount(); ++i)
+      if (lower(definition.GetFieldDefn(i)->GetNameRef()) == name) return i;
+  return -1;
+}
+
+int name_field(const OGRFeatureDefn& definition) {
+  const int named = find_field(definition, {"name"});
+  if (named >= 0) return named;
+  for (int i = 0; i < definition.GetFieldCount(); ++i)
+    if (definition.GetFieldDefn(i)->GetType() == OFTString) return i;
+  return -1;
+}
+
+std::string field_text(OGRFeature& feature, int field) {
+  return field >= 0 && feature.IsFieldSetAndNotNull(field) != 0 ? feature.GetFieldAsString(field) : "";
+}
+
+/// Gathers the shapes of features in the file's own coordinates.
+class Collector {
+ public:
+  explicit Collector(const GdalCall& call) : call_(call) {}
+
+  void add(const OGRGeometry& geometry, NamedArea& area, double value, int depth = 0) {
+    constexpr int kDeepest = 16;
+    if (depth > kDeepest) call_.fail("its collections are nested too deeply");
+    const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+    if (type == wkbPolygon) {
+      add_polygon(*geometry.toPolygon(), area);
+    } else if (type == wkbLineString) {
+      add_line(*geometry.toLineString(), value);
+    } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0) {
+      for (const OGRGeometry* part : *geometry.toGeometryCollection()) add(*part, area, value, depth + 1);
+    } else if (OGR_GT_IsNonLinear(type) != 0) {
+      const std::unique_ptr<OGRGeometry> linear(geometry.getLinearGeometry());
+      if (linear && OGR_GT_IsNonLinear(wkbFlatten(linear->getGeometryType())) == 0)
+        add(*linear, area, value, depth + 1);
+    }
+  }
+
+  Drawing& drawing() { return drawing_; }
+
+ private:
+  std::vector<Vec2> points_of(const OGRSimpleCurve& curve) {
+    std::vector<Vec2> points;
+    total_ += static_cast<size_t>(curve.getNumPoints());
+    if (total_ > kMostPoints) call_.fail("has more than " + std::to_string(kMostPoints) + " points");
+    for (int i = 0; i < curve.getNumPoints(); ++i) {
+      const Vec2 point{curve.getX(i), curve.getY(i)};
+      if (!std::isfinite(point.x) || !std::isfinite(point.y)) call_.fail("has a coordinate that is not finite");
+      if (points.empty() || !(points.back() == point)) points.push_back(point);
+    }
+    return points;
+  }
+
+  Ring ring_of(const OGRLinearRing& from) {
+    Ring ring = points_of(from);
+    if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+    return ring;
+  }
+
+  /// Rings of less than three points enclose nothing and are left out.
+  void add_polygon(const OGRPolygon& from, NamedArea& area) {
+    if (from.getExteriorRing() == nullptr) return;
+    Polygon polygon{ring_of(*from.getExteriorRing()), {}};
+    if (polygon.outer.size() < 3) return;
+    for (int i = 0; i < from.getNumInteriorRings(); ++i) {
+      Ring hole = ring_of(*from.getInteriorRing(i));
+      if (hole.size() >= 3) polygon.holes.push_back(std::move(hole));
+    }
+    area.parts.push_back(std::move(polygon));
+  }
+
+  void add_line(const OGRLineString& from, double value) {
+    Polyline points = points_of(from);
+    const bool closed = points.size() > 3 && points.front() == points.back();
+    if (closed) points.pop_back();
+    if (points.size() >= 2) drawing_.lines.push_back({std::move(points), value, closed});
+  }
+
+  const GdalCall& call_;
+  Drawing drawing_;
+  size_t total_ = 0;
+};
+
+OGRLayer& choose_layer(GDALDataset& dataset, const std::string& wanted, const GdalCall& call) {
+  std::vector<std::string> names;
+  OGRLayer* first = nullptr;
+  for (int i = 0; i < dataset.GetLayerCount(); ++i) {
+    OGRLayer* layer = dataset.GetLayer(i);
+    if (layer == nullptr) continue;
+    names.push_back(layer->GetName());
+    if (names.back() == wanted) return *layer;
+    const OGRwkbGeometryType type = wkbFlatten(layer->GetGeomType());
+    if (first == nullptr && type != wkbPoint && type != wkbNone) first = layer;
+  }
+  if (!wanted.empty()) call.fail("has no layer '" + wanted + "'" + suggestion(wanted, names));
+  if (first == nullptr) call.fail("has no layer of areas or lines");
+  return *first;
+}
+
+/// All places of a drawing, one by one.
+template <class Visit>
+void for_each_point(Drawing& drawing, const Visit& visit) {
+  for (NamedArea& area : drawing.areas) {
+    for (Polygon& polygon : area.parts) {
+      for (Vec2& p : polygon.outer) visit(p);
+      for (Ring& hole : polygon.holes)
+        for (Vec2& p : hole) visit(p);
+    }
+  }
+  for (ValuedLine& line : drawing.lines)
+    for (Vec2& p : line.points) visit(p);
+}
+
+struct Box {
+  double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
+  double width() const { return x1 - x0; }
+};
+
+Box bounds(Drawing& drawing) {
+  Box box;
+  for_each_point(drawing, [&](const Vec2& p) {
+    box.x0 = std::min(box.x0, p.x), box.x1 = std::max(box.x1, p.x);
+    box.y0 = std::min(box.y0, p.y), box.y1 = std::max(box.y1, p.y);
+  });
+  return box;
+}
+
+/// Joins the parts of an area that was cut along the 180th meridian.
+void join_parts(NamedArea& area, const GdalCall& call) {
+  OGRMultiPolygon parts;
+  const auto to_ring = [](const Ring& ring) {
+    auto* made = new OGRLinearRing;
+    for (const Vec2& p : ring) made->addPoint(p.x, p.y);
+    made->closeRings();
+    return made;
+  };
+  for (const Polygon& polygon : area.parts) {
+    auto* made = new OGRPolygon;
+    made->addRingDirectly(to_ring(polygon.outer));
+    for (const Ring& hole : polygon.holes) made->addRingDirectly(to_ring(hole));
+    parts.addGeometryDirectly(made);
+  }
+  const std::unique_ptr<OGRGeometry> whole(parts.UnionCascaded());
+  if (!whole) return;  // not valid shapes: the caller's check of outlines will say so
+  Collector collector(call);
+  area.parts.clear();
+  collector.add(*whole, area, 0.0);
+}
+
+/// Longitude and latitude to a local metric system.
+void project_degrees(Drawing& drawing, const OGRSpatialReference& system, const GdalCall& call) {
+  const OGRSpatialReference lonlat = lonlat_system();
+  Box box = bounds(drawing);
+  if (box.width() > 180) {
+    for_each_point(drawing, [](Vec2& p) { p.x += p.x < 0 ? 360 : 0; });
+    box = bounds(drawing);
+    for (NamedArea& area : drawing.areas)
+      if (area.parts.size() > 1) join_parts(area, call);
+  }
+  if (box.y0 < -90 || box.y1 > 90 || box.x0 < -360 || box.x1 > 540)
+    call.fail("its coordinates are not longitude and latitude in degrees");
+  if (box.width() > kMostDegrees)
+    call.fail("spans " + format_number(std::round(box.width() * 10) / 10) +
+              " degrees of longitude; choose one feature by its name, at most " + format_number(kMostDegrees) +
+              " degrees wide");
+  const auto rounded = [](double degrees) { return std::round(degrees * 1e4) / 1e4; };
+  double longitude = rounded(0.5 * (box.x0 + box.x1));
+  if (longitude > 180) longitude -= 360;
+  drawing.crs = local_crs(longitude, rounded(0.5 * (box.y0 + box.y1)));
+  const auto metres = parse_crs(drawing.crs);
+  const TransformPtr transform(OGRCreateCoordinateTransformation(&system, metres.get()));
+  if (!transform) call.fail("its coordinate reference system cannot be used");
+  for_each_point(drawing, [&](Vec2& p) {
+    if (transform->Transform(1, &p.x, &p.y) == FALSE || !std::isfinite(p.x) || !std::isfinite(p.y))
+      call.fail("has a place that cannot be projected to metres");
+  });
+}
+
+void to_metres(Drawing& drawing, const OGRSpatialReference* system, const GdalCall& call) {
+  if (system == nullptr || system->IsEmpty() || system->IsLocal() != 0) return;
+  OGRSpatialReference own = identified(*system);
+  own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (own.IsGeographic() != 0) return project_degrees(drawing, own, call);
+  if (!is_metric(own)) call.fail("its coordinate reference system is not in metres; reproject it first");
+  drawing.crs = crs_text(&own);
+}
+
+Drawing read_layer(const std::string& place, const GdalCall& call, const VectorOptions& options) {
+  const DatasetPtr dataset = open_dataset(call, place, GDAL_OF_VECTOR, kDrivers, kWhat);
+  OGRLayer& layer = choose_layer(*dataset, options.layer, call);
+  const OGRFeatureDefn& definition = *layer.GetLayerDefn();
+  const int name_at = name_field(definition);
+  const int value_at = find_field(definition, {"value", "elevation", "elev", "height"});
+  Collector collector(call);
+  std::vector<std::string> names;
+  bool found = false;
+  layer.ResetReading();
+  while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
+    const std::string name = field_text(*feature, name_at);
+    constexpr size_t kMostNames = 10000;
+    if (!name.empty() && names.size() < kMostNames) names.push_back(name);
+    if (!options.feature.empty() && lower(name) != lower(options.feature)) continue;
+    found = true;
+    NamedArea area{name, {}};
+    if (const OGRGeometry* geometry = feature->GetGeometryRef())
+      collector.add(*geometry, area, value_at >= 0 ? feature->GetFieldAsDouble(value_at) : 0.0);
+    if (!area.parts.empty()) collector.drawing().areas.push_back(std::move(area));
+  }
+  call.check("is damaged");
+  if (!found && !options.feature.empty())
+    call.fail("has no feature '" + options.feature + "'" + suggestion(options.feature, names));
+  Drawing drawing = std::move(collector.drawing());
+  if (drawing.areas.empty() && drawing.lines.empty()) call.fail("has no areas or lines in it");
+  to_metres(drawing, layer.GetSpatialRef(), call);
+  return drawing;
+}
+
+void check_extension(const std::string& path) {
+  const std::vector<std::string> known = {".geojson", ".json", ".gpkg", ".shp"};
+  const std::string extension = extension_of(path);
+  if (std::find(known.begin(), known.end(), extension) == known.end())
+    throw IoError(path, "'" + extension + "' is not a vector format" + suggestion(extension, known));
+}
+
+}  // namespace
+
+Drawing read_drawing(const std::string& path, const VectorOptions& options) {
+  check_readable(path);
+  check_extension(path);
+  const GdalCall call(path);
+  return read_layer(path, call, options);
+}
+
+Drawing read_geojson(std::span<const uint8_t> bytes, const std::string& name, const VectorOptions& options) {
+  GdalCall call(name);
+  const MemoryFile memory(bytes, "shapes.geojson");
+  call.hide(memory.path());
+  return read_layer(memory.path(), call, options);
+}
+
+Drawing read_areas(const std::string& path, const VectorOptions& options) {
+  Drawing drawing = read_drawing(path, options);
+  if (drawing.areas.empty()) throw IoError(path, "has lines but no areas in it");
+  return drawing;
+}
+
+std::vector<std::string> feature_names(const std::string& path) {
+  check_readable(path);
+  check_extension(path);
+  const GdalCall call(path);
+  const DatasetPtr dataset = open_dataset(call, path, GDAL_OF_VECTOR, kDrivers, kWhat);
+  OGRLayer& layer = choose_layer(*dataset, "", call);
+  const int name_at = name_field(*layer.GetLayerDefn());
+  std::vector<std::string> names;
+  layer.ResetReading();
+  while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
+    const std::string name = field_text(*feature, name_at);
+    if (!name.empty()) names.push_back(name);
+  }
+  call.check("is damaged");
+  return names;
+}
+
+}  // namespace seamount::io

@@ -1,0 +1,280 @@
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "seamount/base/error.h"
+#include "seamount/base/text.h"
+#include "seamount/io/atomic_file.h"
+#include "seamount/io/gdal_call.h"
+#include "seamount/io/projection.h"
+#include "seamount/io/vector.h"
+
+namespace seamount::io {
+namespace {
+
+/// What GeoPackage calls a plane without a place on the Earth.
+constexpr const char* kLocalMetres =
+    "ENGCRS[\"Undefined Cartesian "
+    "SRS\",EDATUM[\"\"],CS[Cartesian,2],AXIS[\"(E)\",east,ORDER[1],LENGTHUNIT[\"metre\",1]],"
+    "AXIS[\"(N)\",north,ORDER[2],LENGTHUNIT[\"metre\",1]]]";
+
+double signed_area(const Ring& ring) {
+  double sum = 0;
+  for (size_t i = 0; i < ring.size(); ++i) sum += cross(ring[i], ring[(i + 1) % ring.size()]);
+  return 0.5 * sum;
+}
+
+/// Counter-clockwise or not, without repeating the first point.
+Ring oriented(Ring ring, bool counter_clockwise) {
+  if ((signed_area(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+  return ring;
+}
+
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// Decimal without exponent, at most `digits` behind the point, no trailing zeros.
+void append_decimal(std::string& text, double value, int digits) {
+  char buffer[400];
+  const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::fixed, digits).ptr;
+  std::string_view number(buffer, static_cast<size_t>(end - buffer));
+  while (number.ends_with('0')) number.remove_suffix(1);
+  if (number.ends_with('.')) number.remove_suffix(1);
+  text += number == "-0" ? "0" : number;
+}
+
+/// Visits every chain of points of a drawing.
+template <class AnyDrawing, class Visit>
+void for_each_chain(AnyDrawing& drawing, const Visit& visit) {
+  for (auto& area : drawing.areas) {
+    for (auto& part : area.parts) {
+      visit(part.outer);
+      for (auto& hole : part.holes) visit(hole);
+    }
+  }
+  for (auto& line : drawing.lines) visit(line.points);
+}
+
+/// The same drawing in longitude and latitude, all points at once because a transformation is dear to set up.
+Drawing in_degrees(Drawing drawing) {
+  std::vector<Vec2> all;
+  for_each_chain(drawing, [&](const std::vector<Vec2>& chain) { all.insert(all.end(), chain.begin(), chain.end()); });
+  all = to_lonlat(all, drawing.crs);
+  auto next = all.begin();
+  for_each_chain(drawing, [&](std::vector<Vec2>& chain) {
+    // Across the 180th meridian longitudes go on beyond 180 instead of jumping to the other side of the map.
+    const double first = next->x;
+    for (Vec2& p : chain) {
+      p = *next++;
+      p.x -= 360.0 * std::round((p.x - first) / 360.0);
+    }
+  });
+  return drawing;
+}
+
+/// "[[x,y],...]".
+void append_points(std::string& text, const std::vector<Vec2>& points, bool close, int digits) {
+  text += '[';
+  for (size_t i = 0; i < points.size() + (close ? 1 : 0); ++i) {
+    const Vec2& p = points[i % points.size()];
+    text += i == 0 ? "[" : ",[";
+    append_decimal(text, p.x, digits);
+    text += ',';
+    append_decimal(text, p.y, digits);
+    text += ']';
+  }
+  text += ']';
+}
+
+std::string to_geojson(const Drawing& metres) {
+  const bool placed = !metres.crs.empty();
+  const Drawing drawing = placed ? in_degrees(metres) : metres;
+  const int digits = placed ? 10 : 6;  // a hundredth of a millimetre, a thousandth
+  std::string text = "{\"type\":\"FeatureCollection\",";
+  if (!placed) text += "\"crs\":{\"type\":\"name\",\"properties\":{\"name\":" + quoted(kLocalMetres) + "}},";
+  text += "\"features\":[";
+  const char* separator = "\n";
+  const auto begin = [&](const std::string& properties, const char* type) {
+    text += separator;
+    separator = ",\n";
+    text += "{\"type\":\"Feature\",\"properties\":{" + properties + "},\"geometry\":{\"type\":\"" + type +
+            "\",\"coordinates\":";
+  };
+  for (const NamedArea& area : drawing.areas) {
+    begin("\"name\":" + quoted(area.name), "MultiPolygon");
+    text += '[';
+    for (size_t i = 0; i < area.parts.size(); ++i) {
+      text += i == 0 ? "[" : ",[";
+      append_points(text, oriented(area.parts[i].outer, true), true, digits);
+      for (const Ring& hole : area.parts[i].holes) {
+        text += ',';
+        append_points(text, oriented(hole, false), true, digits);
+      }
+      text += ']';
+    }
+    text += "]}}";
+  }
+  for (const ValuedLine& line : drawing.lines) {
+    begin("\"value\":" + format_number(line.value), "LineString");
+    append_points(text, line.points, line.closed, digits);
+    text += "}}";
+  }
+  return text + "\n]}\n";
+}
+
+void append_path(std::string& text, const std::vector<Vec2>& points, bool close) {
+  for (size_t i = 0; i < points.size(); ++i) {
+    text += i == 0 ? "M" : "L";
+    append_decimal(text, points[i].x, 3);
+    text += ' ';
+    append_decimal(text, -points[i].y, 3);
+  }
+  if (close) text += 'Z';
+}
+
+std::string xml_escaped(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else if (c == '>')
+      escaped += "&gt;";
+    else if (c == '"')
+      escaped += "&quot;";
+    else if (static_cast<unsigned char>(c) >= ' ')
+      escaped += c;
+  }
+  return escaped;
+}
+
+std::string to_svg(const Drawing& drawing) {
+  double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
+  for_each_chain(drawing, [&](const std::vector<Vec2>& points) {
+    for (const Vec2& p : points) {
+      x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
+      y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+    }
+  });
+  if (!(x1 >= x0)) x0 = x1 = y0 = y1 = 0;
+  const double margin = 0.01 * std::max({x1 - x0, y1 - y0, 1.0});
+  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
+  for (const double number : {x0 - margin, -y1 - margin, x1 - x0 + 2 * margin, y1 - y0 + 2 * margin}) {
+    append_decimal(text, number, 3);
+    text += ' ';
+  }
+  text.back() = '"';
+  text += ">\n<g fill=\"#d8cfb8\" fill-rule=\"evenodd\" stroke=\"#333\" stroke-width=\"1\">\n";
+  for (const NamedArea& area : drawing.areas) {
+    text += "<path vector-effect=\"non-scaling-stroke\" data-name=\"" + xml_escaped(area.name) + "\" d=\"";
+    for (const Polygon& polygon : area.parts) {
+      append_path(text, polygon.outer, true);
+      for (const Ring& hole : polygon.holes) append_path(text, hole, true);
+    }
+    text += "\"/>\n";
+  }
+  text += "</g>\n<g fill=\"none\" stroke=\"#7a4a1e\" stroke-width=\"1\">\n";
+  for (const ValuedLine& line : drawing.lines) {
+    text += "<path vector-effect=\"non-scaling-stroke\" data-value=\"" + format_number(line.value) + "\" d=\"";
+    append_path(text, line.points, line.closed);
+    text += "\"/>\n";
+  }
+  return text + "</g>\n</svg>\n";
+}
+
+void add_points(OGRSimpleCurve& curve, const std::vector<Vec2>& points, bool close) {
+  for (const Vec2& p : points) curve.addPoint(p.x, p.y);
+  if (close && !points.empty()) curve.addPoint(points.front().x, points.front().y);
+}
+
+OGRLayer& add_layer(GDALDataset& dataset, const char* name, OGRwkbGeometryType type, const char* field,
+                    OGRFieldType field_type, OGRSpatialReference* system, const GdalCall& call) {
+  OGRLayer* layer = dataset.CreateLayer(name, system, type, nullptr);
+  OGRFieldDefn definition(field, field_type);
+  if (layer == nullptr || layer->CreateField(&definition) != OGRERR_NONE) call.fail("cannot be written");
+  return *layer;
+}
+
+void add_feature(OGRLayer& layer, OGRFeature& feature, const OGRGeometry& geometry, const GdalCall& call) {
+  feature.SetGeometry(&geometry);
+  if (layer.CreateFeature(&feature) != OGRERR_NONE) call.fail("cannot be written");
+}
+
+void add_areas(GDALDataset& dataset, const Drawing& drawing, OGRSpatialReference* system, const GdalCall& call) {
+  OGRLayer& layer = add_layer(dataset, "areas", wkbMultiPolygon, "name", OFTString, system, call);
+  for (const NamedArea& area : drawing.areas) {
+    OGRFeature feature(layer.GetLayerDefn());
+    feature.SetField("name", area.name.c_str());
+    OGRMultiPolygon geometry;
+    for (const Polygon& polygon : area.parts) {
+      OGRPolygon part;
+      OGRLinearRing ring;
+      add_points(ring, polygon.outer, true);
+      part.addRing(&ring);
+      for (const Ring& hole : polygon.holes) {
+        OGRLinearRing inner;
+        add_points(inner, hole, true);
+        part.addRing(&inner);
+      }
+      geometry.addGeometry(&part);
+    }
+    add_feature(layer, feature, geometry, call);
+  }
+}
+
+void add_lines(GDALDataset& dataset, const Drawing& drawing, OGRSpatialReference* system, const GdalCall& call) {
+  OGRLayer& layer = add_layer(dataset, "lines", wkbLineString, "value", OFTReal, system, call);
+  for (const ValuedLine& line : drawing.lines) {
+    OGRFeature feature(layer.GetLayerDefn());
+    feature.SetField("value", line.value);
+    OGRLineString geometry;
+    add_points(geometry, line.points, line.closed);
+    add_feature(layer, feature, geometry, call);
+  }
+}
+
+void write_geopackage(const Drawing& drawing, const std::string& path) {
+  write_atomically(path, [&](const std::string& temporary) {
+    GdalCall call(path);
+    call.hide(temporary);
+    // The time of writing goes into the file: a fixed one, so that the same drawing gives the same bytes.
+    CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z");
+    const std::unique_ptr<OGRSpatialReference> system = parse_crs(drawing.crs.empty() ? kLocalMetres : drawing.crs);
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+    DatasetPtr dataset(driver->Create(temporary.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    if (!dataset || dataset->StartTransaction() != OGRERR_NONE) call.fail("cannot be written");
+    if (!drawing.areas.empty()) add_areas(*dataset, drawing, system.get(), call);
+    if (!drawing.lines.empty()) add_lines(*dataset, drawing, system.get(), call);
+    if (dataset->CommitTransaction() != OGRERR_NONE) call.fail("cannot be written");
+    dataset.reset();
+    CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr);
+    call.check("cannot be written");
+  });
+}
+
+}  // namespace
+
+void write_drawing(const Drawing& drawing, const std::string& path) {
+  for_each_chain(drawing, [](const std::vector<Vec2>& chain) {
+    if (chain.empty()) throw InvalidArgument("drawing", "has a line or a ring without points");
+    for (const Vec2& p : chain)
+      if (!std::isfinite(p.x) || !std::isfinite(p.y))
+        throw InvalidArgument("drawing", "has a place that is not finite");
+  });
+  for (const ValuedLine& line : drawing.lines)
+    if (!std::isfinite(line.value)) throw InvalidArgument("drawing", "has a line whose value is not finite");
+  const std::string extension = extension_of(path);
+  if (extension == ".geojson" || extension == ".json") return write_text(path, to_geojson(drawing));
+  if (extension == ".svg") return write_text(path, to_svg(drawing));
+  if (extension == ".gpkg") return write_geopackage(drawing, path);
+  throw IoError(path, "'" + extension + "' is not a vector format" +
+                          suggestion(extension, {".geojson", ".json", ".gpkg", ".svg"}));
+}
+
+}  // namespace seamount::io

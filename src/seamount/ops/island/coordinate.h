@@ -1,0 +1,58 @@
+// The region coordinate x~: where a place lies across the regions of an island (P0 eq. 1.1 and its general form).
+//
+// Between outlines i and i + 1, x~ = i + d_i / (d_i + d_{i+1}). In polar form d are differences of radii along the ray,
+// which is eq. 1.1 as printed. For areas of any form d are distances to the outlines; distances alone have creases
+// along the medial axis, so inside the innermost outline x~ = sqrt(1 - u / max u) with laplace(u) = -1, u = 0 on the
+// outline (on a circle this is r / R, eq. 1.1 again), and further out distances are smoothed the more the further they
+// are. x~ is continuous, 0 at the summit and clamped to 5 beyond the last outline.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "seamount/base/run_context.h"
+#include "seamount/model/grid.h"
+#include "seamount/ops/island/shape.h"
+
+namespace seamount::island {
+
+/// x~ of a plan, ready to be read along rows of any frame.
+class RegionCoordinate {
+ public:
+  /// `smoothing` in [0, 1]: how much creases of distance fields are softened; 0 gives plain distances. For areas,
+  /// fields are computed on a lattice of at most 1024 nodes a side, whatever the frame's size, so that a preview shows
+  /// the same island. Time: about one millisecond per 50 000 lattice nodes.
+  RegionCoordinate(const Plan& plan, const GridFrame& frame, double smoothing, const RunContext& run);
+
+  /// out[i] = x~ at (x0 + i dx, y). `shift_m` (empty: none) is added to the distance from the coast: its irregular
+  /// detail.
+  void row(double x0, double dx, double y, std::span<const float> shift_m, std::span<float> out) const;
+
+ private:
+  void prepare_polar(const Plan& plan);
+  void prepare_areas(const Plan& plan, double smoothing, const RunContext& run);
+  void polar_row(double x0, double dx, double y, std::span<const float> shift_m, std::span<float> out) const;
+  void area_row(double x0, double dx, double y, std::span<const float> shift_m, std::span<float> out) const;
+
+  /// An outline as a level of a distance field: signed distance = fields_[field] - offset_m.
+  struct Level {
+    int field = 0;
+    double offset_m = 0;
+  };
+
+  GridFrame lattice_;
+  // Polar form: radii of the outlines per angle, one table after another.
+  Vec2 centre_;
+  std::vector<float> radii_;
+  // General form.
+  std::vector<ScalarField> fields_;
+  std::vector<Level> levels_;  ///< outlines first_ .. 4
+  ScalarField dome_;           ///< (u / max u) per metre of depth inside the innermost outline
+  int first_ = 0;              ///< index of the innermost outline that encloses anything
+};
+
+/// x~ of a label map alone, for terrain that was not made here: per region the distances to what lies inside and
+/// outside of it. Inside the innermost region it is 1 - depth / greatest depth. Linear time, parallel.
+ScalarField coordinate_from_labels(const LabelMap& labels, const RunContext& run);
+
+}  // namespace seamount::island

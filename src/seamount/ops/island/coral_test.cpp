@@ -1,0 +1,149 @@
+// P0 eq. 1.8 to 1.15 against values by hand, and the laws of subsidence and reef growth.
+#include "seamount/ops/island/coral.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "seamount/geom/blend.h"
+#include "seamount/ops/island/build.h"
+
+namespace seamount::island {
+namespace {
+
+TEST(Subside, ScalesHeightsOverTheSeaFloor) {
+  EXPECT_DOUBLE_EQ(subside(1000, -500, 0.0), 1000);
+  EXPECT_DOUBLE_EQ(subside(1000, -500, 0.2), 700);   // -500 + 0.8 * 1500
+  EXPECT_DOUBLE_EQ(subside(-500, -500, 0.7), -500);  // the sea floor does not rise, as scaling z itself would make it
+  EXPECT_DOUBLE_EQ(subside(1000, -500, 1.0), -500);
+}
+
+TEST(Transition, IsEquation1_10) {
+  EXPECT_DOUBLE_EQ(transition(-20, -2, 0.5, 0.75, 0.5), -20);
+  EXPECT_DOUBLE_EQ(transition(-20, -2, 0.5, 0.75, 0.75), -2);
+  EXPECT_DOUBLE_EQ(transition(-20, -2, 0.5, 0.75, 0.625), -11);                    // smoothstep(1/2) = 1/2
+  EXPECT_NEAR(transition(-20, -2, 0.5, 0.75, 0.5625), -20 + 18 * 0.15625, 1e-12);  // smoothstep(1/4) = 3/16 - 2/64
+}
+
+TEST(CoralProfile, IsEquation1_11) {
+  const CoralParams p;
+  for (const auto& [x, z] : {std::pair{0.0, -20.0},
+                             {0.3, -20.0},
+                             {0.5, -20.0},
+                             {0.625, -11.0},
+                             {0.75, -2.0},
+                             {0.78, -2.0},
+                             {0.8, -2.0},
+                             {0.9, -51.0},
+                             {1.0, -100.0},
+                             {1.5, -100.0}}) {
+    EXPECT_NEAR(coral_profile(p, x), z, 1e-9) << x;
+  }
+  EXPECT_NEAR(coral_profile(p, 0.85), -2 - 98 * 0.15625, 1e-9);
+}
+
+TEST(CoralProfile, RefusesBreakpointsOutOfOrder) {
+  const LabelMap labels(GridFrame::centred(4, 4, 10), Region::reef);
+  const HeightField flat(labels.frame(), -5.0F);
+  try {
+    coral(flat, labels, nullptr, {.back_end = 0.9}, {}, {});
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_STREQ(error.what(), "crest_start: 0.75 does not follow back_end = 0.9");
+  }
+}
+
+Island small_island(int size = 160) {
+  const GridFrame frame = GridFrame::centred(size, size, 12800.0 / size);
+  const Plan plan = plan_from_polar({{{3000, 3400, 2900, 3300}}}, {},
+                                    {.beach_m = 120, .lagoon_m = 700, .reef_m = 700, .slope_m = 1500});
+  return build(plan, {.peak_m = 700.0, .floor_m = -500.0}, frame, Seed{5}, {});
+}
+
+/// Only what the paper has: no talus, passes, islets or uneven floor.
+CoralParams paper_only(double subsidence) {
+  return {.subsidence = subsidence, .fore_reef_slope_deg = 0, .passes = 0, .lagoon_relief_m = 0, .islets = 0};
+}
+
+TEST(Coral, IsAlgorithm2OnEveryCell) {
+  const Island isle = small_island();
+  const CoralParams p = paper_only(0.35);
+  const Reefed out = coral(isle.terrain, isle.labels, &isle.coordinate, p, Seed{1}, {});
+  const double floor = *std::min_element(isle.terrain.cells().begin(), isle.terrain.cells().end());
+  for (size_t c = 0; c < out.terrain.size(); ++c) {
+    const double x = std::clamp(isle.coordinate.cells()[c] - 3.0, 0.0, 1.0);
+    const double expected = geom::smax(subside(isle.terrain.cells()[c], floor, 0.35), coral_profile(p, x), 0.5);
+    ASSERT_NEAR(out.terrain.cells()[c], expected, 0.02);
+  }
+}
+
+TEST(Coral, NeverLiesBelowTheSunkenIslandOrTheReef) {
+  const Island isle = small_island();
+  for (const double lambda : {0.0, 0.2, 0.6, 1.0}) {
+    const Reefed out = coral(isle.terrain, isle.labels, &isle.coordinate, {.subsidence = lambda}, Seed{1}, {});
+    const double floor = *std::min_element(isle.terrain.cells().begin(), isle.terrain.cells().end());
+    for (size_t c = 0; c < out.terrain.size(); ++c)
+      ASSERT_GE(out.terrain.cells()[c], subside(isle.terrain.cells()[c], floor, lambda) - 0.01);
+  }
+}
+
+/// Land, and water that the reef shuts in, by flood from the frame's border over what lies deeper than `sill`.
+struct Census {
+  int land = 0;
+  double deepest_lagoon = 0;
+};
+
+Census census(const Reefed& r) {
+  Census c;
+  for (size_t i = 0; i < r.terrain.size(); ++i) {
+    const Region label = r.labels.cells()[i];
+    if (r.terrain.cells()[i] > 0 && label == Region::mountain) ++c.land;
+    if (label == Region::lagoon)
+      c.deepest_lagoon = std::min(c.deepest_lagoon, static_cast<double>(r.terrain.cells()[i]));
+  }
+  return c;
+}
+
+TEST(Coral, OneRecipeGivesFringingReefBarrierReefAndAtoll) {
+  const Island isle = small_island();
+  const auto at = [&](double lambda) {
+    return coral(isle.terrain, isle.labels, &isle.coordinate, {.subsidence = lambda}, Seed{1}, {});
+  };
+  const Census fringing = census(at(0.0)), barrier = census(at(0.25)), atoll = census(at(0.75));
+  EXPECT_GT(fringing.land, 1000);
+  EXPECT_GT(fringing.deepest_lagoon, -10.5);  // a moat behind the crest, no lagoon
+  EXPECT_LT(barrier.deepest_lagoon, -12);     // a lagoon between island and reef
+  EXPECT_GT(barrier.land, fringing.land / 20);
+  EXPECT_LT(barrier.land, fringing.land);
+  EXPECT_EQ(atoll.land, 0);  // only the reef is left
+  EXPECT_LT(atoll.deepest_lagoon, -12);
+  // The crest keeps up with the sea at every stage.
+  for (const double lambda : {0.0, 0.25, 0.75, 1.0}) {
+    const Reefed r = at(lambda);
+    float crest = -1000;
+    for (size_t i = 0; i < r.terrain.size(); ++i) {
+      if (isle.labels.cells()[i] == Region::reef) crest = std::max(crest, r.terrain.cells()[i]);
+    }
+    EXPECT_GT(crest, -2.5) << lambda;
+  }
+}
+
+TEST(Coral, GrowsOnAnyTerrainWithLabels) {
+  const Island isle = small_island();
+  const Reefed from_labels = coral(isle.terrain, isle.labels, nullptr, paper_only(0.4), Seed{1}, {});
+  const Reefed from_coordinate = coral(isle.terrain, isle.labels, &isle.coordinate, paper_only(0.4), Seed{1}, {});
+  double difference = 0;
+  for (size_t c = 0; c < from_labels.terrain.size(); ++c)
+    difference += std::abs(from_labels.terrain.cells()[c] - from_coordinate.terrain.cells()[c]);
+  EXPECT_LT(difference / static_cast<double>(from_labels.terrain.size()), 1.5);
+}
+
+TEST(Coral, RefusesRastersOfDifferentSize) {
+  const HeightField terrain(GridFrame::centred(8, 8, 10), 0.0F);
+  EXPECT_THROW(coral(terrain, LabelMap(GridFrame::centred(8, 9, 10), Region::reef), nullptr, {}, {}, {}),
+               IncompatibleInputs);
+}
+
+}  // namespace
+}  // namespace seamount::island

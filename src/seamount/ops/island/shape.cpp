@@ -1,0 +1,242 @@
+#include "seamount/ops/island/shape.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "seamount/base/error.h"
+#include "seamount/base/text.h"
+#include "seamount/geom/contour.h"
+#include "seamount/geom/noise.h"
+#include "seamount/geom/polygon.h"
+
+namespace seamount::island {
+namespace {
+
+constexpr int kPolarSamples = 720;
+constexpr double kPi = std::numbers::pi;
+
+RegionWidths complete_widths(double land_m2, const GivenWidths& given) {
+  const RegionWidths natural = natural_widths(land_m2);
+  return {given.beach_m.value_or(natural.beach_m), given.lagoon_m.value_or(natural.lagoon_m),
+          given.reef_m.value_or(natural.reef_m), given.slope_m.value_or(natural.slope_m)};
+}
+
+double polar_area(const std::vector<double>& radii) {
+  double sum = 0;
+  for (const double r : radii) sum += r * r;
+  return kPi * sum / static_cast<double>(radii.size());
+}
+
+double areas_m2(const std::vector<Polygon>& polygons) {
+  double sum = 0;
+  for (const Polygon& polygon : polygons) sum += geom::area(polygon);
+  return sum;
+}
+
+/// The innermost outline that encloses anything: the coast of an island, the lagoon of an atoll.
+const std::vector<Polygon>& innermost(const Plan& plan) {
+  if (!plan.areas[kCoast].empty()) return plan.areas[kCoast];
+  for (const auto& area : plan.areas) {
+    if (!area.empty()) return area;
+  }
+  return plan.areas[kCoast];
+}
+
+void check_order(const std::vector<PolarOutline>& outlines) {
+  for (size_t i = 0; i + 1 < outlines.size(); ++i) {
+    for (size_t a = 0; a < outlines[i].radii_m.size(); ++a) {
+      if (outlines[i].radii_m[a] < outlines[i + 1].radii_m[a]) continue;
+      throw InvalidArgument(
+          "outlines", fmt::format("outline {} ({:.6g} m) does not lie inside outline {} ({:.6g} m) at {:.1f} degrees",
+                                  i + 1, outlines[i].radii_m[a], i + 2, outlines[i + 1].radii_m[a],
+                                  360.0 * static_cast<double>(a) / kPolarSamples));
+    }
+  }
+}
+
+/// Where ring `inner` leaves `outer`, if anywhere: nested outlines must not cross.
+void check_nesting(const Plan& plan, const std::string& name) {
+  for (int i = 0; i < kOutlineCount; ++i) {
+    for (int j = i + 1; j < kOutlineCount; ++j) {
+      for (const Polygon& inner : plan.areas[i]) {
+        bool inside = plan.areas[j].empty();
+        for (const Polygon& outer : plan.areas[j]) {
+          if (const auto place = geom::find_crossing(inner.outer, outer.outer)) {
+            throw InvalidArgument(name, fmt::format("outline '{}' crosses outline '{}' at x = {:.1f} m, y = {:.1f} m",
+                                                    kAreaNames[i], kAreaNames[j], place->x, place->y));
+          }
+          inside = inside || geom::contains(outer.outer, inner.outer.front());
+        }
+        if (!inside)
+          throw InvalidArgument(name,
+                                fmt::format("outline '{}' lies outside outline '{}'", kAreaNames[i], kAreaNames[j]));
+      }
+    }
+  }
+}
+
+void measure(Plan& plan, const GivenWidths& widths) {
+  const std::vector<Polygon>& land = innermost(plan);
+  plan.land_m2 = areas_m2(land);
+  plan.widths = complete_widths(plan.land_m2, widths);
+  size_t vertices = 0;
+  double length = 0;
+  for (const Polygon& polygon : land) {
+    vertices += polygon.outer.size();
+    length += geom::ring_length(polygon.outer);
+  }
+  plan.edge_m = vertices > 0 ? length / static_cast<double>(vertices) : 0;
+}
+
+}  // namespace
+
+RegionWidths natural_widths(double land_m2) {
+  const double radius = std::sqrt(land_m2 / kPi);
+  return {std::clamp(0.012 * radius, 20.0, 220.0), std::clamp(0.09 * radius, 80.0, 2200.0),
+          std::clamp(0.07 * radius, 80.0, 1500.0), std::clamp(0.55 * radius, 600.0, 14000.0)};
+}
+
+std::vector<double> resample_radii(const std::vector<double>& radii, int count) {
+  const auto n = static_cast<int>(radii.size());
+  std::vector<double> out(static_cast<size_t>(count));
+  for (int k = 0; k < count; ++k) {
+    const double t = static_cast<double>(k) * n / count;
+    const int i = static_cast<int>(t);
+    const double f = t - i;
+    const auto at = [&](int j) { return radii[static_cast<size_t>(((i + j) % n + n) % n)]; };
+    const double a = at(-1), b = at(0), c = at(1), d = at(2);
+    out[static_cast<size_t>(k)] = b + 0.5 * f * (c - a + f * (2 * a - 5 * b + 4 * c - d + f * (3 * (b - c) + d - a)));
+  }
+  return out;
+}
+
+Plan plan_from_polar(std::vector<PolarOutline> outlines, Vec2 centre, const GivenWidths& widths) {
+  if (outlines.size() != 1 && outlines.size() != kOutlineCount) {
+    throw InvalidArgument(
+        "outlines", fmt::format("{} outlines; give one (the coast) or five (mountain, beach, lagoon, reef, abyss)",
+                                outlines.size()));
+  }
+  for (size_t i = 0; i < outlines.size(); ++i) {
+    for (const double r : outlines[i].radii_m) {
+      if (!(r > 0) || !std::isfinite(r))
+        throw InvalidArgument("outlines",
+                              fmt::format("outline {} has the radius {}; radii are above 0", i + 1, format_number(r)));
+    }
+    if (outlines[i].radii_m.empty()) throw InvalidArgument("outlines", fmt::format("outline {} has no radius", i + 1));
+    outlines[i].radii_m = resample_radii(outlines[i].radii_m, kPolarSamples);
+  }
+  Plan plan;
+  plan.centre = centre;
+  const std::vector<double>& coast = outlines.size() == 1 ? outlines[0].radii_m : outlines[kCoast].radii_m;
+  plan.land_m2 = polar_area(coast);
+  plan.edge_m = 0.08 * std::sqrt(plan.land_m2 / kPi);
+  plan.widths = complete_widths(plan.land_m2, widths);
+  if (outlines.size() == 1) {
+    const RegionWidths& w = plan.widths;
+    const std::array<double, kOutlineCount> offset = {0, 0, w.lagoon_m, w.lagoon_m + w.reef_m,
+                                                      w.lagoon_m + w.reef_m + w.slope_m};
+    const PolarOutline given = outlines[0];
+    outlines.assign(kOutlineCount, given);
+    for (size_t i = 0; i < outlines.size(); ++i) {
+      for (double& r : outlines[i].radii_m) r = i == 0 ? std::max(0.2 * r, r - w.beach_m) : r + offset[i];
+    }
+  }
+  check_order(outlines);
+  plan.polar = std::move(outlines);
+  return plan;
+}
+
+Plan plan_from_areas(const Drawing& drawing, const GivenWidths& widths, const std::string& name) {
+  Plan plan;
+  plan.crs = drawing.crs;
+  bool named = false;
+  for (const NamedArea& area : drawing.areas) {
+    for (int i = 0; i < kOutlineCount; ++i) named = named || area.name == kAreaNames[i];
+  }
+  for (const NamedArea& area : drawing.areas) {
+    for (Polygon part : area.parts) {
+      if (const auto defect = geom::find_defect(part)) {
+        throw InvalidArgument(name, (area.name.empty() ? "" : "'" + area.name + "': ") + *defect);
+      }
+      geom::orient(part);
+      for (int i = 0; i < kOutlineCount; ++i) {
+        if (named ? area.name == kAreaNames[i] : i == kCoast) plan.areas[i].push_back(part);
+      }
+    }
+  }
+  if (innermost(plan).empty()) throw InvalidArgument(name, "holds no area");
+  check_nesting(plan, name);
+  measure(plan, widths);
+  return plan;
+}
+
+Plan plan_from_labels(const LabelMap& labels, const GivenWidths& widths) {
+  Plan plan;
+  plan.crs = labels.frame().crs;
+  Grid<uint8_t> inside(labels.frame());
+  int64_t previous = 0;
+  // Outline 5 is not painted: abyss is what lies beyond the reef.
+  for (int i = 0; i + 1 < kOutlineCount; ++i) {
+    int64_t count = 0;
+    for (size_t c = 0; c < labels.size(); ++c) {
+      const bool within = static_cast<int>(labels.cells()[c]) <= i;
+      inside.cells()[c] = within ? 1 : 0;
+      count += within ? 1 : 0;
+    }
+    // A region nobody painted has the same area as the one inside it: leave it to be derived.
+    if (count > previous) plan.areas[i] = geom::trace_mask(inside);
+    previous = count;
+  }
+  if (previous == 0) throw InvalidArgument("labels", "all of it is abyss: paint an island");
+  measure(plan, widths);
+  return plan;
+}
+
+Plan random_plan(const GridFrame& frame, Vec2 centre, double irregularity, Seed seed, const GivenWidths& widths) {
+  const double radius = 0.26 * std::min(frame.width_m(), frame.height_m());
+  PolarOutline coast;
+  coast.radii_m.resize(kPolarSamples);
+  for (int a = 0; a < kPolarSamples; ++a) {
+    const double noise = geom::fbm_circle(seed.derive("island.coast"), 2 * kPi * a / kPolarSamples, 3.0, 5);
+    coast.radii_m[static_cast<size_t>(a)] = radius * std::max(0.3, 1.0 + irregularity * noise);
+  }
+  return plan_from_polar({coast}, centre, widths);
+}
+
+void check_fits(const Plan& plan, const GridFrame& frame, const std::string& name) {
+  double west = 1e300, east = -1e300, south = 1e300, north = -1e300;
+  const auto include = [&](Vec2 p) {
+    west = std::min(west, p.x);
+    east = std::max(east, p.x);
+    south = std::min(south, p.y);
+    north = std::max(north, p.y);
+  };
+  if (!plan.polar.empty()) {
+    const std::vector<double>& radii = plan.polar[kCoast].radii_m;
+    for (size_t a = 0; a < radii.size(); ++a) {
+      const double angle = 2 * kPi * static_cast<double>(a) / static_cast<double>(radii.size());
+      include(plan.centre + radii[a] * Vec2{std::cos(angle), std::sin(angle)});
+    }
+  } else {
+    for (const Polygon& polygon : innermost(plan)) {
+      for (const Vec2 p : polygon.outer) include(p);
+    }
+  }
+  if (west > frame.west_m && east < frame.east_m() && south > frame.south_m() && north < frame.north_m) return;
+  const double slope = plan.widths.lagoon_m + plan.widths.reef_m + plan.widths.slope_m;
+  const auto needed = [&](double low, double high) {
+    return 100.0 * std::ceil(0.02 * (std::max(std::abs(low), std::abs(high)) + slope));
+  };
+  throw InvalidArgument(
+      name,
+      fmt::format(
+          "the coast reaches from x = {:.0f} to {:.0f} m and y = {:.0f} to {:.0f} m and touches the edge of the "
+          "domain ({:.0f} to {:.0f}, {:.0f} to {:.0f}); with its reef it fits into width_m = {:.0f}, height_m = {:.0f}",
+          west, east, south, north, frame.west_m, frame.east_m(), frame.south_m(), frame.north_m, needed(west, east),
+          needed(south, north)));
+}
+
+}  // namespace seamount::island

@@ -1,0 +1,248 @@
+#include "seamount/ops/island/stroke_field.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "seamount/base/parallel.h"
+#include "seamount/base/simd.h"
+#include "seamount/geom/polygon.h"
+#include "seamount/geom/resample.h"
+#include "seamount/geom/spline.h"
+
+namespace seamount::island {
+namespace {
+
+constexpr double kReach = 4.0;          // widths after which a stroke is nothing: exp(-8) = 0.0003
+constexpr double kNodesPerWidth = 8.0;  // read by cubic interpolation: error below 0.1 % of a stroke's strength
+constexpr double kTangentBlend = 3.0;   // directions are blended over width / 3
+
+/// A stroke as short straight pieces with their unit tangents.
+struct Path {
+  std::vector<Vec2> points;
+  std::vector<Vec2> tangents;
+  double reach = 0;
+  double west = 0, east = 0, south = 0, north = 0;  ///< of all that it reaches
+};
+
+Path make_path(const Stroke& stroke, double lattice_cell) {
+  Path path;
+  path.reach = kReach * stroke.width_m;
+  const Polyline fine = geom::sample_catmull_rom(stroke.points, std::max(0.25 * stroke.width_m, 0.5 * lattice_cell));
+  // Long straight pieces cost less; pieces longer than the reach would offer themselves to places far away.
+  for (const Vec2 p : geom::simplify_line(fine, 0.005 * stroke.width_m)) {
+    if (!path.points.empty()) {
+      const Vec2 from = path.points.back();
+      const int pieces = std::max(1, static_cast<int>(std::ceil(std::hypot(p.x - from.x, p.y - from.y) / path.reach)));
+      for (int k = 1; k < pieces; ++k) path.points.push_back(from + (static_cast<double>(k) / pieces) * (p - from));
+    }
+    path.points.push_back(p);
+  }
+  for (const Vec2 p : path.points) path.tangents.push_back(geom::closest_on_polyline(fine, p).tangent);
+  path.west = path.south = std::numeric_limits<double>::infinity();
+  path.east = path.north = -path.west;
+  for (const Vec2 p : path.points) {
+    path.west = std::min(path.west, p.x - path.reach);
+    path.east = std::max(path.east, p.x + path.reach);
+    path.south = std::min(path.south, p.y - path.reach);
+    path.north = std::max(path.north, p.y + path.reach);
+  }
+  return path;
+}
+
+/// A rectangle of lattice nodes.
+struct Window {
+  int left = 0, right = 0, top = 0, bottom = 0;  ///< right and bottom excluded
+  int width() const { return right - left; }
+  bool empty() const { return left >= right || top >= bottom; }
+};
+
+/// The nodes of `within` that lie in a rectangle of metres.
+Window window(const GridFrame& lattice, double west, double east, double south, double north, const Window& within) {
+  const auto bound = [](double v, int low, int high) {
+    return static_cast<int>(std::clamp(v, static_cast<double>(low), static_cast<double>(high)));
+  };
+  return {bound(std::floor(lattice.column(west)), within.left, within.right),
+          bound(std::ceil(lattice.column(east)) + 1, within.left, within.right),
+          bound(std::floor(lattice.row(north)), within.top, within.bottom),
+          bound(std::ceil(lattice.row(south)) + 1, within.top, within.bottom)};
+}
+
+/// What the pieces of a stroke say at each node of a window.
+struct Nearest {
+  std::vector<float> squared;  ///< squared distance to the nearest piece
+  std::vector<float> tx, ty;   ///< tangents, weighted towards the nearest
+};
+
+/// A piece of a stroke as the row kernels need it: from a along ab, tangents from t to t + c.
+struct Piece {
+  float abx, aby, inverse, tx, ty, cx, cy;
+};
+
+/// exp(v) for v in [-87, 0] to about 1e-5, inlined into vector loops.
+SEAMOUNT_INLINE float fast_exp(float v) {
+  v = v > -80.0F ? v : -80.0F;
+  const int32_t n = static_cast<int32_t>(v * 1.44269504F - 0.5F);
+  const float r = v - static_cast<float>(n) * 0.69314718F;
+  const float p = 1.0F + r * (1.0F + r * (0.5F + r * (0.16666667F + r * (0.04166667F + r * 0.00833333F))));
+  return std::bit_cast<float>((n + 127) << 23) * p;
+}
+
+struct Offset {
+  float squared, along;
+};
+
+/// From a place (relative to the piece's start) to the nearest point of the piece.
+SEAMOUNT_INLINE Offset offset_from(const Piece& piece, float px, float py) {
+  float t = (px * piece.abx + py * piece.aby) * piece.inverse;
+  t = t > 0.0F ? (t < 1.0F ? t : 1.0F) : 0.0F;
+  const float dx = px - t * piece.abx, dy = py - t * piece.aby;
+  return {dx * dx + dy * dy, t};
+}
+
+SEAMOUNT_VECTORISED void nearest_row(const Piece piece, float px0, float dx, float py, int count,
+                                     float* __restrict squared) {
+  for (int i = 0; i < count; ++i) {
+    const Offset o = offset_from(piece, px0 + static_cast<float>(i) * dx, py);
+    squared[i] = o.squared < squared[i] ? o.squared : squared[i];
+  }
+}
+
+SEAMOUNT_VECTORISED void direction_row(const Piece piece, float px0, float dx, float py, float blend, int count,
+                                       const float* __restrict squared, float* __restrict tx, float* __restrict ty) {
+  for (int i = 0; i < count; ++i) {
+    const Offset o = offset_from(piece, px0 + static_cast<float>(i) * dx, py);
+    const float weight = fast_exp(blend * (o.squared - squared[i]));
+    tx[i] += weight * (piece.tx + o.along * piece.cx);
+    ty[i] += weight * (piece.ty + o.along * piece.cy);
+  }
+}
+
+/// Directions back to unit length where pieces agree (opposed ones cancel), times the falloff: eq. 1.3.
+SEAMOUNT_VECTORISED void displace_row(const float* __restrict squared, const float* __restrict tx,
+                                      const float* __restrict ty, float strength, float scale, float furthest,
+                                      int count, float* __restrict east, float* __restrict north) {
+  for (int i = 0; i < count; ++i) {
+    const float length = std::sqrt(tx[i] * tx[i] + ty[i] * ty[i]);
+    float amount = strength * fast_exp(scale * squared[i]) / (length > 1.0F ? length : 1.0F);
+    amount = squared[i] < furthest ? amount : 0.0F;
+    east[i] += amount * tx[i];
+    north[i] += amount * ty[i];
+  }
+}
+
+/// Calls row(piece, first node, px0, py, count) for each row of nodes that each piece of a path reaches.
+template <class Row>
+void visit_pieces(const Path& path, const GridFrame& lattice, const Window& all, Row row) {
+  for (size_t i = 0; i + 1 < path.points.size(); ++i) {
+    const Vec2 a = path.points[i], b = path.points[i + 1], ab = b - a;
+    const Vec2 t = path.tangents[i], c = path.tangents[i + 1] - t;
+    const Piece piece{
+        static_cast<float>(ab.x), static_cast<float>(ab.y), static_cast<float>(1.0 / std::max(1e-12, dot(ab, ab))),
+        static_cast<float>(t.x),  static_cast<float>(t.y),  static_cast<float>(c.x),
+        static_cast<float>(c.y)};
+    const Window w = window(lattice, std::min(a.x, b.x) - path.reach, std::max(a.x, b.x) + path.reach,
+                            std::min(a.y, b.y) - path.reach, std::max(a.y, b.y) + path.reach, all);
+    for (int y = w.top; y < w.bottom; ++y) {
+      const size_t node =
+          static_cast<size_t>(y - all.top) * static_cast<size_t>(all.width()) + static_cast<size_t>(w.left - all.left);
+      row(piece, node, static_cast<float>(lattice.x(w.left) - a.x), static_cast<float>(lattice.y(y) - a.y), w.width());
+    }
+  }
+}
+
+/// Adds one stroke's displacement to the lattice rows [begin, end).
+void add_stroke(const Stroke& stroke, const Path& path, int begin, int end, ScalarField& east, ScalarField& north) {
+  const GridFrame& lattice = east.frame();
+  const Window w = window(lattice, path.west, path.east, path.south, path.north, {0, lattice.width, begin, end});
+  if (w.empty()) return;
+  const size_t nodes = static_cast<size_t>(w.width()) * static_cast<size_t>(w.bottom - w.top);
+  const auto furthest = static_cast<float>(path.reach * path.reach);
+  const auto cell = static_cast<float>(lattice.cell_m);
+  const auto scale = static_cast<float>(-0.5 / (stroke.width_m * stroke.width_m));
+  const auto blend = static_cast<float>(kTangentBlend * kTangentBlend) * scale;
+  Nearest near{std::vector<float>(nodes, furthest), std::vector<float>(nodes), std::vector<float>(nodes)};
+  visit_pieces(path, lattice, w, [&](const Piece& piece, size_t node, float px0, float py, int count) {
+    nearest_row(piece, px0, cell, py, count, &near.squared[node]);
+  });
+  visit_pieces(path, lattice, w, [&](const Piece& piece, size_t node, float px0, float py, int count) {
+    direction_row(piece, px0, cell, py, blend, count, &near.squared[node], &near.tx[node], &near.ty[node]);
+  });
+  for (int y = w.top; y < w.bottom; ++y) {
+    const size_t node = static_cast<size_t>(y - w.top) * static_cast<size_t>(w.width());
+    displace_row(&near.squared[node], &near.tx[node], &near.ty[node], static_cast<float>(stroke.strength_m), scale,
+                 furthest, w.width(), &east(w.left, y), &north(w.left, y));
+  }
+}
+
+}  // namespace
+
+StrokeField::StrokeField(const std::vector<Stroke>& strokes, const GridFrame& frame, const RunContext& run) {
+  std::map<int, std::vector<size_t>> classes;  // strokes by octave of width
+  for (size_t i = 0; i < strokes.size(); ++i)
+    classes[static_cast<int>(std::floor(std::log2(strokes[i].width_m)))].push_back(i);
+  for (const auto& [octave, members] : classes) {
+    const GridFrame lattice = geom::coarser_frame(frame, std::ldexp(1.0, octave) / kNodesPerWidth);
+    Layer layer{ScalarField(lattice, 0.0F), ScalarField(lattice, 0.0F)};
+    std::vector<Path> paths;
+    for (const size_t i : members) paths.push_back(make_path(strokes[i], lattice.cell_m));
+    parallel_rows(run, lattice.width, lattice.height, [&](int begin, int end) {
+      for (size_t k = 0; k < paths.size(); ++k)
+        add_stroke(strokes[members[k]], paths[k], begin, end, layer.east, layer.north);
+    });
+    layers_.push_back(std::move(layer));
+  }
+}
+
+Vec2 StrokeField::at(double x, double y) const {
+  Vec2 sum;
+  for (const Layer& layer : layers_) {
+    const double column = layer.east.frame().column(x);
+    const double row = layer.east.frame().row(y);
+    sum = sum + Vec2{geom::sample_bicubic(layer.east, column, row), geom::sample_bicubic(layer.north, column, row)};
+  }
+  return sum;
+}
+
+StrokeField::Rows::Rows(const StrokeField& field) {
+  for (const Layer& layer : field.layers_) {
+    east_.emplace_back(layer.east);
+    north_.emplace_back(layer.north);
+  }
+}
+
+void StrokeField::Rows::read(double x0, double dx, double y, std::span<float> east, std::span<float> north) {
+  std::fill(east.begin(), east.end(), 0.0F);
+  std::fill(north.begin(), north.end(), 0.0F);
+  line_.resize(east.size());
+  for (size_t k = 0; k < east_.size(); ++k) {
+    east_[k].read(x0, dx, y, line_);
+    for (size_t i = 0; i < line_.size(); ++i) east[i] += line_[i];
+    north_[k].read(x0, dx, y, line_);
+    for (size_t i = 0; i < line_.size(); ++i) north[i] += line_[i];
+  }
+}
+
+std::vector<Stroke> radial_strokes(int count, double width_m, double strength_m, Vec2 centre, double reach_m,
+                                   Seed seed) {
+  std::vector<Stroke> strokes;
+  for (int i = 0; i < count; ++i) {
+    Rng rng(seed.derive("island.radial", static_cast<uint64_t>(i)));
+    const double angle = 2.0 * std::numbers::pi * (i + rng.uniform(-0.35, 0.35)) / count;
+    const double bend = rng.uniform(-0.12, 0.12);
+    Stroke stroke;
+    for (const double share : {0.08, 0.35, 0.7, 1.0}) {
+      const double a = angle + bend * std::sin(3.0 * share);
+      stroke.points.push_back(centre + (share * reach_m) * Vec2{std::cos(a), std::sin(a)});
+    }
+    stroke.width_m = width_m * rng.uniform(0.7, 1.3);
+    stroke.strength_m = (i % 2 == 0 ? 1.0 : -1.0) * strength_m * rng.uniform(0.7, 1.3);
+    strokes.push_back(std::move(stroke));
+  }
+  return strokes;
+}
+
+}  // namespace seamount::island

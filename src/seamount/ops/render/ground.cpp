@@ -1,0 +1,156 @@
+#include "seamount/ops/render/ground.h"
+
+#include <cmath>
+#include <string>
+
+#include "seamount/base/error.h"
+#include "seamount/base/parallel.h"
+#include "seamount/ops/render/detail_noise.h"
+#include "seamount/ops/render/flat_sea.h"
+
+namespace seamount::render {
+namespace {
+
+/// Heights over the water, exaggerated, reduced; single rows and columns are doubled so that there is a surface.
+HeightField drawn_heights(const HeightField& terrain, const GroundOptions& options, const RunContext& run) {
+  HeightField heights = reduce(terrain, options.limit, run);
+  if (options.water_level_m == 0.0) {
+    const Grid<uint8_t> sea = flat_sea(heights, run);
+    if (!sea.empty()) sink_flat_sea(heights, sea, run);
+  }
+  if (heights.width() < 2 || heights.height() < 2) {
+    GridFrame frame = heights.frame();
+    frame.width = std::max(2, frame.width);
+    frame.height = std::max(2, frame.height);
+    HeightField padded(frame);
+    for (int y = 0; y < frame.height; ++y) {
+      for (int x = 0; x < frame.width; ++x) padded(x, y) = heights.clamped(x, y);
+    }
+    heights = std::move(padded);
+  }
+  parallel_rows(run, heights.width(), heights.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (float& h : heights.row(y)) {
+        h = static_cast<float>((h - options.water_level_m) * options.exaggeration);
+      }
+    }
+  });
+  return heights;
+}
+
+Grid<FormTexel> form_texels(const HeightField& heights, const SunDirection& sun, const RunContext& run) {
+  // Shadows fall on the water as on the land, so the sea is level for the sun.
+  HeightField surface = heights;
+  parallel_rows(run, surface.width(), surface.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (float& h : surface.row(y)) h = std::max(h, 0.0F);
+    }
+  });
+  const Grid<float> lit = sun_visibility(surface, sun, 0.012, run);
+  Grid<FormTexel> texels(heights.frame());
+  const auto half = static_cast<float>(0.5 / heights.cell_m());
+  parallel_rows(run, heights.width(), heights.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const int north = std::max(0, y - 1), south = std::min(heights.height() - 1, y + 1);
+      const float down = south - north == 2 ? half : 2.0F * half;
+      for (int x = 0; x < heights.width(); ++x) {
+        const int west = std::max(0, x - 1), east = std::min(heights.width() - 1, x + 1);
+        const float across = east - west == 2 ? half : 2.0F * half;
+        texels(x, y) = {heights(x, y), across * (heights(east, y) - heights(west, y)),
+                        down * (heights(x, south) - heights(x, north)), lit(x, y)};
+      }
+    }
+  });
+  return texels;
+}
+
+Grid<CoverTexel> cover_texels(const HeightField& heights, const LabelMap* labels, double exaggeration,
+                              const RunContext& run) {
+  const HeightField coarse = reduce(heights, 1024, run);
+  const Openness open = openness(coarse, run);
+  Grid<CoverTexel> texels(coarse.frame());
+  const auto flatten = static_cast<float>(1.0 / exaggeration);
+  parallel_rows(run, coarse.width(), coarse.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < coarse.width(); ++x) {
+        CoverTexel& texel = texels(x, y);
+        texel = {open.sky(x, y), flatten * open.concavity(x, y), 0.0F, 0.0F, 0.0F};
+        if (labels == nullptr) continue;
+        const auto column = static_cast<int>((x + 0.5) * labels->width() / coarse.width());
+        const auto row = static_cast<int>((y + 0.5) * labels->height() / coarse.height());
+        const Region region = labels->clamped(column, row);
+        texel.beach = region == Region::beach ? 1.0F : 0.0F;
+        texel.lagoon = region == Region::lagoon ? 1.0F : 0.0F;
+        texel.reef = region == Region::reef ? 1.0F : 0.0F;
+      }
+    }
+  });
+  return texels;
+}
+
+}  // namespace
+
+void check_visible(const HeightField& terrain, const LabelMap* labels, const RunContext& run) {
+  if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");
+  if (labels != nullptr && (labels->width() != terrain.width() || labels->height() != terrain.height())) {
+    throw IncompatibleInputs("labels: " + std::to_string(labels->width()) + " x " + std::to_string(labels->height()) +
+                             " cells do not match the terrain's " + std::to_string(terrain.width()) + " x " +
+                             std::to_string(terrain.height()));
+  }
+  parallel_rows(run, terrain.width(), terrain.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      float sum = 0.0F;  // becomes nan or inf with any height that is
+      for (const float h : terrain.row(y)) sum += 0.0F * h;
+      if (sum != 0.0F) throw InvalidArgument("terrain", "row " + std::to_string(y) + " has a height that is no number");
+    }
+  });
+}
+
+Ground::Ground(const HeightField& terrain, const LabelMap* labels, const GroundOptions& options, const RunContext& run)
+    : heights_((check_visible(terrain, labels, run), drawn_heights(terrain, options, run))),
+      form_(form_texels(heights_, options.sun, run), run),
+      cover_(cover_texels(heights_, labels, options.exaggeration, run), run),
+      half_columns_(0.5F * static_cast<float>(heights_.width() - 1)),
+      half_rows_(0.5F * static_cast<float>(heights_.height() - 1)),
+      cover_scale_(static_cast<float>(heights_.cell_m() / cover_.base().cell_m())),
+      exaggeration_(static_cast<float>(options.exaggeration)),
+      labelled_(labels != nullptr) {}
+
+FormTexel Ground::form(float x, float y, float footprint) const {
+  return form_.sample(column(x), row(y), std::log2(std::max(1e-3F, footprint / cell_m())));
+}
+
+GroundSample Ground::sample(float x, float y, float footprint) const {
+  const float c = column(x), r = row(y);
+  const float lod = std::log2(std::max(1e-3F, footprint / cell_m()));
+  GroundSample s;
+  s.form = form_.sample(c, r, lod);
+  const float scale = cover_scale_;
+  s.cover = cover_.sample((c + 0.5F) * scale - 0.5F, (r + 0.5F) * scale - 0.5F, lod + std::log2(scale));
+  SurfacePoint& p = s.point;
+  p.x = x;
+  p.y = y;
+  p.z = s.form.height / exaggeration_;
+  p.slope = std::sqrt(s.form.east * s.form.east + s.form.south * s.form.south) / exaggeration_;
+  p.northness = -s.form.south / exaggeration_;
+  p.concavity = s.cover.concavity;
+  p.footprint = footprint;
+  p.labelled = labelled_ ? 1.0F : 0.0F;
+  p.beach = s.cover.beach;
+  p.lagoon = s.cover.lagoon;
+  p.reef = s.cover.reef;
+  return s;
+}
+
+Vec3 Ground::normal(const GroundSample& sample, float bump) const {
+  // The grid carries forms down to about two cells; smaller ones are noise of the material's height.
+  const SurfacePoint& p = sample.point;
+  const float rough = std::min(1.0F, 0.35F + p.slope);
+  const NoiseSample broken = detail_noise(91, p.x, p.y, 2.5F * cell_m(), 4, 0.5F, p.footprint);
+  const NoiseSample grain = detail_noise(93, p.x, p.y, 9.0F, 3, 0.6F, p.footprint);
+  const float amplitude = 0.16F * cell_m() * rough * std::min(1.0F, bump);
+  return normalised({-sample.form.east - amplitude * broken.dx - bump * grain.dx,
+                     sample.form.south - amplitude * broken.dy - bump * grain.dy, 1.0F});
+}
+
+}  // namespace seamount::render

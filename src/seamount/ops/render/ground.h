@@ -1,0 +1,83 @@
+// A terrain made ready for drawing: heights over the water, slopes, light and labels as mip maps, read at any place and
+// scale. Shared by perspective pictures and mesh textures.
+#pragma once
+
+#include "seamount/model/grid.h"
+#include "seamount/model/label_map.h"
+#include "seamount/ops/render/light.h"
+#include "seamount/ops/render/materials.h"
+#include "seamount/ops/render/mip_map.h"
+#include "seamount/ops/render/sky.h"
+
+namespace seamount::render {
+
+/// Form of the ground at a place.
+struct FormTexel {
+  float height = 0.0F;              ///< metres over the water, exaggerated
+  float east = 0.0F, south = 0.0F;  ///< slope towards east and south, exaggerated
+  float sun = 1.0F;                 ///< lit share of the sun
+  friend FormTexel operator+(FormTexel a, FormTexel b) {
+    return {a.height + b.height, a.east + b.east, a.south + b.south, a.sun + b.sun};
+  }
+  friend FormTexel operator*(float s, FormTexel a) { return {s * a.height, s * a.east, s * a.south, s * a.sun}; }
+};
+
+/// What changes more slowly: openness and labels.
+struct CoverTexel {
+  float sky = 1.0F, concavity = 0.0F;
+  float beach = 0.0F, lagoon = 0.0F, reef = 0.0F;
+  friend CoverTexel operator+(CoverTexel a, CoverTexel b) {
+    return {a.sky + b.sky, a.concavity + b.concavity, a.beach + b.beach, a.lagoon + b.lagoon, a.reef + b.reef};
+  }
+  friend CoverTexel operator*(float s, CoverTexel a) {
+    return {s * a.sky, s * a.concavity, s * a.beach, s * a.lagoon, s * a.reef};
+  }
+};
+
+struct GroundOptions {
+  double water_level_m = 0.0;
+  double exaggeration = 1.0;
+  SunDirection sun;
+  int limit = 2048;  ///< cells of the larger side to keep
+};
+
+/// A place on the ground with all that shading needs.
+struct GroundSample {
+  FormTexel form;
+  CoverTexel cover;
+  SurfacePoint point;
+};
+
+class Ground {
+ public:
+  /// Throws InvalidArgument for an empty terrain or heights that are not finite, IncompatibleInputs for labels of
+  /// another size. About 60 ns a cell of the kept size.
+  Ground(const HeightField& terrain, const LabelMap* labels, const GroundOptions& options, const RunContext& run);
+
+  const HeightField& heights() const { return heights_; }  ///< over the water, exaggerated, at least 2 x 2 cells
+  float cell_m() const { return static_cast<float>(heights_.cell_m()); }
+  /// Fractional column and row of a place in metres from the terrain's middle (x east, y north).
+  float column(float x) const { return x / cell_m() + half_columns_; }
+  float row(float y) const { return half_rows_ - y / cell_m(); }
+  float half_width_m() const { return half_columns_ * cell_m(); }  ///< to the outermost centres
+  float half_height_m() const { return half_rows_ * cell_m(); }
+
+  /// Everything at a place, averaged over `footprint` metres.
+  GroundSample sample(float x, float y, float footprint) const;
+  FormTexel form(float x, float y, float footprint) const;
+  /// Normal of a sample with the small bumps of its material, as far as they are larger than the footprint.
+  Vec3 normal(const GroundSample& sample, float bump) const;
+
+ private:
+  HeightField heights_;
+  MipMap<FormTexel> form_;
+  MipMap<CoverTexel> cover_;
+  float half_columns_, half_rows_, cover_scale_, exaggeration_;
+  bool labelled_;
+};
+
+/// Throws InvalidArgument unless the terrain has cells and all heights are finite, IncompatibleInputs unless the labels
+/// (may be null) have its size.
+void check_visible(const HeightField& terrain, const LabelMap* labels, const RunContext& run);
+
+}  // namespace seamount::render

@@ -1,0 +1,209 @@
+#include "seamount/ops/render/map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "seamount/base/error.h"
+#include "seamount/base/parallel.h"
+#include "seamount/geom/contour.h"
+#include "seamount/geom/resample.h"
+#include "seamount/ops/render/canvas.h"
+#include "seamount/ops/render/flat_sea.h"
+#include "seamount/ops/render/ground.h"
+#include "seamount/ops/render/map_furniture.h"
+#include "seamount/ops/render/relief.h"
+#include "seamount/ops/render/shading.h"
+
+namespace seamount::render {
+namespace {
+
+/// What is drawn where, all on the grid of the map's pixels.
+struct Sheet {
+  HeightField ground;
+  Grid<uint8_t> unknown_sea;  ///< 1: sea without depths; empty: none
+  Grid<float> shade;
+  double low = 0.0, high = 0.0;
+};
+
+Sheet make_sheet(const HeightField& terrain, int width_px, const RunContext& run) {
+  Sheet sheet;
+  sheet.ground = picture_terrain(terrain, width_px, run.part(0.0, 0.2));
+  sheet.unknown_sea = flat_sea(sheet.ground, run.part(0.2, 0.25));
+  sheet.shade = relief_shading(sheet.ground, {}, run.part(0.25, 1.0));
+  const auto [low, high] = std::minmax_element(sheet.ground.cells().begin(), sheet.ground.cells().end());
+  sheet.low = *low;
+  sheet.high = *high;
+  if (!sheet.unknown_sea.empty()) {
+    // The legend speaks of land only, and the coast runs where the flat sea begins.
+    sheet.low = std::max(0.0, sheet.low);
+    for (size_t i = 0; i < sheet.ground.size(); ++i) {
+      if (sheet.unknown_sea.cells()[i] != 0) sheet.ground.cells()[i] = -1.0F;
+    }
+  }
+  return sheet;
+}
+
+/// Sizes in pixels: the sheet, the map on it, the column of the legend.
+struct Layout {
+  double unit = 16.0;  ///< size of text
+  int width = 0, height = 0;
+  Box map;
+  Box side;
+};
+
+Layout lay_out(const MapParams& params, const GridFrame& frame) {
+  Layout layout;
+  layout.unit = std::max(6.0, params.width_px / 62.0);
+  const auto units = [&](double n) { return static_cast<int>(std::lround(n * layout.unit)); };
+  const bool side = params.legend || params.north_arrow;
+  const bool bare = !side && !params.scale_bar && params.title.empty();
+  const int margin = bare ? 0 : units(1.5);
+  const int top = params.title.empty() ? margin : units(4.2);
+  const int bottom = params.scale_bar ? units(3.6) : margin;
+  const int column = side ? units(6.2) : 0;
+  layout.width = params.width_px;
+  layout.map = {margin, top, std::max(1, params.width_px - 2 * margin - column), 1};
+  layout.map.height =
+      static_cast<int>(std::clamp(std::round(frame.height_m() * layout.map.width / frame.width_m()), 1.0, 16384.0));
+  layout.height = layout.map.height + top + bottom;
+  layout.side = {layout.map.x + layout.map.width + units(1.4), top, column - units(1.4), layout.map.height};
+  return layout;
+}
+
+/// Adds the level line of a field on the map's own grid to a layer, in the map's pixels.
+void add_level(LineLayer& layer, const ScalarField& field, double level, double width) {
+  const GridFrame& frame = field.frame();
+  for (const Polyline& line : geom::trace_lines(field, level)) {
+    Polyline pixels;
+    pixels.reserve(line.size());
+    for (const Vec2& p : line)
+      pixels.push_back({(p.x - frame.west_m) / frame.cell_m, (frame.north_m - p.y) / frame.cell_m});
+    layer.add(pixels, width);
+  }
+}
+
+/// Round interval for about twenty contours over land, or over all where there is no land to speak of.
+double contour_interval(const MapParams& params, double low, double high) {
+  if (params.contour_interval_m) return *params.contour_interval_m;
+  const double range = high > 1.0 ? high - std::max(0.0, low) : high - low;
+  const double least = std::max(0.1, range / 22.0);
+  const double round = round_down_nice(least);
+  return round >= least - 1e-9                         ? round
+         : round_down_nice(2.5 * round + 1e-9) > least ? round_down_nice(2.5 * round)
+                                                       : 5.0 * round;
+}
+
+void draw_contours(Image& image, const Layout& layout, const HeightField& ground, double interval, double low,
+                   double high, const RunContext& run) {
+  const double line = std::max(0.6, layout.unit / 26.0);
+  LineLayer land(ground.width(), ground.height()), sea(land), index(land), sea_index(land);
+  const auto first = static_cast<int64_t>(std::ceil(low / interval)), last = static_cast<int64_t>(high / interval);
+  // A sheet full of lines says nothing: a floor far deeper than the land is high gets its index lines only.
+  const bool deep = -low > 40.0 * interval;
+  for (int64_t i = first; i <= last; ++i) {
+    run.check_cancelled();
+    const double level = static_cast<double>(i) * interval;
+    const bool major = i % 5 == 0;
+    if (i == 0 || (i < 0 && deep && !major)) continue;
+    if (i > 0) add_level(major ? index : land, ground, level, major ? 1.5 * line : line);
+    if (i < 0) add_level(major ? sea_index : sea, ground, level, line);
+  }
+  const Colour brown{120, 84, 50}, blue{38, 84, 130};
+  land.draw(image, layout.map.x, layout.map.y, brown, 0.30F);
+  index.draw(image, layout.map.x, layout.map.y, brown, 0.55F);
+  sea.draw(image, layout.map.x, layout.map.y, blue, 0.22F);
+  sea_index.draw(image, layout.map.x, layout.map.y, blue, 0.36F);
+}
+
+/// 1 inside the reef's outer edge, 0 in open water beyond it, smoothed so that its half level is a clean line.
+ScalarField inside_reef(const LabelMap& labels, const GridFrame& frame, const RunContext& run) {
+  Grid<float> inside(labels.frame());
+  for (size_t i = 0; i < labels.size(); ++i) inside.cells()[i] = labels.cells()[i] == Region::abyss ? 0.0F : 1.0F;
+  ScalarField picture = geom::resample(inside, frame, run);
+  geom::gaussian_blur(picture, std::max(1.2 * frame.cell_m, 0.8 * labels.cell_m()), run);
+  return picture;
+}
+
+void paint_ground(Image& image, const Layout& layout, const Sheet& sheet, const LabelMap* labels,
+                  const MapParams& params, const TintScale& scale, const RunContext& run) {
+  const auto strength = static_cast<float>(params.shading);
+  const Rgb unknown = linear(Colour{176, 211, 220});
+  const HeightField& ground = sheet.ground;
+  parallel_rows(run, ground.width(), ground.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < ground.width(); ++x) {
+        const float height = ground(x, y);
+        Rgb tint = scale.tint(height);
+        if (!sheet.unknown_sea.empty() && height < 0.0F) tint = unknown;
+        if (params.theme == MapTheme::regions) {
+          const auto column = static_cast<int>((x + 0.5) * labels->width() / ground.width());
+          const auto row = static_cast<int>((y + 0.5) * labels->height() / ground.height());
+          tint = region_colour(static_cast<int>(labels->clamped(column, row)));
+        }
+        // The floor is shaded more lightly than the land, less and less over the first metres of depth.
+        const float part = strength * (height < 0.0F ? mix(0.85F, 0.55F, ramp(0.0F, 40.0F, -height)) : 1.0F);
+        const int px = layout.map.x + x, py = layout.map.y + y;
+        write_dithered(image.pixel(px, py), px, py, shaded(tint, 1.0F + part * (sheet.shade(x, y) - 1.0F)));
+      }
+    }
+  });
+}
+
+void draw_furniture(Image& image, const Layout& layout, const MapParams& params, const TintScale& scale,
+                    double pixel_m) {
+  if (params.title.empty() && !params.legend && !params.scale_bar && !params.north_arrow) return;
+  const Font font;
+  const double unit = layout.unit;
+  const Box &map = layout.map, &side = layout.side;
+  frame_box(image, map.x, map.y, map.x + map.width, map.y + map.height, std::max(1.0, 0.06 * unit), kInk);
+  if (!params.title.empty()) font.draw(image, map.x, map.y - 1.25 * unit, 1.9 * unit, params.title, kInk);
+  const int top = static_cast<int>(std::lround((params.north_arrow ? 5.6 : 1.6) * unit));
+  if (params.north_arrow) draw_north_arrow(image, font, side.x + 0.6 * unit, side.y + 1.7 * unit, unit);
+  if (params.legend) {
+    const Box box{side.x, side.y + top, side.width, side.height - top};
+    if (params.theme == MapTheme::regions) {
+      draw_region_legend(image, font, box, unit);
+    } else if (box.height > 4 * unit) {
+      draw_height_legend(image, font, box, unit, scale);
+    }
+  }
+  if (params.scale_bar) {
+    draw_scale_bar(image, font, map.x + 0.4 * unit, map.y + map.height + 0.9 * unit, 0.32 * map.width, unit, pixel_m);
+  }
+}
+
+}  // namespace
+
+Image map(const HeightField& terrain, const LabelMap* labels, const MapParams& params, const RunContext& run) {
+  check_params(params);
+  check_visible(terrain, labels, run);
+  if (params.theme == MapTheme::regions && labels == nullptr) {
+    throw IncompatibleInputs("labels: missing; the theme 'regions' colours a label map");
+  }
+  const Layout layout = lay_out(params, terrain.frame());
+  const Sheet sheet = make_sheet(terrain, layout.map.width, run.part(0.0, 0.6));
+  const HeightField& ground = sheet.ground;
+  const TintScale scale(sheet.low, sheet.high);
+  Image image(layout.width, layout.height, kPaperColour);
+  paint_ground(image, layout, sheet, labels, params, scale, run.part(0.6, 0.7));
+  if (params.contours) {
+    draw_contours(image, layout, ground, contour_interval(params, sheet.low, sheet.high), sheet.low, sheet.high, run);
+  }
+  run.report(0.9);
+  const double line = std::max(0.8, layout.unit / 16.0);
+  if (params.reef_crest && labels != nullptr) {
+    LineLayer crest(ground.width(), ground.height());
+    add_level(crest, inside_reef(*labels, ground.frame(), run.part(0.9, 0.95)), 0.5, line);
+    crest.draw(image, layout.map.x, layout.map.y, Colour{252, 250, 240}, 0.85F);
+  }
+  if (params.coast) {
+    LineLayer coast(ground.width(), ground.height());
+    add_level(coast, ground, 0.0, line);
+    coast.draw(image, layout.map.x, layout.map.y, Colour{46, 74, 94}, 0.85F);
+  }
+  draw_furniture(image, layout, params, scale, ground.cell_m());
+  run.report(1.0);
+  return image;
+}
+
+}  // namespace seamount::render

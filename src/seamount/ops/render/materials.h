@@ -1,0 +1,44 @@
+// What the ground is made of, by slope, height, position and label: the one material model of perspective pictures and
+// of mesh textures. Colours are diffuse albedos from field spectra of such surfaces in round figures (basalt 0.08-0.12,
+// forest 0.03-0.07, dry grass 0.2, coral sand 0.5-0.6), kept muted.
+//
+// Land: forest where slopes hold soil and hollows hold water, thinning to dry grass and scree towards the tree line,
+// rock on steep ground, sand at the beach, snow high up. Sea floor: sand on gentle floors, pale reef flat in the
+// shallows, dark fore reef and rock where it falls away. Boundaries are broken up by noise in metres at several scales.
+#pragma once
+
+#include <array>
+
+#include "seamount/ops/render/colour.h"
+
+namespace seamount::render {
+
+/// Everything the material of a place depends on. Lengths in metres.
+struct SurfacePoint {
+  float x = 0.0F, y = 0.0F;  ///< place, from the middle of the terrain
+  float z = 0.0F;            ///< height above the water
+  float slope = 0.0F;        ///< tangent
+  float concavity = 0.0F;    ///< of light.h
+  float northness = 0.0F;    ///< slope times cosine of the aspect: positive on north faces
+  float footprint = 1.0F;    ///< width of what is averaged
+  float labelled = 0.0F;     ///< 1: the weights below hold; 0: no label map
+  float beach = 0.0F, lagoon = 0.0F, reef = 0.0F;
+};
+
+struct MaterialRules {
+  float tree_line = 2000.0F;  ///< metres above the water
+  float snow_line = 4500.0F;
+};
+
+struct Material {
+  Rgb albedo;
+  float bump = 0.0F;  ///< height in metres of its small roughness (crowns, blocks)
+};
+
+Material land_material(const SurfacePoint& point, const MaterialRules& rules);
+Material floor_material(const SurfacePoint& point);
+
+/// Either, by z, mixed over the wash of the waves.
+Material ground_material(const SurfacePoint& point, const MaterialRules& rules);
+
+}  // namespace seamount::render

@@ -1,0 +1,194 @@
+#include "seamount/ops/render/perspective.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "seamount/base/parallel.h"
+#include "seamount/ops/render/camera.h"
+#include "seamount/ops/render/scene.h"
+
+namespace seamount::render {
+namespace {
+
+constexpr int kTile = 32;
+constexpr int kFinePerSide = 3;  // rays of an uneven pixel, squared
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+/// Whether the terrain lies in the sea: most of its border is under water.
+bool lies_in_sea(const HeightField& heights) {
+  int64_t wet = 0, all = 0;
+  const auto count = [&](float h) {
+    wet += h <= 0.0F ? 1 : 0;
+    ++all;
+  };
+  for (int x = 0; x < heights.width(); ++x) {
+    count(heights(x, 0));
+    count(heights(x, heights.height() - 1));
+  }
+  for (int y = 0; y < heights.height(); ++y) {
+    count(heights(0, y));
+    count(heights(heights.width() - 1, y));
+  }
+  return 2 * wet > all;
+}
+
+/// Places that the default camera keeps in view: land and shallows in a sea, otherwise the whole block.
+std::vector<Vec3> places_to_show(const Ground& ground, bool sea, float base) {
+  std::vector<Vec3> land, all;
+  const HeightField& heights = ground.heights();
+  const int step_x = std::max(1, heights.width() / 96), step_y = std::max(1, heights.height() / 96);
+  for (int y = 0;; y = std::min(y + step_y, heights.height() - 1)) {
+    for (int x = 0;; x = std::min(x + step_x, heights.width() - 1)) {
+      const float h = heights(x, y);
+      const Vec3 place{(static_cast<float>(x) - 0.5F * static_cast<float>(heights.width() - 1)) * ground.cell_m(),
+                       (0.5F * static_cast<float>(heights.height() - 1) - static_cast<float>(y)) * ground.cell_m(),
+                       sea ? std::max(h, 0.0F) : h};
+      all.push_back(place);
+      if (!sea) all.push_back({place.x, place.y, base});
+      if (h > -25.0F) land.push_back(place);
+      if (x == heights.width() - 1) break;
+    }
+    if (y == heights.height() - 1) break;
+  }
+  const bool some_land = land.size() * 200 > all.size();
+  return sea && some_land ? land : all;
+}
+
+/// The middle of the places' extent, at a height of the lower part of the terrain.
+Vec3 middle(const std::vector<Vec3>& places) {
+  Vec3 low = places.front(), high = low;
+  for (const Vec3& p : places) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return {0.5F * (low.x + high.x), 0.5F * (low.y + high.y), low.z + 0.3F * (high.z - low.z)};
+}
+
+Camera place_camera(const PerspectiveParams& params, const GridFrame& frame, const Ground& ground, bool sea,
+                    float base) {
+  View view;
+  view.azimuth = radians(params.camera_azimuth_deg);
+  view.elevation = radians(params.camera_elevation_deg);
+  view.field_of_view = radians(params.field_of_view_deg);
+  view.distance = params.distance;
+  view.width_px = params.width_px;
+  view.height_px = params.height_px;
+  view.horizon = sea;
+  const std::vector<Vec3> places = places_to_show(ground, sea, base);
+  Vec3 target = middle(places);
+  const Vec3 fitted = target;
+  if (params.target_x_m) target.x = static_cast<float>(*params.target_x_m - (frame.west_m + 0.5 * frame.width_m()));
+  if (params.target_y_m) target.y = static_cast<float>(*params.target_y_m - (frame.north_m - 0.5 * frame.height_m()));
+  Camera camera = fit_camera(view, fitted, places);
+  camera.position = camera.position + (target - fitted);
+  // Never under ground or water.
+  const float floor = std::max(ground.form(camera.position.x, camera.position.y, ground.cell_m()).height,
+                               sea && params.water ? 0.0F : base);
+  camera.position.z = std::max(camera.position.z, floor + 2.0F * ground.cell_m());
+  return camera;
+}
+
+/// Draws tiles of the picture.
+class Painter {
+ public:
+  Painter(const Scene& scene, const Camera& camera, float exposure, Image& image)
+      : scene_(scene), camera_(camera), exposure_(exposure), image_(image) {}
+
+  void tile(int x0, int y0) const {
+    const int x1 = std::min(x0 + kTile, image_.width), y1 = std::min(y0 + kTile, image_.height);
+    std::vector<Hit> corners(static_cast<size_t>((kTile + 1) * (kTile + 1)));
+    for (int y = y0; y <= y1; ++y) {
+      for (int x = x0; x <= x1; ++x) {
+        corners[corner(x - x0, y - y0)] =
+            scene_.hit(camera_.position, camera_.direction(static_cast<float>(x), static_cast<float>(y)));
+      }
+    }
+    for (int y = y0; y < y1; ++y) {
+      for (int x = x0; x < x1; ++x) {
+        const std::array<Hit, 4> seen = {corners[corner(x - x0, y - y0)], corners[corner(x - x0 + 1, y - y0)],
+                                         corners[corner(x - x0, y - y0 + 1)], corners[corner(x - x0 + 1, y - y0 + 1)]};
+        write_dithered(image_.pixel(x, y), x, y, even(seen) ? whole(x, y, seen) : fine(x, y));
+      }
+    }
+  }
+
+ private:
+  static size_t corner(int x, int y) { return static_cast<size_t>(y * (kTile + 1) + x); }
+
+  /// Whether the corners see one surface without a step in depth.
+  bool even(const std::array<Hit, 4>& seen) const {
+    float low = seen[0].t, high = low;
+    for (const Hit& hit : seen) {
+      if (hit.surface != seen[0].surface) return false;
+      low = std::min(low, hit.t);
+      high = std::max(high, hit.t);
+    }
+    if (seen[0].surface == Surface::sky) return true;
+    if (seen[0].surface == Surface::sea || seen[0].surface == Surface::table) return true;
+    return high - low < 7.0F * low * camera_.pixel_angle();
+  }
+
+  Rgb whole(int x, int y, const std::array<Hit, 4>& seen) const {
+    const Vec3 direction = camera_.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+    Hit hit = seen[0];
+    hit.t = 0.25F * (seen[0].t + seen[1].t + seen[2].t + seen[3].t);
+    if (hit.surface == Surface::sea || hit.surface == Surface::table) hit = scene_.hit(camera_.position, direction);
+    return tone_curve(exposure_ * scene_.light(camera_.position, direction, hit, camera_.pixel_angle()));
+  }
+
+  Rgb fine(int x, int y) const {
+    Rgb sum;
+    for (int j = 0; j < kFinePerSide; ++j) {
+      for (int i = 0; i < kFinePerSide; ++i) {
+        const Vec3 direction = camera_.direction(static_cast<float>(x) + (static_cast<float>(i) + 0.5F) / kFinePerSide,
+                                                 static_cast<float>(y) + (static_cast<float>(j) + 0.5F) / kFinePerSide);
+        const Hit hit = scene_.hit(camera_.position, direction);
+        sum += tone_curve(exposure_ * scene_.light(camera_.position, direction, hit, camera_.pixel_angle()));
+      }
+    }
+    return (1.0F / (kFinePerSide * kFinePerSide)) * sum;
+  }
+
+  const Scene& scene_;
+  const Camera& camera_;
+  float exposure_;
+  Image& image_;
+};
+
+}  // namespace
+
+Image perspective(const HeightField& terrain, const LabelMap* labels, const PerspectiveParams& params,
+                  const RunContext& run) {
+  check_params(params);
+  const SunDirection sun{radians(params.sun_azimuth_deg), radians(params.sun_elevation_deg)};
+  const Ground ground(terrain, labels,
+                      {.water_level_m = params.water_level_m, .exaggeration = params.vertical_exaggeration, .sun = sun},
+                      run.part(0.0, 0.3));
+  const bool sea = params.surround == Surround::sea ||
+                   (params.surround == Surround::automatic && params.water && lies_in_sea(ground.heights()));
+  const Sky sky(sun);
+  SceneOptions options;
+  options.water = params.water;
+  options.sea = sea;
+  options.clarity = static_cast<float>(params.water_clarity);
+  options.haze = static_cast<float>(params.haze);
+  options.rules = {static_cast<float>(params.tree_line_m), static_cast<float>(params.snow_line_m)};
+  const RunContext quiet{run.threads, {}, run.cancelled};
+  const Scene scene(ground, sky, options, quiet);
+  const Camera camera = place_camera(params, terrain.frame(), ground, sea, scene.base());
+
+  Image image(params.width_px, params.height_px);
+  const Painter painter(scene, camera, static_cast<float>(params.exposure), image);
+  const int columns = (params.width_px + kTile - 1) / kTile, rows = (params.height_px + kTile - 1) / kTile;
+  parallel_blocks(run.part(0.3, 1.0), columns * rows, 1, [&](int64_t begin, int64_t end) {
+    for (int64_t tile = begin; tile < end; ++tile) {
+      painter.tile(static_cast<int>(tile % columns) * kTile, static_cast<int>(tile / columns) * kTile);
+    }
+  });
+  return image;
+}
+
+}  // namespace seamount::render

@@ -1,0 +1,61 @@
+#include "seamount/ops/render/texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "seamount/base/parallel.h"
+#include "seamount/ops/render/ground.h"
+#include "seamount/ops/render/water.h"
+
+namespace seamount::render {
+namespace {
+
+constexpr SunDirection kSun{5.4978, 0.87};  // north-west, 50 degrees high
+
+/// Brightness of soft light, 1 on open level ground.
+float soft_light(const GroundSample& s, Vec3 normal, Vec3 to_sun) {
+  const float direct = std::max(0.0F, dot(normal, to_sun)) / to_sun.z;
+  return (0.45F + 0.55F * direct * (0.5F + 0.5F * s.form.sun)) * (0.45F + 0.55F * s.cover.sky);
+}
+
+Rgb texel(const Ground& ground, const Sky& sky, const TextureParams& params, float x, float y, float footprint) {
+  const GroundSample s = ground.sample(x, y, footprint);
+  SurfacePoint point = s.point;
+  if (!params.water) point.z = std::max(point.z, 5.0F);
+  const Material material =
+      ground_material(point, {static_cast<float>(params.tree_line_m), static_cast<float>(params.snow_line_m)});
+  const float light = soft_light(s, ground.normal(s, material.bump), sky.to_sun());
+  Rgb colour = mix(1.0F, light, static_cast<float>(params.baked_light)) * material.albedo;
+  if (params.water && point.z < 0.0F) {
+    colour = reflectance_from_above(colour, -point.z, sky.to_sun().z, static_cast<float>(params.water_clarity));
+  }
+  return colour;
+}
+
+}  // namespace
+
+Image texture(const HeightField& terrain, const LabelMap* labels, const TextureParams& params, const RunContext& run) {
+  check_params(params);
+  const Ground ground(terrain, labels,
+                      {.water_level_m = params.water_level_m, .sun = kSun, .limit = std::max(16, params.size_px)},
+                      run.part(0.0, 0.4));
+  const Sky sky(kSun);
+  const double width_m = terrain.frame().width_m(), height_m = terrain.frame().height_m();
+  const double pixel_m = std::max(width_m, height_m) / params.size_px;
+  Image image(std::max(1, static_cast<int>(std::lround(width_m / pixel_m))),
+              std::max(1, static_cast<int>(std::lround(height_m / pixel_m))));
+  parallel_rows(run.part(0.4, 1.0), image.width, image.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        const double east = ((x + 0.5) / image.width - 0.5) * width_m;
+        const double north = (0.5 - (y + 0.5) / image.height) * height_m;
+        write_dithered(image.pixel(x, y), x, y,
+                       texel(ground, sky, params, static_cast<float>(east), static_cast<float>(north),
+                             static_cast<float>(pixel_m)));
+      }
+    }
+  });
+  return image;
+}
+
+}  // namespace seamount::render

@@ -1,0 +1,41 @@
+// render.texture: the colours of the ground from straight above, to lie over a mesh: the materials of
+// render.perspective.
+#pragma once
+
+#include "seamount/base/fields.h"
+#include "seamount/base/run_context.h"
+#include "seamount/model/grid.h"
+#include "seamount/model/image.h"
+#include "seamount/model/label_map.h"
+
+namespace seamount::render {
+
+struct TextureParams {
+  int size_px = 2048;
+  double baked_light = 0.5;
+  bool water = true;
+  double water_level_m = 0.0;
+  double water_clarity = 1.0;
+  double tree_line_m = 2000.0;
+  double snow_line_m = 4500.0;
+
+  static constexpr auto fields() {
+    using P = TextureParams;
+    return std::tuple(
+        field(&P::size_px, "size_px", "", between(1, 16384), "pixels along the terrain's longer side"),
+        field(&P::baked_light, "baked_light", "", between(0, 1),
+              "soft light from the north-west and shade in valleys; 0 gives pure albedo for a lit renderer"),
+        field(&P::water, "water", "show the sea floor as seen through the water"),
+        field(&P::water_level_m, "water_level_m", "m", between(-12000, 9000), "height of the water's surface"),
+        field(&P::water_clarity, "water_clarity", "", between(0.05, 5),
+              "how far one sees in water, 1 in clear tropical water"),
+        field(&P::tree_line_m, "tree_line_m", "m", between(1, 9000), "height over the water where forest ends"),
+        field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000), "height over the water where snow stays"));
+  }
+};
+
+/// A picture of the terrain's shape whose longer side has size_px pixels, row 0 at its northern edge. Labels may be
+/// null. Throws as perspective() does. About 300 ns a pixel plus 40 ns a cell, parallel.
+Image texture(const HeightField& terrain, const LabelMap* labels, const TextureParams& params, const RunContext& run);
+
+}  // namespace seamount::render

@@ -1,0 +1,78 @@
+#include "seamount/ops/render/water.h"
+
+#include "seamount/ops/render/detail_noise.h"
+
+namespace seamount::render {
+namespace {
+
+constexpr Rgb kAttenuation{0.200F, 0.0335F, 0.0245F};  // per metre, clear tropical coastal water in broad bands
+constexpr Rgb kDeepReflectance{0.0020F, 0.0165F, 0.0480F};
+constexpr Rgb kFoam{0.78F, 0.80F, 0.80F};
+constexpr float kSlopeVariance = 0.022F;  // of waves, Cox and Munk at a breeze of about 4 m/s
+constexpr float kPi = 3.14159265F;
+
+float mean_fresnel(float cosine) {
+  const float sigma = std::sqrt(kSlopeVariance);
+  const float power = 5.0F * std::exp(-2.69F * sigma);
+  return 0.02F + 0.98F * std::pow(1.0F - cosine, power) / (1.0F + 22.7F * std::pow(sigma, 1.5F));
+}
+
+float fresnel(float cosine) {
+  const float c = 1.0F - cosine;
+  return 0.02F + 0.98F * c * c * c * c * c;
+}
+
+Rgb body(Rgb floor, float path, float clarity) {
+  const Rgb through = water_transmittance(path, clarity);
+  return kDeepReflectance + through * (0.80F * floor - kDeepReflectance);
+}
+
+}  // namespace
+
+Rgb water_transmittance(float path_m, float clarity) { return exp_of((-path_m / clarity) * kAttenuation); }
+
+float refracted_cosine(float cosine) { return std::sqrt(1.0F - (1.0F - cosine * cosine) / (1.333F * 1.333F)); }
+
+Rgb reflectance_from_above(Rgb floor, float depth, float sun_height, float clarity) {
+  return body(floor, depth * (1.0F + 1.0F / refracted_cosine(sun_height)), clarity);
+}
+
+float foam_share(float x, float y, float footprint, float depth, float slope_around, float shelter) {
+  const float noise = detail_noise(113, x, y, 140.0F, 4, 0.65F, footprint).value;
+  const float wash = ramp(1.5F, 0.2F, depth + 0.9F * noise) * (0.30F + 0.45F * (1.0F - shelter));
+  const float breaking = ramp(4.2F, 1.2F, depth + 2.2F * noise) * ramp(0.03F, 0.12F, slope_around) * (1.0F - shelter);
+  return clamp01(0.75F * std::max(wash, breaking) * clamp01(0.75F + 1.1F * noise));
+}
+
+Rgb water_light(const WaterPoint& p, const Sky& sky, float clarity) {
+  const Vec3 sun = sky.to_sun();
+  const float sun_height = std::max(0.02F, sun.z);
+  const float eye_height = std::max(0.01F, p.to_eye.z);
+  const float lit = p.sun * (1.0F - fresnel(sun_height)) * sun_height;
+  const Rgb down = lit * sky.sun_light() + p.sky * sky.sky_light();
+  const float path = p.depth * (1.0F / refracted_cosine(eye_height) + 1.0F / refracted_cosine(sun_height));
+
+  // Waves long enough to be seen tilt the surface; the shorter ones are in the statistics.
+  const float calm = ramp(0.0F, 3.0F, p.depth);
+  const NoiseSample wave = detail_noise(131, p.x, p.y, 70.0F, 5, 0.55F, p.footprint);
+  const Vec3 normal = normalised({-0.9F * calm * wave.dx, -0.9F * calm * wave.dy, 1.0F});
+  const float cosine = std::max(0.02F, dot(normal, p.to_eye));
+  const float mirror = mean_fresnel(cosine);
+  Vec3 reflected = 2.0F * dot(normal, p.to_eye) * normal - p.to_eye;
+  reflected.z = std::max(0.06F, reflected.z + 0.10F);  // the mean over waves looks higher
+  Rgb light = (1.0F - mirror) * (body(p.floor, path, clarity) * down) +
+              (mirror * (0.4F + 0.6F * p.sky)) * sky.radiance(normalised(reflected));
+
+  const Vec3 half = normalised(p.to_eye + sun);
+  const float tilt = dot(half, normal);
+  if (tilt > 0.5F) {
+    const float slope2 = (1.0F - tilt * tilt) / (tilt * tilt);
+    const float density = std::exp(-slope2 / kSlopeVariance) / (kPi * kSlopeVariance);
+    const float tilt2 = tilt * tilt;
+    const float glint = kPi * fresnel(dot(half, sun)) * density / (4.0F * cosine * tilt2 * tilt2);
+    light += (p.sun * std::min(glint, 3.0F)) * sky.sun_light();
+  }
+  return mix(light, kFoam * down, p.foam);
+}
+
+}  // namespace seamount::render

@@ -1,0 +1,39 @@
+// Light that comes out of the sea: what the floor sends up through the water, what the water itself scatters, what the
+// surface reflects of sky and sun, and foam.
+//
+// Body: R = R_deep + (A_floor - R_deep) exp(-K path), the shallow-water reflectance of Maritorena, Morel and Gentili,
+// "Diffuse reflectance of oceanic shallow waters", Limnology and Oceanography 39, 1994, eq. 9, with a path down from
+// the sun and up to the eye. Surface: mean Fresnel reflectance of a rough sea (Bruneton, Neyret and Holzschuch,
+// "Real-time realistic ocean lighting", Eurographics 2010, eq. 18), glitter by the slope statistics of Cox and Munk
+// (1954).
+#pragma once
+
+#include "seamount/ops/render/sky.h"
+
+namespace seamount::render {
+
+struct WaterPoint {
+  Vec3 to_eye;
+  float x = 0.0F, y = 0.0F;  ///< metres
+  float footprint = 1.0F;    ///< metres
+  float depth = 0.0F;        ///< metres of water along the vertical, below the refracted view
+  Rgb floor;                 ///< albedo
+  float sun = 1.0F, sky = 1.0F;
+  float foam = 0.0F;  ///< share of the surface that is foam
+};
+
+/// Share of light that survives a path of that many metres in clear tropical water; clarity 2 doubles how far one sees.
+Rgb water_transmittance(float path_m, float clarity);
+
+/// Reflectance of a floor under water seen from right above, with the sun at its height: for textures.
+Rgb reflectance_from_above(Rgb floor, float depth, float sun_height, float clarity);
+
+/// Cosine of the refracted ray to the vertical in water for a ray in air with cosine `cosine`.
+float refracted_cosine(float cosine);
+
+/// Foam by depth and the floor's slope over some 100 m: on the beach's wash and where open water breaks on a crest.
+float foam_share(float x, float y, float footprint, float depth, float slope_around, float shelter);
+
+Rgb water_light(const WaterPoint& point, const Sky& sky, float clarity);
+
+}  // namespace seamount::render

@@ -1,0 +1,34 @@
+// The domain of a document, and changes that the command line makes to a document before it is read.
+#pragma once
+
+#include "seamount/recipe/param_json.h"
+
+namespace seamount {
+struct GridFrame;
+}
+
+namespace seamount::recipe {
+
+struct RecipeChanges;
+
+/// "domain" of a recipe: a rectangle around (0, 0), in square cells.
+struct DomainParams {
+  double width_m = 10240;
+  double height_m = 10240;
+  double cell_m = 10;
+
+  static constexpr auto fields() {
+    return std::tuple(
+        field(&DomainParams::width_m, "width_m", "m", between(1e-3, 1e8), "width of the terrain, west to east"),
+        field(&DomainParams::height_m, "height_m", "m", between(1e-3, 1e8), "height of the terrain, south to north"),
+        field(&DomainParams::cell_m, "cell_m", "m", between(1e-4, 1e6), "cell size"));
+  }
+};
+
+/// The frame of a domain. Throws InvalidArgument for more than 65536 cells a side or 2^30 in all.
+GridFrame domain_frame(const DomainParams& params);
+
+/// Applies --set, --seed and --size to a document. Throws InvalidArgument{"--set"} for a path that leads nowhere.
+void apply_changes(Json& root, const RecipeChanges& changes);
+
+}  // namespace seamount::recipe

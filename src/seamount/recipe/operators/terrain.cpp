@@ -1,0 +1,70 @@
+// Registration of the terrain family.
+#include "seamount/ops/terrain/noise.h"
+
+#include "seamount/io/raster.h"
+#include "seamount/recipe/registry.h"
+
+namespace seamount::recipe {
+namespace {
+
+/// terrain.import has no algorithm of its own: it is the raster reader with its options as parameters.
+struct ImportParams {
+  FilePath file;
+  std::optional<double> cell_m;
+  std::optional<double> low_m;
+  std::optional<double> high_m;
+  bool fill_voids = true;
+  int band = 1;
+
+  static constexpr auto fields() {
+    using P = ImportParams;
+    return std::tuple(
+        field(&P::file, "file", "GeoTIFF, HGT, ASC, PNG, EXR, R16, R32 or NPY file"),
+        field(&P::cell_m, "cell_m", "m", between(1e-4, 1e6), "cell size, where the file does not say"),
+        field(&P::low_m, "low_m", "m", between(-20000, 20000), "height of the lowest code of an 8- or 16-bit image"),
+        field(&P::high_m, "high_m", "m", between(-20000, 20000), "height of the highest code of an 8- or 16-bit image"),
+        field(&P::fill_voids, "fill_voids", "interpolate cells without data instead of refusing the file"),
+        field(&P::band, "band", "", between(1, 1000), "band of a raster with several"));
+  }
+};
+
+Values import_terrain(const ImportParams& params, const Call& call) {
+  if (params.file.path.empty()) throw InvalidArgument("file", "is missing");
+  if (params.low_m.has_value() != params.high_m.has_value())
+    throw InvalidArgument("low_m", "low_m and high_m go together");
+  io::ReadOptions options;
+  options.cell_m = params.cell_m;
+  if (params.low_m) {
+    if (*params.low_m >= *params.high_m)
+      throw InvalidArgument("low_m", format_number(*params.low_m) + " is not below high_m");
+    options.range = io::HeightRange{*params.low_m, *params.high_m};
+  }
+  options.voids = params.fill_voids ? io::Voids::fill : io::Voids::refuse;
+  options.band = params.band;
+  return {{"terrain", Value::terrain(io::read_heights(call.resolve(params.file), options))}};
+}
+
+Values noise(const terrain::NoiseParams& params, const Call& call) {
+  return {{"terrain", Value::terrain(terrain::noise(params, call.domain, call.seed, call.run))}};
+}
+
+}  // namespace
+
+void add_terrain_operators(Registry& registry) {
+  const std::vector<Port> out = {{"terrain", ValueKind::terrain, "heights in metres"}};
+  registry.add<ImportParams>({.name = "terrain.import",
+                              .summary = "A terrain from a file, in metres and square cells",
+                              .source = "",
+                              .in = {},
+                              .out = out},
+                             import_terrain);
+  registry.add<terrain::NoiseParams>({.name = "terrain.noise",
+                                      .summary = "Fractal noise, smooth or ridged",
+                                      .source = "Perlin 2002, Musgrave 1994",
+                                      .stochastic = true,
+                                      .in = {},
+                                      .out = out},
+                                     noise);
+}
+
+}  // namespace seamount::recipe

@@ -1,0 +1,261 @@
+#include "seamount/recipe/param_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace seamount::recipe {
+namespace {
+
+std::string shown(const Json& json) {
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  constexpr size_t kLongest = 40;
+  if (text.size() > kLongest) text = text.substr(0, kLongest - 3) + "...";
+  switch (json.type()) {
+    case Json::value_t::null:
+      return "nothing (null)";
+    case Json::value_t::object:
+      return "the object " + text;
+    case Json::value_t::array:
+      return "the list " + text;
+    case Json::value_t::string:
+      return "the text " + text;
+    default:
+      return text;
+  }
+}
+
+/// [a, b]: two numbers.
+bool read_pair(const Json& json, double& first, double& second, const std::string& what, const ReadPlace& place) {
+  if (!json.is_array() || json.size() != 2 || !json[0].is_number() || !json[1].is_number()) {
+    place.expected(what, json);
+    return false;
+  }
+  first = json[0].get<double>();
+  second = json[1].get<double>();
+  return true;
+}
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+}  // namespace
+
+void ReadPlace::expected(const std::string& what, const Json& found) const {
+  fail("expected " + what + ", found " + shown(found));
+}
+
+void read_json(const Json& json, double& value, const ReadPlace& place) {
+  if (!json.is_number()) return place.expected("a number", json);
+  value = json.get<double>();
+}
+
+void read_json(const Json& json, int& value, const ReadPlace& place) {
+  const double number = json.is_number() ? json.get<double>() : std::nan("");
+  if (!(std::abs(number) <= std::numeric_limits<int>::max()) || number != std::floor(number)) {
+    return place.expected("a whole number", json);
+  }
+  value = static_cast<int>(number);
+}
+
+void read_json(const Json& json, bool& value, const ReadPlace& place) {
+  if (!json.is_boolean()) return place.expected("true or false", json);
+  value = json.get<bool>();
+}
+
+void read_json(const Json& json, std::string& value, const ReadPlace& place) {
+  if (!json.is_string()) return place.expected("a text", json);
+  value = json.get<std::string>();
+}
+
+void read_json(const Json& json, FilePath& value, const ReadPlace& place) {
+  if (!json.is_string()) return place.expected("a file name", json);
+  value.path = json.get<std::string>();
+}
+
+void read_json(const Json& json, Colour& value, const ReadPlace& place) {
+  const std::string text = json.is_string() ? json.get<std::string>() : "";
+  std::array<int, 6> digit{};
+  bool fits = text.size() == 7 && text[0] == '#';
+  for (size_t i = 0; fits && i < 6; ++i) fits = (digit[i] = hex_digit(text[i + 1])) >= 0;
+  if (!fits) return place.expected("a colour as \"#rrggbb\"", json);
+  const auto channel = [&](size_t i) { return static_cast<unsigned char>(16 * digit[i] + digit[i + 1]); };
+  value = {channel(0), channel(2), channel(4)};
+}
+
+void read_json(const Json& json, std::optional<double>& value, const ReadPlace& place) {
+  if (json.is_null()) {
+    value.reset();
+  } else if (json.is_number()) {
+    value = json.get<double>();
+  } else {
+    place.expected("a number (or null: derived)", json);
+  }
+}
+
+void read_json(const Json& json, Vec2& value, const ReadPlace& place) {
+  read_pair(json, value.x, value.y, "a point [x, y] in metres", place);
+}
+
+void read_json(const Json& json, Knot& value, const ReadPlace& place) {
+  read_pair(json, value.x, value.y, "a knot [x, y]", place);
+}
+
+void read_json(const Json& json, Curve& value, const ReadPlace& place) {
+  Curve curve;
+  const size_t before = place.diagnostics.items().size();
+  read_json(json, curve.knots, place);
+  if (place.diagnostics.items().size() > before) return;
+  for (size_t i = 1; i < curve.knots.size(); ++i) {
+    if (!(curve.knots[i - 1].x < curve.knots[i].x)) {
+      return place.at(i).fail(fmt::format("x = {} does not follow x = {}: knots ascend",
+                                          format_number(curve.knots[i].x), format_number(curve.knots[i - 1].x)));
+    }
+  }
+  value = std::move(curve);
+}
+
+void read_json(const Json& json, Stroke& value, const ReadPlace& place) {
+  if (!json.is_object()) return place.expected("a stroke {\"points\", \"width_m\", \"strength_m\"}", json);
+  refuse_unknown_keys(json, {"points", "width_m", "strength_m"}, "member", place);
+  if (const auto points = json.find("points"); points == json.end()) {
+    place.fail("a stroke needs \"points\"");
+  } else {
+    read_json(*points, value.points, place.at("points"));
+    if (points->is_array() && points->size() < 2) place.at("points").fail("a stroke needs at least two points");
+  }
+  if (const auto width = json.find("width_m"); width != json.end()) {
+    read_json(*width, value.width_m, place.at("width_m"));
+    if (!(value.width_m > 0)) place.at("width_m").fail(format_number(value.width_m) + " is not above 0");
+  }
+  if (const auto strength = json.find("strength_m"); strength != json.end()) {
+    read_json(*strength, value.strength_m, place.at("strength_m"));
+  }
+}
+
+void read_json(const Json& json, PolarOutline& value, const ReadPlace& place) {
+  if (json.is_number()) {
+    value.radii_m = {json.get<double>()};
+  } else if (json.is_array() && !json.empty()) {
+    read_json(json, value.radii_m, place);
+  } else {
+    place.expected("a radius, or a list of radii at equal steps of angle", json);
+  }
+}
+
+void read_json(const Json& json, Polygon& value, const ReadPlace& place) {
+  if (json.is_array()) return read_json(json, value.outer, place);
+  if (!json.is_object()) return place.expected("a ring [[x, y], ...] or {\"outer\", \"holes\"}", json);
+  refuse_unknown_keys(json, {"outer", "holes"}, "member", place);
+  if (json.contains("outer")) read_json(json["outer"], value.outer, place.at("outer"));
+  if (json.contains("holes")) read_json(json["holes"], value.holes, place.at("holes"));
+}
+
+// Whole numbers are written as such, so that 5 and 5.0 give the same canonical text.
+Json write_json(double value) {
+  constexpr double kLargestExact = 9007199254740992.0;
+  if (value == std::floor(value) && std::abs(value) < kLargestExact) return static_cast<int64_t>(value);
+  return value;
+}
+Json write_json(int value) { return value; }
+Json write_json(bool value) { return value; }
+Json write_json(const std::string& value) { return value; }
+Json write_json(const FilePath& value) { return value.path; }
+Json write_json(const Colour& value) { return fmt::format("#{:02x}{:02x}{:02x}", value.r, value.g, value.b); }
+Json write_json(const std::optional<double>& value) { return value ? write_json(*value) : Json(nullptr); }
+Json write_json(const Vec2& value) { return {write_json(value.x), write_json(value.y)}; }
+Json write_json(const Knot& value) { return {write_json(value.x), write_json(value.y)}; }
+Json write_json(const Curve& value) { return write_json(value.knots); }
+
+Json write_json(const Stroke& value) {
+  return {{"points", write_json(value.points)},
+          {"width_m", write_json(value.width_m)},
+          {"strength_m", write_json(value.strength_m)}};
+}
+
+Json write_json(const PolarOutline& value) {
+  return value.radii_m.size() == 1 ? write_json(value.radii_m[0]) : write_json(value.radii_m);
+}
+
+Json write_json(const Polygon& value) {
+  if (value.holes.empty()) return write_json(value.outer);
+  return {{"outer", write_json(value.outer)}, {"holes", write_json(value.holes)}};
+}
+
+void refuse_unknown_keys(const Json& object, const std::vector<std::string>& names, const std::string& what,
+                         const ReadPlace& place) {
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(names.begin(), names.end(), key) != names.end()) continue;
+    place.at(pointer_token(key)).fail("unknown " + what + " '" + key + "'" + suggestion(key, names));
+  }
+}
+
+Json param_schema(const ParamInfo& info) {
+  const Json number = {{"type", "number"}};
+  const Json pair = {{"type", "array"}, {"items", number}, {"minItems", 2}, {"maxItems", 2}};
+  const Json pairs = {{"type", "array"}, {"items", pair}};
+  const Json stroke = {{"type", "object"},
+                       {"properties", {{"points", pairs}, {"width_m", number}, {"strength_m", number}}},
+                       {"required", {"points"}},
+                       {"additionalProperties", false}};
+  const Json polygon = {{"type", "object"},
+                        {"properties", {{"outer", pairs}, {"holes", {{"type", "array"}, {"items", pairs}}}}},
+                        {"required", {"outer"}},
+                        {"additionalProperties", false}};
+  static const std::map<std::string, std::string> kScalars = {
+      {"number", "number"}, {"integer", "integer"}, {"switch", "boolean"}, {"choice", "string"},
+      {"text", "string"},   {"file", "string"},     {"colour", "string"}};
+  Json schema;
+  if (const auto scalar = kScalars.find(info.kind); scalar != kScalars.end()) {
+    schema["type"] =
+        info.kind == "number" && info.default_value.is_null() ? Json({"number", "null"}) : Json(scalar->second);
+    if (!std::isinf(info.range.min)) schema["minimum"] = write_json(info.range.min);
+    if (!std::isinf(info.range.max)) schema["maximum"] = write_json(info.range.max);
+    if (!info.choices.empty()) schema["enum"] = info.choices;
+    if (info.kind == "colour") schema["pattern"] = "^#[0-9a-fA-F]{6}$";
+  } else if (info.kind == "numbers") {
+    schema = {{"type", "array"}, {"items", number}};
+  } else if (info.kind == "point") {
+    schema = pair;
+  } else if (info.kind == "curve" || info.kind == "points") {
+    schema = pairs;
+  } else if (info.kind == "strokes") {
+    schema = {{"type", "array"}, {"items", stroke}};
+  } else if (info.kind == "outlines") {
+    schema = {{"type", "array"},
+              {"items", {{"anyOf", {number, {{"type", "array"}, {"items", number}, {"minItems", 1}}}}}}};
+  } else if (info.kind == "polygons") {
+    schema = {{"type", "array"}, {"items", {{"anyOf", {pairs, polygon}}}}};
+  }
+  schema["description"] = info.help + (info.unit.empty() ? "" : " [" + info.unit + "]");
+  schema["default"] = info.default_value;
+  schema["x-kind"] = info.kind;
+  if (!info.unit.empty()) schema["x-unit"] = info.unit;
+  return schema;
+}
+
+Json parse_flag(const ParamInfo& info, const std::string& text) {
+  if (info.kind == "text" || info.kind == "file" || info.kind == "choice" || info.kind == "colour") return text;
+  std::string source = text;
+  if (!text.empty() && text[0] == '@') {
+    std::ifstream file(text.substr(1));
+    std::stringstream content;
+    if (!file || !(content << file.rdbuf()))
+      throw InvalidArgument("--" + info.name, text.substr(1) + ": cannot be read");
+    source = content.str();
+  }
+  try {
+    return parse_json(source, "--" + info.name).root;
+  } catch (const RecipeError&) {
+    throw InvalidArgument("--" + info.name, "expected a " + info.kind + ", found '" + text + "'");
+  }
+}
+
+}  // namespace seamount::recipe

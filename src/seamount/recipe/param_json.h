@@ -1,0 +1,194 @@
+// The bridge between field tables and JSON: one read, write and schema rule per type of parameter. From them come
+// recipe parsing with all its errors at once, canonical parameters for the cache key, the JSON Schema and the reference
+// pages.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "seamount/base/fields.h"
+#include "seamount/model/drawn.h"
+#include "seamount/recipe/diagnostics.h"
+#include "seamount/recipe/json_document.h"
+
+namespace seamount::recipe {
+
+/// Where reading stands and where its errors go.
+struct ReadPlace {
+  std::string pointer;
+  Diagnostics& diagnostics;
+
+  ReadPlace at(const std::string& token) const { return {pointer + "/" + token, diagnostics}; }
+  ReadPlace at(size_t index) const { return at(std::to_string(index)); }
+  void fail(std::string message) const { diagnostics.add(pointer, std::move(message)); }
+  /// "expected a number, found the text "abc"".
+  void expected(const std::string& what, const Json& found) const;
+};
+
+// One overload per parameter type; each reports to `place` and leaves `value` as it was when the JSON does not fit.
+void read_json(const Json& json, double& value, const ReadPlace& place);
+void read_json(const Json& json, int& value, const ReadPlace& place);
+void read_json(const Json& json, bool& value, const ReadPlace& place);
+void read_json(const Json& json, std::string& value, const ReadPlace& place);
+void read_json(const Json& json, FilePath& value, const ReadPlace& place);
+void read_json(const Json& json, Colour& value, const ReadPlace& place);
+void read_json(const Json& json, std::optional<double>& value, const ReadPlace& place);
+void read_json(const Json& json, Vec2& value, const ReadPlace& place);
+void read_json(const Json& json, Knot& value, const ReadPlace& place);
+void read_json(const Json& json, Curve& value, const ReadPlace& place);
+void read_json(const Json& json, Stroke& value, const ReadPlace& place);
+void read_json(const Json& json, PolarOutline& value, const ReadPlace& place);
+void read_json(const Json& json, Polygon& value, const ReadPlace& place);
+
+Json write_json(double value);
+Json write_json(int value);
+Json write_json(bool value);
+Json write_json(const std::string& value);
+Json write_json(const FilePath& value);
+Json write_json(const Colour& value);
+Json write_json(const std::optional<double>& value);
+Json write_json(const Vec2& value);
+Json write_json(const Knot& value);
+Json write_json(const Curve& value);
+Json write_json(const Stroke& value);
+Json write_json(const PolarOutline& value);
+Json write_json(const Polygon& value);
+
+template <class T>
+void read_json(const Json& json, std::vector<T>& value, const ReadPlace& place) {
+  if (!json.is_array()) return place.expected("a list", json);
+  std::vector<T> items(json.size());
+  for (size_t i = 0; i < json.size(); ++i) read_json(json[i], items[i], place.at(i));
+  value = std::move(items);
+}
+
+template <class T>
+Json write_json(const std::vector<T>& value) {
+  Json list = Json::array();
+  for (const T& item : value) list.push_back(write_json(item));
+  return list;
+}
+
+template <Choice T>
+void read_json(const Json& json, T& value, const ReadPlace& place) {
+  if (!json.is_string()) return place.expected("a name", json);
+  const auto name = json.get<std::string>();
+  const std::vector<std::string> names(Choices<T>::names.begin(), Choices<T>::names.end());
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return place.fail("unknown choice '" + name + "'" + suggestion(name, names));
+  value = static_cast<T>(found - names.begin());
+}
+
+template <Choice T>
+Json write_json(T value) {
+  return std::string(Choices<T>::names[static_cast<size_t>(value)]);
+}
+
+/// What a row of a field table says, without its C++ types.
+struct ParamInfo {
+  std::string name;
+  std::string kind;  ///< "number", "integer", "switch", "choice", "text", "file", "colour", "numbers", "curve", ...
+  std::string unit;
+  Range range;
+  std::vector<std::string> choices;
+  std::string help;
+  Json default_value;
+};
+
+/// Kind of a parameter type, as the studio and the reference pages name it.
+template <class T>
+constexpr std::string_view param_kind() {
+  if constexpr (std::is_same_v<T, bool>)
+    return "switch";
+  else if constexpr (std::is_same_v<T, int>)
+    return "integer";
+  else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>)
+    return "number";
+  else if constexpr (std::is_same_v<T, std::string>)
+    return "text";
+  else if constexpr (std::is_same_v<T, FilePath>)
+    return "file";
+  else if constexpr (std::is_same_v<T, Colour>)
+    return "colour";
+  else if constexpr (std::is_same_v<T, Vec2>)
+    return "point";
+  else if constexpr (std::is_same_v<T, Curve>)
+    return "curve";
+  else if constexpr (std::is_same_v<T, std::vector<double>>)
+    return "numbers";
+  else if constexpr (std::is_same_v<T, Polyline>)
+    return "points";
+  else if constexpr (std::is_same_v<T, std::vector<Stroke>>)
+    return "strokes";
+  else if constexpr (std::is_same_v<T, std::vector<PolarOutline>>)
+    return "outlines";
+  else if constexpr (std::is_same_v<T, std::vector<Polygon>>)
+    return "polygons";
+  else {
+    static_assert(Choice<T>, "give the type a kind, a read_json and a write_json");
+    return "choice";
+  }
+}
+
+template <class Params>
+std::vector<ParamInfo> describe_params() {
+  std::vector<ParamInfo> infos;
+  const Params defaults;
+  for_each_field<Params>([&](const auto& row) {
+    using T = typename std::decay_t<decltype(row)>::Type;
+    ParamInfo info{std::string(row.name), std::string(param_kind<T>()),    std::string(row.unit), row.range, {},
+                   std::string(row.help), write_json(defaults.*row.member)};
+    if constexpr (Choice<T>) info.choices.assign(Choices<T>::names.begin(), Choices<T>::names.end());
+    infos.push_back(std::move(info));
+  });
+  return infos;
+}
+
+/// Reports members of `object` that are not in `names`, with a suggestion.
+void refuse_unknown_keys(const Json& object, const std::vector<std::string>& names, const std::string& what,
+                         const ReadPlace& place);
+
+/// Reads a whole Params: unknown keys, wrong types and values out of range are all reported.
+template <class Params>
+Params read_params(const Json& object, const ReadPlace& place) {
+  Params params;
+  if (!object.is_object()) {
+    place.expected("an object of parameters", object);
+    return params;
+  }
+  std::vector<std::string> names;
+  for_each_field<Params>([&](const auto& row) {
+    names.emplace_back(row.name);
+    const auto member = object.find(std::string(row.name));
+    if (member == object.end()) return;
+    const ReadPlace here = place.at(pointer_token(row.name));
+    const size_t before = here.diagnostics.items().size();
+    read_json(*member, params.*row.member, here);
+    if (here.diagnostics.items().size() > before) return;
+    try {
+      seamount::detail::check_value(row.name, params.*row.member, row.range);
+    } catch (const InvalidArgument& error) {
+      here.fail(error.what());
+    }
+  });
+  refuse_unknown_keys(object, names, "parameter", place);
+  return params;
+}
+
+template <class Params>
+Json write_params(const Params& params) {
+  Json object = Json::object();
+  for_each_field<Params>([&](const auto& row) { object[std::string(row.name)] = write_json(params.*row.member); });
+  return object;
+}
+
+/// JSON Schema (2020-12) of one parameter.
+Json param_schema(const ParamInfo& info);
+
+/// What a user types on the command line, as JSON: --subsidence 0.5, --coast kauai.geojson, --strokes '[...]' or
+/// --strokes @file.json. Throws InvalidArgument with the parameter's name.
+Json parse_flag(const ParamInfo& info, const std::string& text);
+
+}  // namespace seamount::recipe

@@ -1,0 +1,355 @@
+#include "seamount/recipe/recipe.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "seamount/recipe/domain.h"
+
+namespace seamount::recipe {
+namespace {
+
+/// A step as it was written, before its operator and connections are known to be right.
+struct DraftStep {
+  Step step;
+  ReadPlace place;
+  const Json* in = nullptr;
+};
+
+std::optional<std::string> text_member(const Json& object, const std::string& key, const ReadPlace& place,
+                                       bool required) {
+  const auto member = object.find(key);
+  if (member == object.end()) {
+    if (required) place.fail("\"" + key + "\" is missing");
+    return std::nullopt;
+  }
+  if (!member->is_string() || member->get_ref<const std::string&>().empty()) {
+    place.at(key).expected("a text", *member);
+    return std::nullopt;
+  }
+  return member->get<std::string>();
+}
+
+std::optional<Seed> read_seed(const Json& json, const ReadPlace& place) {
+  if (json.is_number_unsigned()) return Seed{json.get<uint64_t>()};
+  place.expected("a seed: a whole number from 0 to 2^64 - 1", json);
+  return std::nullopt;
+}
+
+bool good_id(const std::string& id) {
+  const auto allowed = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+  return !id.empty() && id.size() <= 64 && std::all_of(id.begin(), id.end(), allowed);
+}
+
+class RecipeReader {
+ public:
+  RecipeReader(const Json& root, Recipe& recipe, Diagnostics& diagnostics)
+      : root_(root), recipe_(recipe), top_{"", diagnostics} {}
+
+  void read() {
+    if (!root_.is_object()) return top_.expected("a recipe: an object", root_);
+    refuse_unknown_keys(root_, {"$schema", "seamount", "about", "domain", "seed", "steps", "outputs"}, "member", top_);
+    read_version();
+    if (const auto seed = root_.find("seed"); seed != root_.end())
+      recipe_.seed = read_seed(*seed, top_.at("seed")).value_or(Seed{});
+    read_domain(root_.value("domain", Json::object()));
+    read_steps();
+    order_steps();
+    read_outputs();
+  }
+
+ private:
+  void read_version() {
+    const auto version = root_.find("seamount");
+    if (version == root_.end()) return top_.fail("\"seamount\": 1 is missing; is this a recipe?");
+    if (*version != 1)
+      top_.at("seamount").fail("version " + version->dump() + " is unknown; this program reads version 1");
+  }
+
+  void read_domain(const Json& json) {
+    const ReadPlace place = top_.at("domain");
+    const size_t before = place.diagnostics.items().size();
+    const auto params = read_params<DomainParams>(json, place);
+    if (place.diagnostics.items().size() > before) return;
+    try {
+      recipe_.domain = domain_frame(params);
+    } catch (const Error& error) {
+      place.fail(error.what());
+    }
+  }
+
+  void read_steps() {
+    const auto steps = root_.find("steps");
+    if (steps == root_.end()) return top_.fail("\"steps\" is missing");
+    if (!steps->is_array()) return top_.at("steps").expected("a list of steps", *steps);
+    std::map<std::string, size_t> first_use;
+    for (size_t i = 0; i < steps->size(); ++i) {
+      const ReadPlace place = top_.at("steps").at(i);
+      DraftStep draft{{}, place};
+      read_step((*steps)[i], draft);
+      const std::string& id = draft.step.id;
+      if (!id.empty() && !first_use.emplace(id, i).second) {
+        place.at("id").fail(fmt::format("'{}' is already the id of step {}", id, first_use[id]));
+        continue;
+      }
+      drafts_.push_back(std::move(draft));
+    }
+    for (DraftStep& draft : drafts_) connect(draft);
+  }
+
+  void read_step(const Json& json, DraftStep& draft) {
+    const ReadPlace& place = draft.place;
+    if (!json.is_object()) return place.expected("a step {\"id\", \"op\", \"in\", \"params\"}", json);
+    refuse_unknown_keys(json, {"id", "op", "in", "params", "seed", "about"}, "member", place);
+    draft.step.id = text_member(json, "id", place, true).value_or("");
+    if (!draft.step.id.empty() && !good_id(draft.step.id)) {
+      place.at("id").fail("'" + draft.step.id + "' is no id: up to 64 letters, digits, '_' and '-'");
+    }
+    draft.step.seed = recipe_.seed.derive(draft.step.id);
+    if (const auto seed = json.find("seed"); seed != json.end()) {
+      draft.step.seed = read_seed(*seed, place.at("seed")).value_or(Seed{});
+    }
+    if (const auto name = text_member(json, "op", place, true)) {
+      draft.step.op = operators().find(*name);
+      if (draft.step.op == nullptr)
+        place.at("op").fail("unknown operator '" + *name + "'" + suggestion(*name, operators().names()));
+    }
+    if (draft.step.op != nullptr) {
+      draft.step.params = draft.step.op->complete(json.value("params", Json::object()), place.at("params"));
+    }
+    if (const auto in = json.find("in"); in != json.end()) draft.in = &*in;
+  }
+
+  void connect(DraftStep& draft) {
+    const Operator* op = draft.step.op;
+    if (op == nullptr) return;
+    static const Json kNothing = Json::object();
+    const Json& in = draft.in == nullptr ? kNothing : *draft.in;
+    const ReadPlace place = draft.place.at("in");
+    if (!in.is_object()) return place.expected("an object of inputs", in);
+    std::vector<std::string> names;
+    for (const Port& port : op->in) {
+      names.push_back(port.name);
+      const auto member = in.find(port.name);
+      if (member != in.end()) {
+        if (auto source = read_source(*member, place.at(port.name), {port.kind})) draft.step.in[port.name] = *source;
+      } else if (port.required) {
+        (draft.in == nullptr ? draft.place : place)
+            .fail(fmt::format("{} needs the input '{}': {}", op->name, port.name, port.help));
+      }
+    }
+    refuse_unknown_keys(in, names, "input", place);
+  }
+
+  /// "step.port", or {"file": name}. Checks that it exists and fits one of `kinds` (none: anything).
+  std::optional<Source> read_source(const Json& json, const ReadPlace& place, const std::vector<ValueKind>& kinds) {
+    if (json.is_object() && json.contains("file")) {
+      refuse_unknown_keys(json, {"file"}, "member", place);
+      const auto file = text_member(json, "file", place, true);
+      return file ? std::optional(Source{"", "", *file}) : std::nullopt;
+    }
+    if (!json.is_string()) {
+      place.expected("\"step.port\" or {\"file\": name}", json);
+      return std::nullopt;
+    }
+    const auto text = json.get<std::string>();
+    const size_t dot = text.find('.');
+    const Source source{text.substr(0, dot), dot == std::string::npos ? "" : text.substr(dot + 1), ""};
+    const DraftStep* step = find_draft(source.step);
+    if (step == nullptr) {
+      std::vector<std::string> ids;
+      for (const DraftStep& draft : drafts_) ids.push_back(draft.step.id);
+      place.fail("there is no step '" + source.step + "'" + suggestion(source.step, ids));
+      return std::nullopt;
+    }
+    if (step->step.op == nullptr) return std::nullopt;  // already reported
+    std::vector<std::string> ports;
+    for (const Port& port : step->step.op->out) ports.push_back(source.step + "." + port.name);
+    const Port* port = step->step.op->find_out(source.port);
+    if (port == nullptr) {
+      place.fail("'" + text + "' is no output of " + step->step.op->name + suggestion(text, ports));
+      return std::nullopt;
+    }
+    if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), port->kind) == kinds.end()) {
+      std::string wanted;
+      for (const ValueKind kind : kinds) wanted += (wanted.empty() ? "" : " or ") + std::string(kind_name(kind));
+      place.fail(fmt::format("'{}' is {}; {} is needed here", text, kind_name(port->kind), wanted));
+      return std::nullopt;
+    }
+    return source;
+  }
+
+  const DraftStep* find_draft(const std::string& id) const {
+    for (const DraftStep& draft : drafts_) {
+      if (draft.step.id == id) return &draft;
+    }
+    return nullptr;
+  }
+
+  /// Steps in an order in which each follows what it needs; names the steps of a cycle.
+  void order_steps() {
+    std::set<std::string> placed;
+    std::vector<DraftStep*> waiting;
+    for (DraftStep& draft : drafts_) waiting.push_back(&draft);
+    const auto ready = [&](const DraftStep* draft) {
+      for (const auto& [port, source] : draft->step.in) {
+        if (!source.from_file() && !placed.contains(source.step)) return false;
+      }
+      return true;
+    };
+    while (!waiting.empty()) {
+      const auto next = std::find_if(waiting.begin(), waiting.end(), ready);
+      if (next == waiting.end()) break;
+      placed.insert((*next)->step.id);
+      recipe_.steps.push_back((*next)->step);
+      waiting.erase(next);
+    }
+    if (waiting.empty()) return;
+    const std::vector<std::string> cycle = find_cycle(waiting);
+    std::string chain;
+    for (const std::string& id : cycle) chain += id + " -> ";
+    find_draft(cycle.front())->place.at("in").fail("the steps need each other in a circle: " + chain + cycle.front());
+  }
+
+  static std::vector<std::string> find_cycle(const std::vector<DraftStep*>& waiting) {
+    std::map<std::string, const DraftStep*> by_id;
+    for (const DraftStep* draft : waiting) by_id[draft->step.id] = draft;
+    std::vector<std::string> path;
+    std::string id = waiting.front()->step.id;
+    while (std::find(path.begin(), path.end(), id) == path.end()) {
+      path.push_back(id);
+      for (const auto& [port, source] : by_id[id]->step.in) {
+        if (by_id.contains(source.step)) id = source.step;
+      }
+    }
+    path.erase(path.begin(), std::find(path.begin(), path.end(), id));
+    std::reverse(path.begin(), path.end());
+    return path;
+  }
+
+  void read_outputs() {
+    const auto outputs = root_.find("outputs");
+    if (outputs == root_.end()) return;
+    if (!outputs->is_array()) return top_.at("outputs").expected("a list of outputs", *outputs);
+    std::map<std::string, size_t> first_use;
+    for (size_t i = 0; i < outputs->size(); ++i) {
+      const ReadPlace place = top_.at("outputs").at(i);
+      Output output;
+      if (!read_output((*outputs)[i], place, output)) continue;
+      if (!first_use.emplace(output.path, i).second) {
+        place.at("path").fail(fmt::format("output {} already writes '{}'", first_use[output.path], output.path));
+      }
+      recipe_.outputs.push_back(std::move(output));
+    }
+  }
+
+  bool read_output(const Json& json, const ReadPlace& place, Output& output) {
+    if (!json.is_object()) {
+      place.expected("an output {\"from\", \"path\"}", json);
+      return false;
+    }
+    const auto path = text_member(json, "path", place, true);
+    const auto as = text_member(json, "as", place, false);
+    const auto from = json.find("from");
+    if (from == json.end()) {
+      place.fail("\"from\" is missing");
+      return false;
+    }
+    const auto source = read_source(*from, place.at("from"), {});
+    if (!path || !source || (json.contains("as") && !as)) return false;
+    const std::filesystem::path relative = std::filesystem::path(*path).lexically_normal();
+    if (relative.is_absolute() || relative.string().starts_with("..")) {
+      place.at("path").fail("'" + *path + "' leaves the output folder");
+      return false;
+    }
+    if (source->from_file()) {
+      place.at("from").fail("an output comes from a step");
+      return false;
+    }
+    output.from = *source;
+    output.path = relative.string();
+    const ValueKind kind = find_draft(source->step)->step.op->find_out(source->port)->kind;
+    if (!choose_format(kind, as, output, place)) return false;
+    output.labels = labels_for(json, *source, place);
+    Json params = json;
+    for (const char* key : {"from", "path", "as", "labels", "about"}) params.erase(key);
+    output.params = output.format->complete(params, place);
+    return true;
+  }
+
+  static bool choose_format(ValueKind kind, const std::optional<std::string>& as, Output& output,
+                            const ReadPlace& place) {
+    std::vector<std::string> names;
+    for (const OutputFormat& format : output_formats()) {
+      if (format.takes(kind)) names.push_back(format.name);
+    }
+    const std::string extension = std::filesystem::path(output.path).extension().string();
+    output.format = as ? find_output_format(*as) : output_format_for(output.path, kind);
+    if (output.format == nullptr || !output.format->takes(kind)) {
+      if (as) {
+        place.at("as").fail(fmt::format("'{}' is no way to write {}{}", *as, kind_name(kind), suggestion(*as, names)));
+      } else {
+        place.at("path").fail(fmt::format("'{}' does not say how to write {}; add \"as\": one of {}", output.path,
+                                          kind_name(kind), fmt::join(names, ", ")));
+      }
+      return false;
+    }
+    const auto& allowed = output.format->extensions;
+    if (!allowed.empty() && std::find(allowed.begin(), allowed.end(), extension) == allowed.end()) {
+      place.at("path").fail(fmt::format("'{}' is written to {}, not to '{}'", output.format->name,
+                                        fmt::join(allowed, ", "), output.path));
+      return false;
+    }
+    return true;
+  }
+
+  /// "labels" as given, or the labels output of the same step.
+  std::optional<Source> labels_for(const Json& json, const Source& from, const ReadPlace& place) {
+    if (const auto given = json.find("labels"); given != json.end()) {
+      return read_source(*given, place.at("labels"), {ValueKind::labels});
+    }
+    for (const Port& port : find_draft(from.step)->step.op->out) {
+      if (port.kind == ValueKind::labels) return Source{from.step, port.name, ""};
+    }
+    return std::nullopt;
+  }
+
+  const Json& root_;
+  Recipe& recipe_;
+  ReadPlace top_;
+  std::vector<DraftStep> drafts_;
+};
+
+}  // namespace
+
+Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
+                    const RecipeChanges& changes) {
+  JsonDocument document = parse_json(text, file);
+  apply_changes(document.root, changes);
+  Recipe recipe;
+  recipe.file = file;
+  recipe.folder = folder;
+  Diagnostics diagnostics;
+  RecipeReader(document.root, recipe, diagnostics).read();
+  if (!diagnostics.empty()) {
+    place_diagnostics(diagnostics, document);
+    throw RecipeError(file, diagnostics.items());
+  }
+  return recipe;
+}
+
+Recipe read_recipe(const std::string& path, const RecipeChanges& changes) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw IoError(path, "is a folder, not a recipe");
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  if (!file) throw IoError(path, std::filesystem::exists(path, ignored) ? "cannot be read" : "no such file");
+  text << file.rdbuf();
+  return parse_recipe(text.str(), path, std::filesystem::path(path).parent_path().string(), changes);
+}
+
+}  // namespace seamount::recipe

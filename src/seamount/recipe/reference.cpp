@@ -1,0 +1,112 @@
+#include "seamount/recipe/reference.h"
+
+#include <fmt/format.h>
+
+#include "seamount/base/text.h"
+
+namespace seamount::recipe {
+namespace {
+
+std::string range_text(const ParamInfo& info) {
+  if (!info.choices.empty()) return fmt::format("{}", fmt::join(info.choices, ", "));
+  return info.range.bounded() ? format_range(info.range.min, info.range.max) : "";
+}
+
+std::string default_text(const ParamInfo& info) {
+  if (info.default_value.is_null()) return "derived";
+  if (info.default_value.is_string() && info.default_value.get<std::string>().empty()) return "none";
+  if (info.default_value.is_array() && info.default_value.empty()) return "none";
+  if (info.default_value.is_string()) return info.default_value.get<std::string>();
+  return info.default_value.dump();
+}
+
+std::string params_text(const std::vector<ParamInfo>& params) {
+  std::string text;
+  for (const ParamInfo& info : params) {
+    text += fmt::format("  --{} <{}>{}\n      {}\n", info.name, info.kind, info.unit.empty() ? "" : "  " + info.unit,
+                        info.help);
+    const std::string range = range_text(info);
+    text += fmt::format("      default {}{}\n", default_text(info),
+                        range.empty() ? "" : (info.choices.empty() ? "; range " : "; one of ") + range);
+  }
+  return text;
+}
+
+std::string ports_text(const std::string& title, const std::vector<Port>& ports) {
+  if (ports.empty()) return "";
+  std::string text = title + "\n";
+  for (const Port& port : ports) {
+    text += fmt::format("  {} ({}{})\n      {}\n", port.name, kind_name(port.kind), port.required ? "" : ", optional",
+                        port.help);
+  }
+  return text + "\n";
+}
+
+std::string cell(std::string text) {
+  for (size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.replace(at, 1, "\\|");
+  return text;
+}
+
+std::string params_table(const std::vector<ParamInfo>& params) {
+  if (params.empty()) return "";
+  std::string text = "| parameter | type | unit | default | range | |\n|---|---|---|---|---|---|\n";
+  for (const ParamInfo& info : params) {
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", info.name, info.kind, info.unit,
+                        cell("`" + default_text(info) + "`"), cell(range_text(info)), cell(info.help));
+  }
+  return text + "\n";
+}
+
+std::string ports_list(const std::string& title, const std::vector<Port>& ports) {
+  if (ports.empty()) return "";
+  std::string text = title + "\n\n";
+  for (const Port& port : ports) {
+    text += fmt::format("- `{}` ({}{}): {}\n", port.name, kind_name(port.kind), port.required ? "" : ", optional",
+                        port.help);
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string describe_operator(const Operator& op) {
+  std::string text = fmt::format("{}  -  {}\n", op.name, op.summary);
+  if (!op.source.empty()) text += "source: " + op.source + "\n";
+  if (op.stochastic) text += "depends on the seed\n";
+  text += "\n" + ports_text("inputs", op.in) + ports_text("outputs", op.out);
+  return text + "parameters\n" + params_text(op.params);
+}
+
+std::string describe_format(const OutputFormat& format) {
+  std::vector<std::string> kinds;
+  for (const ValueKind kind : format.accepts) kinds.emplace_back(kind_name(kind));
+  return fmt::format("{}  -  {}\nwrites {} to {}\n\nparameters\n{}", format.name, format.summary,
+                     fmt::join(kinds, ", "), fmt::join(format.extensions, ", "), params_text(format.params));
+}
+
+std::string reference_markdown() {
+  std::string text =
+      "# Operators and output formats\n\n"
+      "Made by `seamount describe --markdown` from the tables that the program itself reads; do not edit.\n\n"
+      "Lengths are metres, z is up, sea level is 0. A *curve* is a list of knots `[x, y]`, *strokes* are\n"
+      "`{\"points\": [[x, y], ...], \"width_m\": w, \"strength_m\": s}`, *outlines* are radii (one number: a circle) "
+      "at equal steps of\n"
+      "the angle, *polygons* are rings of points. *Derived* defaults follow from the input.\n\n"
+      "P0: *Automatic generation of coral reef islands* (sections and equations as printed there).\n\n";
+  for (const Operator& op : operators().all()) {
+    text += fmt::format("## {}\n\n{}.\n\n", op.name, op.summary);
+    if (!op.source.empty())
+      text += fmt::format("Source: {}.{}\n\n", op.source, op.stochastic ? " Depends on the seed." : "");
+    text += ports_list("Inputs", op.in) + ports_list("Outputs", op.out) + params_table(op.params);
+  }
+  text += "# Output formats\n\nChosen by `\"as\"` in a recipe's output, or by the file's extension.\n\n";
+  for (const OutputFormat& format : output_formats()) {
+    std::vector<std::string> kinds;
+    for (const ValueKind kind : format.accepts) kinds.emplace_back(kind_name(kind));
+    text += fmt::format("## as {}\n\n{} ({} to {}).\n\n{}", format.name, format.summary, fmt::join(kinds, ", "),
+                        fmt::join(format.extensions, ", "), params_table(format.params));
+  }
+  return text;
+}
+
+}  // namespace seamount::recipe

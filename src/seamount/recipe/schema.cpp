@@ -1,0 +1,82 @@
+#include "seamount/recipe/domain.h"
+#include "seamount/recipe/recipe.h"
+
+namespace seamount::recipe {
+namespace {
+
+Json params_schema(const std::vector<ParamInfo>& params) {
+  Json properties = Json::object();
+  for (const ParamInfo& info : params) properties[info.name] = param_schema(info);
+  return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+}
+
+Json source_schema() {
+  return {{"anyOf",
+           {{{"type", "string"}, {"pattern", "^[A-Za-z0-9_-]+\\.[A-Za-z0-9_]+$"}, {"description", "\"step.port\""}},
+            {{"type", "object"},
+             {"properties", {{"file", {{"type", "string"}}}}},
+             {"required", {"file"}},
+             {"additionalProperties", false}}}}};
+}
+
+Json step_schema(const Operator& op) {
+  Json in = Json::object();
+  Json required = Json::array();
+  for (const Port& port : op.in) {
+    in[port.name] = source_schema();
+    in[port.name]["description"] = port.help;
+    in[port.name]["x-kind"] = std::string(kind_name(port.kind));
+    if (port.required) required.push_back(port.name);
+  }
+  Json schema = {
+      {"type", "object"},
+      {"description", op.summary},
+      {"properties",
+       {{"id", {{"type", "string"}, {"pattern", "^[A-Za-z0-9_-]{1,64}$"}}},
+        {"op", {{"const", op.name}}},
+        {"about", {{"type", "string"}}},
+        {"seed", {{"type", "integer"}, {"minimum", 0}}},
+        {"in", {{"type", "object"}, {"properties", in}, {"required", required}, {"additionalProperties", false}}},
+        {"params", params_schema(op.params)}}},
+      {"required", {"id", "op"}},
+      {"additionalProperties", false}};
+  if (!required.empty()) schema["required"].push_back("in");
+  return schema;
+}
+
+Json output_schema(const OutputFormat& format) {
+  Json schema = params_schema(format.params);
+  schema["description"] = format.summary;
+  schema["properties"]["from"] = source_schema();
+  schema["properties"]["labels"] = source_schema();
+  schema["properties"]["about"] = {{"type", "string"}};
+  schema["properties"]["path"] = {{"type", "string"}};
+  schema["properties"]["as"] = {{"const", format.name}};
+  schema["required"] = {"from", "path"};
+  if (format.claims.empty()) schema["required"].push_back("as");
+  return schema;
+}
+
+}  // namespace
+
+Json recipe_schema() {
+  Json steps = Json::array();
+  for (const Operator& op : operators().all()) steps.push_back(step_schema(op));
+  Json outputs = Json::array();
+  for (const OutputFormat& format : output_formats()) outputs.push_back(output_schema(format));
+  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+          {"title", "Seamount recipe"},
+          {"type", "object"},
+          {"properties",
+           {{"$schema", {{"type", "string"}}},
+            {"seamount", {{"const", 1}}},
+            {"about", {{"type", "string"}}},
+            {"domain", params_schema(describe_params<DomainParams>())},
+            {"seed", {{"type", "integer"}, {"minimum", 0}}},
+            {"steps", {{"type", "array"}, {"items", {{"oneOf", steps}}}}},
+            {"outputs", {{"type", "array"}, {"items", {{"anyOf", outputs}}}}}}},
+          {"required", {"seamount", "steps"}},
+          {"additionalProperties", false}};
+}
+
+}  // namespace seamount::recipe

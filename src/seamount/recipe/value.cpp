@@ -1,0 +1,37 @@
+#include "seamount/recipe/value.h"
+
+namespace seamount::recipe {
+
+std::string_view kind_name(ValueKind kind) { return Choices<ValueKind>::names[static_cast<size_t>(kind)]; }
+
+const GridFrame* Value::frame() const {
+  if (const auto* grid = std::get_if<std::shared_ptr<const Grid<float>>>(&data_)) return &(*grid)->frame();
+  if (const auto* grid = std::get_if<std::shared_ptr<const LabelMap>>(&data_)) return &(*grid)->frame();
+  return nullptr;
+}
+
+size_t Value::bytes() const {
+  switch (kind_) {
+    case ValueKind::terrain:
+    case ValueKind::field:
+      return heights().size() * sizeof(float);
+    case ValueKind::labels:
+      return regions().size();
+    case ValueKind::image:
+      return picture().rgb.size();
+    case ValueKind::drawing: {
+      size_t points = 0;
+      for (const NamedArea& area : shapes().areas) {
+        for (const Polygon& part : area.parts) {
+          points += part.outer.size();
+          for (const Ring& hole : part.holes) points += hole.size();
+        }
+      }
+      for (const ValuedLine& line : shapes().lines) points += line.points.size();
+      return points * sizeof(Vec2);
+    }
+  }
+  return 0;
+}
+
+}  // namespace seamount::recipe

@@ -1,0 +1,233 @@
+#include "seamount/train/island_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "seamount/geom/noise.h"
+#include "seamount/ops/island/archipelago.h"
+#include "seamount/ops/island/build.h"
+#include "seamount/ops/island/coral.h"
+#include "seamount/ops/island/wind.h"
+
+namespace seamount::train {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kMostOverlap = 0.1;
+constexpr int kAngles = 128;
+
+GridFrame sample_frame(const IslandSetParams& params) {
+  return GridFrame::centred(params.size, params.size, params.width_m / params.size);
+}
+
+/// eq. 1.16: circles of random radius with noise, ordered with a gap at every angle.
+std::vector<PolarOutline> draw_outlines(double width_m, Rng& rng, Seed seed) {
+  const double coast = width_m * rng.uniform(0.1, 0.24);
+  const double beach = coast * rng.uniform(0.02, 0.07);
+  const std::array<double, 5> radii = {coast - beach, coast, coast + width_m * rng.uniform(0.015, 0.07), 0, 0};
+  const double reef = radii[2] + width_m * rng.uniform(0.02, 0.06);
+  const std::array<double, 5> mean = {radii[0], radii[1], radii[2], reef, reef + width_m * rng.uniform(0.05, 0.14)};
+  const double shared = coast * rng.uniform(0.05, 0.5);
+  const double own = rng.uniform(0.1, 0.7);
+  const double frequency = rng.uniform(1.5, 4.0);
+  std::vector<PolarOutline> outlines(5);
+  for (int a = 0; a < kAngles; ++a) {
+    const double angle = 2 * kPi * a / kAngles;
+    double inner = 0;
+    for (size_t i = 0; i < 5; ++i) {
+      const double width = mean[i] - (i == 0 ? 0 : mean[i - 1]);
+      const double noise =
+          shared * geom::fbm_circle(seed.derive("outline.shared"), angle, frequency, 5) * (i == 4 ? 0.4 : 1.0) +
+          own * std::min(width, 0.3 * coast) * geom::fbm_circle(seed.derive("outline", i), angle, 2 * frequency, 4);
+      const double gap = 0.35 * width;
+      inner = std::max(mean[i] + noise, inner + std::max(gap, 1e-3 * width_m));
+      outlines[i].radii_m.push_back(std::round(inner * 100) / 100);
+    }
+  }
+  return outlines;
+}
+
+/// A curve times noise around 1 (eq. 1.17, 1.18), sampled finely enough to carry the noise.
+Curve times_noise(const Curve& curve, double amplitude, double low, double high, Seed seed) {
+  const geom::CurveFunction base(curve);
+  Curve out;
+  for (int i = 0; i <= 50; ++i) {
+    const double x = 0.1 * i;
+    const double y = base(x) * (1.0 + amplitude * geom::fbm1(seed, 1.3 * x, 4));
+    out.knots.push_back({x, std::round(std::clamp(y, low, high) * 1000) / 1000});
+  }
+  return out;
+}
+
+std::vector<Stroke> draw_strokes(double width_m, Rng& rng) {
+  std::vector<Stroke> strokes(static_cast<size_t>(rng.integer(0, 6)));
+  for (Stroke& stroke : strokes) {
+    const int points = rng.integer(2, 5);
+    for (int k = 0; k < points; ++k) {
+      const double x = rng.uniform(-0.5, 0.5) * width_m;
+      const double y = rng.uniform(-0.5, 0.5) * width_m;
+      stroke.points.push_back({std::round(x), std::round(y)});
+    }
+    stroke.width_m = std::round(width_m * rng.uniform(0.02, 0.09));
+    stroke.strength_m = std::round(stroke.width_m * rng.uniform(0.2, 0.9));
+  }
+  return strokes;
+}
+
+IslandDraw draw_island(const IslandSetParams& params, uint64_t index, Seed seed) {
+  const Seed own = seed.derive("train.island", index);
+  Rng rng(own);
+  IslandDraw island;
+  island.index = static_cast<double>(index);
+  island.outlines = draw_outlines(params.width_m, rng, own);
+  const double peak = rng.uniform(0.25, 0.85) * params.high_m;
+  const double floor = rng.uniform(0.35, 0.85) * params.low_m;
+  const double bow = rng.uniform(0.7, 1.5);
+  Curve profile;
+  for (const double x : {0.0, 0.15, 0.35, 0.6, 0.8})
+    profile.knots.push_back({x, 8 + (peak - 8) * std::pow(1 - x, bow)});
+  for (const auto& [x, y] : {std::pair{1.0, 6.0}, {2.0, 0.0}, {2.4, -3.0}, {3.0, -6.0}, {3.8, -14.0}, {4.05, -30.0}})
+    profile.knots.push_back({x, y});
+  for (const auto& [x, share] : {std::pair{4.3, 0.45}, {4.65, 0.85}, {5.0, 1.0}})
+    profile.knots.push_back({x, std::min(share * floor, profile.knots.back().y - 1)});
+  island.profile = times_noise(profile, 0.25, params.low_m, params.high_m, own.derive("profile"));
+  island.resistance = times_noise(island::WindParams().resistance, 0.5, 0.0, 1.0, own.derive("resistance"));
+  island.strokes = draw_strokes(params.width_m, rng);
+  if (rng.chance(0.7)) {
+    island.radial_count = 2 * rng.integer(4, 18);
+    island.radial_width_m = std::round(params.width_m * rng.uniform(0.006, 0.014));
+    island.radial_strength_m = std::round(island.radial_width_m * rng.uniform(0.3, 0.9));
+  }
+  island.relief = std::round(100 * rng.uniform(0.2, 1.0)) / 100;
+  island.valley_spacing_m = std::round(params.width_m * rng.uniform(0.03, 0.08));
+  return island;
+}
+
+IslandPair make_island(const IslandSetParams& params, const IslandDraw& draw, double subsidence, Seed seed,
+                       const RunContext& run) {
+  const Seed own = seed.derive("train.island.noise", static_cast<uint64_t>(draw.index));
+  const GridFrame frame = sample_frame(params);
+  const island::Plan plan = island::plan_from_polar(draw.outlines, {}, {});
+  island::BuildParams build;
+  build.profile = draw.profile;
+  build.relief = draw.relief;
+  build.valley_spacing_m = draw.valley_spacing_m;
+  const island::Island isle = island::build(plan, build, frame, own, run);
+  island::WindParams wind;
+  wind.strokes = draw.strokes;
+  wind.resistance = draw.resistance;
+  wind.radial_count = draw.radial_count;
+  wind.radial_width_m = draw.radial_width_m;
+  wind.radial_strength_m = draw.radial_strength_m;
+  const island::Warped warped = island::wind(isle.terrain, &isle.labels, &isle.coordinate, wind, own, run);
+  // What the labels cannot show, the network cannot know: no passes and no islets; labels stay those before subsidence.
+  island::CoralParams coral;
+  coral.subsidence = subsidence;
+  coral.passes = 0;
+  coral.islets = 0;
+  coral.relabel = false;
+  island::Reefed reefed = island::coral(warped.terrain, warped.labels, &warped.coordinate, coral, own, run);
+  return {std::move(reefed.terrain), std::move(reefed.labels)};
+}
+
+template <class T>
+void mirror(Grid<T>& grid) {
+  for (int y = 0; y < grid.height(); ++y) std::reverse(grid.row(y).begin(), grid.row(y).end());
+}
+
+Augmentation draw_augmentation(const IslandSetParams& params, int islands, Rng& rng) {
+  Augmentation a;
+  for (int i = 0; i < islands; ++i) {
+    const double spread = islands > 1 ? 0.32 * params.width_m : 0.0;
+    const double x = rng.uniform(-1, 1) * spread;
+    const double y = rng.uniform(-1, 1) * spread;
+    a.places.push_back({std::round(x), std::round(y)});
+    a.turns_deg.push_back(std::round(10 * rng.uniform(-180, 180)) / 10);
+    a.scales.push_back(std::round(1000 * (islands > 1 ? rng.uniform(0.3, 0.65) : rng.uniform(0.6, 1.15))) / 1000);
+  }
+  a.flip = rng.chance(0.5);
+  if (rng.chance(0.75)) {
+    a.shift_x = rng.integer(0, params.size - 1);
+    a.shift_y = rng.integer(0, params.size - 1);
+  }
+  return a;
+}
+
+}  // namespace
+
+double overlap(const LabelMap& a, const LabelMap& b) {
+  int64_t both = 0, either = 0;
+  for (size_t c = 0; c < a.size(); ++c) {
+    const bool in_a = a.cells()[c] != Region::abyss, in_b = b.cells()[c] != Region::abyss;
+    both += in_a && in_b ? 1 : 0;
+    either += in_a || in_b ? 1 : 0;
+  }
+  return either == 0 ? 0.0 : static_cast<double>(both) / static_cast<double>(either);
+}
+
+IslandSample draw_island_sample(const IslandSetParams& params, uint64_t index, Seed seed) {
+  check_params(params);
+  const uint64_t island = index / static_cast<uint64_t>(params.levels);
+  const auto level = static_cast<double>(index % static_cast<uint64_t>(params.levels));
+  Rng rng(seed.derive("train.sample", index));
+  IslandSample sample;
+  sample.index = index;
+  sample.subsidence = std::round(1000 * (level + rng.uniform()) / params.levels) / 1000;
+  const int islands = rng.chance(params.several) ? rng.integer(2, 4) : 1;
+  for (int i = 0; i < islands; ++i) {
+    // The other islands of a sample are islands of their own, or copies of the first.
+    const bool copy = i > 0 && rng.chance(0.5);
+    const uint64_t other = (uint64_t{1} << 40) + index * 8 + static_cast<uint64_t>(i);
+    sample.islands.push_back(copy ? sample.islands.front() : draw_island(params, i == 0 ? island : other, seed));
+  }
+  sample.augmentation = draw_augmentation(params, islands, rng);
+  return sample;
+}
+
+IslandPair make_island_pair(const IslandSetParams& params, IslandSample& sample, Seed seed, const RunContext& run) {
+  const GridFrame frame = sample_frame(params);
+  std::vector<IslandPair> islands;
+  for (const IslandDraw& draw : sample.islands) {
+    islands.push_back(make_island(params, draw, sample.subsidence, seed, run));
+    if (sample.augmentation.flip) {
+      mirror(islands.back().terrain);
+      mirror(islands.back().labels);
+    }
+  }
+  std::vector<LabelMap> placed;
+  std::vector<size_t> kept;
+  const Augmentation all = sample.augmentation;
+  for (size_t i = 0; i < islands.size(); ++i) {
+    if (islands.size() > 1) {
+      const island::ArchipelagoParams alone{
+          .places = {all.places[i]}, .turns_deg = {all.turns_deg[i]}, .scales = {all.scales[i]}};
+      LabelMap labels = island::archipelago({{&islands[i].terrain, &islands[i].labels}}, alone, frame, run).labels;
+      const bool clash = std::any_of(placed.begin(), placed.end(),
+                                     [&](const LabelMap& other) { return overlap(labels, other) > kMostOverlap; });
+      if (clash) continue;
+      placed.push_back(std::move(labels));
+    }
+    kept.push_back(i);
+  }
+  island::ArchipelagoParams together;
+  std::vector<island::Member> members;
+  std::vector<IslandDraw> draws;
+  for (const size_t i : kept) {
+    members.push_back({&islands[i].terrain, &islands[i].labels});
+    draws.push_back(sample.islands[i]);
+    together.places.push_back(all.places[i]);
+    together.turns_deg.push_back(all.turns_deg[i]);
+    together.scales.push_back(all.scales[i]);
+  }
+  island::Archipelago sea = island::archipelago(members, together, frame, run);
+  sample.islands = std::move(draws);
+  sample.augmentation.places = together.places;
+  sample.augmentation.turns_deg = together.turns_deg;
+  sample.augmentation.scales = together.scales;
+  if (all.shift_x == 0 && all.shift_y == 0) return {std::move(sea.terrain), std::move(sea.labels)};
+  return {wrapped(sea.terrain, all.shift_x, all.shift_y), wrapped(sea.labels, all.shift_x, all.shift_y)};
+}
+
+}  // namespace seamount::train

@@ -1,0 +1,182 @@
+// Algorithm 3 of P0: what is drawn (eq. 1.16 to 1.18), what augmentation keeps, and sets that survive a kill.
+#include "seamount/train/island_samples.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "seamount/train/island_set.h"
+
+namespace seamount::train {
+namespace {
+
+namespace fs = std::filesystem;
+
+IslandSetParams small() { return {.size = 64}; }
+
+TEST(DrawIslandSample, OutlinesStayOrderedAtEveryAngle) {
+  for (uint64_t index = 0; index < 80; ++index) {
+    for (const IslandDraw& island : draw_island_sample(small(), index, Seed{1}).islands) {
+      for (size_t i = 0; i + 1 < island.outlines.size(); ++i) {
+        for (size_t a = 0; a < island.outlines[i].radii_m.size(); ++a) {
+          ASSERT_LT(island.outlines[i].radii_m[a], island.outlines[i + 1].radii_m[a]) << index;
+        }
+      }
+    }
+  }
+}
+
+TEST(DrawIslandSample, ProfilesKeepTheCoastAndTheirSign) {
+  for (uint64_t index = 0; index < 40; ++index) {
+    const IslandDraw island = draw_island_sample(small(), 4 * index, Seed{2}).islands.front();
+    for (const Knot& knot : island.profile.knots) {
+      EXPECT_TRUE(knot.x > 1.95 || knot.y >= 0) << index;  // a product with noise around 1 does not move where it is 0
+      EXPECT_TRUE(std::abs(knot.x - 2.0) > 1e-9 || std::abs(knot.y) < 1e-9);
+      EXPECT_TRUE(knot.x < 2.05 || knot.y <= 0);
+    }
+    for (const Knot& knot : island.resistance.knots) EXPECT_TRUE(knot.y >= 0 && knot.y <= 1);
+  }
+}
+
+TEST(DrawIslandSample, LevelsOfOneIslandDifferInSubsidenceOnly) {
+  IslandSetParams params = small();
+  params.several = 0;
+  for (uint64_t level = 0; level < 4; ++level) {
+    const IslandSample sample = draw_island_sample(params, 20 + level, Seed{3});
+    EXPECT_EQ(sample.islands[0].outlines, draw_island_sample(params, 20, Seed{3}).islands[0].outlines);
+    EXPECT_GE(sample.subsidence, static_cast<double>(level) / 4);
+    EXPECT_LE(sample.subsidence, static_cast<double>(level + 1) / 4);
+  }
+  EXPECT_NE(draw_island_sample(params, 24, Seed{3}).islands[0].outlines,
+            draw_island_sample(params, 20, Seed{3}).islands[0].outlines);
+}
+
+TEST(MakeIslandPair, IsTheSameAloneAndOnAnyNumberOfThreads) {
+  const auto make = [](int threads) {
+    IslandSample sample = draw_island_sample(small(), 17, Seed{5});
+    return make_island_pair(small(), sample, Seed{5}, {.threads = threads});
+  };
+  const IslandPair one = make(1), two = make(2);
+  EXPECT_EQ(one.terrain, two.terrain);
+  EXPECT_EQ(one.labels, two.labels);
+}
+
+TEST(MakeIslandPair, SeveralIslandsOverlapByATenthAtMost) {
+  IslandSetParams params = small();
+  params.several = 1;
+  int with_several = 0;
+  for (uint64_t index = 0; index < 24; ++index) {
+    IslandSample sample = draw_island_sample(params, index, Seed{6});
+    make_island_pair(params, sample, Seed{6}, {});
+    ASSERT_GE(sample.islands.size(), 1U);
+    ASSERT_EQ(sample.islands.size(), sample.augmentation.places.size());
+    with_several += sample.islands.size() > 1 ? 1 : 0;
+    // Each pair of islands alone, placed as recorded: the record must describe the picture.
+    std::vector<LabelMap> alone;
+    for (size_t i = 0; i < sample.islands.size(); ++i) {
+      IslandSample one = sample;
+      one.islands = {sample.islands[i]};
+      one.augmentation.places = {sample.augmentation.places[i]};
+      one.augmentation.turns_deg = {sample.augmentation.turns_deg[i]};
+      one.augmentation.scales = {sample.augmentation.scales[i]};
+      alone.push_back(make_island_pair(params, one, Seed{6}, {}).labels);
+      for (size_t j = 0; j < i; ++j) EXPECT_LE(overlap(alone[i], alone[j]), 0.1) << index;
+    }
+  }
+  EXPECT_GT(with_several, 8);
+}
+
+TEST(MakeIslandPair, WrappingMovesCellsAndLosesNone) {
+  IslandSample sample = draw_island_sample(small(), 3, Seed{7});
+  sample.augmentation.shift_x = 0;
+  sample.augmentation.shift_y = 0;
+  IslandSample moved = sample;
+  moved.augmentation.shift_x = 23;
+  moved.augmentation.shift_y = -9;
+  const IslandPair a = make_island_pair(small(), sample, Seed{7}, {});
+  const IslandPair b = make_island_pair(small(), moved, Seed{7}, {});
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      ASSERT_EQ(b.terrain((x + 23) % 64, (y + 55) % 64), a.terrain(x, y));
+      ASSERT_EQ(b.labels((x + 23) % 64, (y + 55) % 64), a.labels(x, y));
+    }
+  }
+}
+
+TEST(Overlap, CountsWhatIsNotAbyss) {
+  LabelMap a(GridFrame::centred(4, 1, 1), Region::abyss), b = a;
+  EXPECT_EQ(overlap(a, b), 0);
+  a(0, 0) = a(1, 0) = Region::reef;
+  b(1, 0) = b(2, 0) = Region::mountain;
+  EXPECT_DOUBLE_EQ(overlap(a, b), 1.0 / 3.0);
+}
+
+/// A folder of its own for each test.
+class IslandSet : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = (fs::path(::testing::TempDir()) /
+               ("seamount_set_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name())))
+                  .string();
+    fs::remove_all(folder_);
+  }
+  void TearDown() override {
+    fs::remove_all(folder_);
+    fs::remove_all(folder_ + "_whole");
+  }
+  static IslandSetOptions options(const std::string& folder, uint64_t count, uint64_t seed = 9) {
+    return {folder, count, Seed{seed}, [seed](const IslandSample* sample) {
+              return sample == nullptr ? "set " + std::to_string(seed)
+                                       : std::to_string(sample->index) + " " + std::to_string(sample->subsidence);
+            }};
+  }
+  static std::string content(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+  std::string folder_;
+};
+
+TEST_F(IslandSet, GoesOnAfterAKillWithoutAGapOrADuplicate) {
+  const std::string whole = folder_ + "_whole";
+  make_island_set(small(), options(whole, 70), {});
+  make_island_set(small(), options(folder_, 40), {});
+  // Killed while a line was being written, with files of a sample that has no line yet.
+  const std::string manifest = folder_ + "/manifest.jsonl";
+  const std::string lines = content(manifest);
+  std::ofstream(manifest, std::ios::binary) << lines.substr(0, lines.size() - 7);
+  std::ofstream(folder_ + "/000041_height.png") << "half a picture";
+  const IslandSetReport report = make_island_set(small(), options(folder_, 70), {});
+  EXPECT_EQ(report.present, 39U);
+  EXPECT_EQ(report.made, 31U);
+  size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(whole)) {
+    ++files;
+    EXPECT_EQ(content(entry.path().string()), content(folder_ + "/" + entry.path().filename().string()))
+        << entry.path();
+  }
+  EXPECT_EQ(files, 141U);
+}
+
+TEST_F(IslandSet, RefusesAFolderOfAnotherSet) {
+  make_island_set(small(), options(folder_, 2), {});
+  EXPECT_THROW(make_island_set(small(), options(folder_, 4, 10), {}), InvalidArgument);
+  EXPECT_EQ(make_island_set(small(), options(folder_, 2), {}).made, 0U);
+}
+
+TEST_F(IslandSet, StopsWhenCancelledAndKeepsWhatIsFinished) {
+  std::atomic<bool> cancelled{false};
+  const RunContext run{.progress = [&](double) { cancelled = true; }, .cancelled = &cancelled};
+  EXPECT_THROW(make_island_set(small(), options(folder_, 1000), run), Cancelled);
+  const IslandSetReport report = make_island_set(small(), options(folder_, 40), {});
+  EXPECT_EQ(report.present, 32U);
+  EXPECT_EQ(report.made, 8U);
+}
+
+}  // namespace
+}  // namespace seamount::train
