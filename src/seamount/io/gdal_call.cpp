@@ -27,6 +27,8 @@ CPLHTTPResult* refuse_network(const char*, CSLConstList, GDALProgressFunc, void*
 void register_drivers() {
   static std::once_flag once;
   std::call_once(once, [] {
+    GDALSetCacheMax64(
+        GIntBig{128} << 20);  // its default, a twentieth of the memory, is more than a large terrain needs
     GDALRegister_GTiff();
     GDALRegister_COG();
     GDALRegister_SRTMHGT();

@@ -44,6 +44,7 @@ void copy_to_tiff(GDALDataset& source, const std::string& path, bool cloud_optim
     how.SetNameValue("COMPRESS", "DEFLATE");
     how.SetNameValue("BIGTIFF", "IF_SAFER");
     how.SetNameValue("PREDICTOR", predictor);
+    how.SetNameValue(cloud_optimised ? "LEVEL" : "ZLEVEL", "4");  // twice as fast as 6 for one hundredth more bytes
     if (!cloud_optimised) how.SetNameValue("TILED", "YES");
     if (cloud_optimised) how.SetNameValue("OVERVIEW_RESAMPLING", "AVERAGE");
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(cloud_optimised ? "COG" : "GTiff");

@@ -114,7 +114,8 @@ class StepRunner {
  private:
   struct State {
     bool needed = false;
-    int users = 0;  ///< inputs and outputs that have not fetched their value yet
+    std::set<std::string> wanted;  ///< ports that somebody uses; the others are let go at once
+    int users = 0;                 ///< inputs and outputs that have not fetched their value yet
     int waiting_for = 0;
     std::vector<size_t> dependents;
     Digest key;
@@ -125,6 +126,7 @@ class StepRunner {
   void need(const Source& source) {
     State& state = states_[index_.at(source.step)];
     state.needed = true;
+    state.wanted.insert(source.port);
     ++state.users;
   }
 
@@ -162,7 +164,7 @@ class StepRunner {
   void compute(const Step& step, State& state, const RunContext& run) {
     const auto start = std::chrono::steady_clock::now();
     Hasher hasher;
-    hasher.text(step.op->name).number(static_cast<uint64_t>(step.op->revision)).text(step.params.dump());
+    hasher.text(kVersion).text(step.op->name).number(static_cast<uint64_t>(step.op->revision)).text(step.params.dump());
     if (step.op->stochastic) hasher.number(step.seed.value);
     hash_domain(hasher);
     hash_files(step, hasher);
@@ -183,6 +185,7 @@ class StepRunner {
       state.values = run_operator(step, run);
       cache_.store(state.key, state.values);
     }
+    std::erase_if(state.values, [&](const auto& item) { return !state.wanted.contains(item.first); });
     state.report.seconds = seconds_since(start);
   }
 

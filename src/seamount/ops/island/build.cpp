@@ -7,8 +7,8 @@
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
 #include "seamount/geom/gullies.h"
+#include "seamount/geom/lattice_rows.h"
 #include "seamount/geom/noise.h"
-#include "seamount/geom/resample.h"
 #include "seamount/ops/island/coordinate.h"
 
 namespace seamount::island {
@@ -122,28 +122,34 @@ HeightField carved(const Recipe& recipe, const ScalarField& coordinate, const Bu
   return height;
 }
 
-/// Adds the difference that carving made on a coarse frame to the plain profile on a fine one.
-void carve_from(const HeightField& carved_coarse, const HeightField& plain_coarse, HeightField& height,
-                const RunContext& run) {
-  HeightField change(carved_coarse.frame());
-  for (size_t c = 0; c < change.size(); ++c) change.cells()[c] = carved_coarse.cells()[c] - plain_coarse.cells()[c];
-  parallel_rows(run, height.width(), height.height(), [&](int begin, int end) {
+/// What carving changes, on a coarse frame: for frames so large that detail below it comes from noise alone.
+HeightField carving_change(const Recipe& recipe, const GridFrame& frame, const BuildParams& params,
+                           double valley_spacing, double peak, Seed seed, const RunContext& run) {
+  ScalarField coordinate(frame);
+  coordinate_rows(recipe, frame, coordinate, run.part(0.0, 0.1));
+  HeightField change = carved(recipe, coordinate, params, valley_spacing, peak, seed, run.part(0.1, 1.0));
+  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    std::vector<float> plain(static_cast<size_t>(frame.width));
     for (int y = begin; y < end; ++y) {
-      const double row = change.frame().row(height.frame().y(y));
-      for (int x = 0; x < height.width(); ++x) {
-        height(x, y) += geom::sample_bspline(change, change.frame().column(height.frame().x(x)), row);
-      }
+      recipe.profile.evaluate(coordinate.row(y), plain);
+      for (size_t x = 0; x < plain.size(); ++x) change.row(y)[x] -= plain[x];
     }
   });
+  return change;
 }
 
-GridFrame coarse_frame(const GridFrame& frame) {
-  GridFrame coarse = frame;
-  const double step = static_cast<double>(std::max(frame.width, frame.height)) / kReliefSide;
-  coarse.cell_m = frame.cell_m * step;
-  coarse.width = static_cast<int>(std::ceil(frame.width / step));
-  coarse.height = static_cast<int>(std::ceil(frame.height / step));
-  return coarse;
+/// The plain profile plus that change.
+void profile_with_change(const Recipe& recipe, const HeightField& change, Island& island, const RunContext& run) {
+  const GridFrame& frame = island.terrain.frame();
+  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    geom::LatticeRows rows(change);
+    std::vector<float> added(static_cast<size_t>(frame.width));
+    for (int y = begin; y < end; ++y) {
+      recipe.profile.evaluate(island.coordinate.row(y), island.terrain.row(y));
+      rows.read(frame.x(0), frame.cell_m, frame.y(y), added);
+      for (size_t x = 0; x < added.size(); ++x) island.terrain.row(y)[x] += added[x];
+    }
+  });
 }
 
 geom::CurveKind kind_of(Interpolation interpolation) {
@@ -191,26 +197,23 @@ Island build(const Plan& plan, const BuildParams& params, const GridFrame& frame
       {.wavelength_m = params.noise_wavelength_m, .octaves = 8, .gain = 0.5, .cell_m = frame.cell_m},
       static_cast<float>(params.noise_m),
       seed};
-  Island island{HeightField(frame), LabelMap(frame), ScalarField(frame)};
-  coordinate_rows(recipe, frame, island.coordinate, run.part(0.2, 0.35));
-
   const double spacing = params.valley_spacing_m.value_or(0.3 * radius);
   const double peak = std::max_element(curve.knots.begin(), curve.knots.end(), [](const Knot& a, const Knot& b) {
                         return a.y < b.y;
                       })->y;
-  const RunContext carving = run.part(0.35, 0.85);
-  if (std::max(frame.width, frame.height) <= kReliefSide) {
-    island.terrain = carved(recipe, island.coordinate, params, spacing, peak, seed, carving);
+  const double coarse_cell = std::max(frame.width_m(), frame.height_m()) / kReliefSide;
+  const bool large = coarse_cell > frame.cell_m;
+  HeightField change;  // made before the island itself is allocated: it needs much scratch
+  if (large) {
+    change = carving_change(recipe, geom::coarser_frame(frame, coarse_cell), params, spacing, peak, seed,
+                            run.part(0.2, 0.5));
+  }
+  Island island{HeightField(large ? frame : GridFrame{}), LabelMap(frame), ScalarField(frame)};
+  coordinate_rows(recipe, frame, island.coordinate, run.part(0.5, 0.6));
+  if (large) {
+    profile_with_change(recipe, change, island, run.part(0.6, 0.9));
   } else {
-    ScalarField coarse(coarse_frame(frame));
-    coordinate_rows(recipe, coarse.frame(), coarse, run);
-    const HeightField carved_coarse = carved(recipe, coarse, params, spacing, peak, seed, carving);
-    HeightField plain_coarse(coarse.frame());
-    recipe.profile.evaluate(coarse.cells(), plain_coarse.cells());
-    parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
-      for (int y = begin; y < end; ++y) recipe.profile.evaluate(island.coordinate.row(y), island.terrain.row(y));
-    });
-    carve_from(carved_coarse, plain_coarse, island.terrain, run.part(0.85, 0.9));
+    island.terrain = carved(recipe, island.coordinate, params, spacing, peak, seed, run.part(0.6, 0.9));
   }
   parallel_rows(run.part(0.9, 1.0), frame.width, frame.height, [&](int begin, int end) {
     std::vector<float> noise(static_cast<size_t>(frame.width));

@@ -79,7 +79,7 @@ ReefNoise reef_noise(const CoralParams& params, double reef_width, double cell, 
   const double share = std::clamp(params.islets, 1e-4, 1.0 - 1e-4);
   const double probit =
       std::log((1.0 - share) / share) / 1.702;  // normal quantile; noise has a deviation of about 0.35
-  return {{.wavelength_m = 450.0, .octaves = 5, .gain = 0.6, .cell_m = cell},
+  return {{.wavelength_m = 650.0, .octaves = 6, .gain = 0.58, .cell_m = cell},
           {.wavelength_m = 5.0 * reef_width, .octaves = 4, .gain = 0.55, .cell_m = cell},
           seed,
           static_cast<float>(params.islets > 0 ? 0.35 * probit : 1e9)};
@@ -90,11 +90,11 @@ struct RowShape {
       crest_start, crest_end;
 };
 
-/// Low hummocks, and patch reefs where the noise is high: crowded in some parts of a lagoon, rare in others.
-SEAMOUNT_INLINE float floor_relief(float n, float crowding) {
-  const float share = 0.5F + 1.3F * crowding;
-  const float threshold = 0.52F - 0.34F * (share > 0.0F ? (share < 1.0F ? share : 1.0F) : 0.0F);
-  return 0.55F * n + 5.0F * (n > threshold ? n - threshold : 0.0F);
+/// Basins and shoals, low hummocks, and patch reefs where the noise is high: crowded on shoals, rare in basins.
+SEAMOUNT_INLINE float floor_relief(float n, float shoal) {
+  const float share = 0.45F + 1.6F * shoal;
+  const float threshold = 0.66F - 0.5F * (share > 0.0F ? (share < 1.0F ? share : 1.0F) : 0.0F);
+  return 1.4F * shoal + 0.4F * n + 6.0F * (n > threshold ? n - threshold : 0.0F);
 }
 
 /// The reef's own height at one place: profile, uneven floor, islets; z_s is the sunken island there.

@@ -6,9 +6,11 @@
 namespace seamount::render {
 namespace {
 
+double mix_of(double a, double b, double t) { return a + t * (b - a); }
+
 constexpr double kMargin = 0.96;     // part of the picture that the points may fill
 constexpr double kSkyShare = 0.045;  // of the picture's height
-constexpr double kStepBack = 1.30;   // how much further one may go for the horizon's sake
+constexpr double kStepBack = 1.10;   // how much further one may go for the horizon's sake
 
 /// Where points lie in the picture plane of a camera that looks level: the plane is one metre away.
 struct Extent {
@@ -73,16 +75,19 @@ Camera fit_camera(const View& view, Vec3 target, const std::vector<Vec3>& points
   fits(far);
   double distance = far;
   if (view.horizon) {
-    // Look up until the nearest points reach the lower margin, and step back a little if that shows some sky.
+    // Look up until the nearest points reach the lower margin, and step back a little if that shows some sky; if it
+    // does not, leave somewhat more room above than below.
     const double wanted = std::atan(tan_height * (1.0 - 2.0 * kSkyShare));
     const auto lowest_pitch = [&](double d) { return -rig.extent(d, pitch, points).lowest - kMargin * half_height; };
     while (distance < kStepBack * far && lowest_pitch(distance) > wanted) distance *= 1.01;
-    pitch = std::min(pitch, std::max(wanted, lowest_pitch(distance)));
+    const bool sky = lowest_pitch(distance) <= wanted;
+    if (!sky) distance = far;
+    pitch = std::min(pitch, sky ? wanted : mix_of(pitch, lowest_pitch(distance), 0.3));
   }
   if (view.distance < 1.0) {
     // Closer up the target itself moves to the middle.
     const double t = std::clamp((view.distance - 0.4) / 0.6, 0.0, 1.0);
-    pitch = view.elevation + t * (pitch - view.elevation);
+    pitch = mix_of(view.elevation, pitch, t);
   }
   Camera camera;
   camera.position = rig.position(distance * view.distance);

@@ -36,8 +36,11 @@ Sheet make_sheet(const HeightField& terrain, int width_px, const RunContext& run
   if (!sheet.unknown_sea.empty()) {
     // The legend speaks of land only, and the coast runs where the flat sea begins.
     sheet.low = std::max(0.0, sheet.low);
+    // Resampling leaves ripples of less than a metre along the coast's step.
     for (size_t i = 0; i < sheet.ground.size(); ++i) {
-      if (sheet.unknown_sea.cells()[i] != 0) sheet.ground.cells()[i] = -1.0F;
+      if (sheet.unknown_sea.cells()[i] == 0 && sheet.ground.cells()[i] >= 0.3F) continue;
+      sheet.ground.cells()[i] = -1.0F;
+      sheet.shade.cells()[i] = 1.0F;
     }
   }
   return sheet;

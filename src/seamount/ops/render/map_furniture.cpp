@@ -16,7 +16,7 @@ void draw_height_legend(Image& image, const Font& font, const Box& box, double u
     fill_box(image, left, y, right, y + 1, srgb(scale.tint(static_cast<float>(scale.bar_height(place)))));
   }
   frame_box(image, left, top, right, bottom, std::max(1.0, 0.06 * unit), kInk);
-  for (const double height : scale.ticks(2.6 * unit / box.height)) {
+  for (const double height : scale.ticks(3.2 * unit / box.height)) {
     const double y = bottom - scale.bar_place(height) * box.height;
     fill_box(image, right, y - 0.04 * unit, right + 0.3 * unit, y + 0.04 * unit, kInk);
     font.draw(image, right + 0.45 * unit, y + 0.36 * unit, unit, height_text(height), kInk);

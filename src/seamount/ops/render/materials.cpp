@@ -5,10 +5,10 @@
 namespace seamount::render {
 namespace {
 
-constexpr Rgb kForest{0.034F, 0.050F, 0.021F};
-constexpr Rgb kForestLight{0.066F, 0.082F, 0.033F};
-constexpr Rgb kGrass{0.118F, 0.122F, 0.052F};
-constexpr Rgb kDryGrass{0.225F, 0.188F, 0.098F};
+constexpr Rgb kForest{0.029F, 0.040F, 0.017F};
+constexpr Rgb kForestLight{0.058F, 0.067F, 0.027F};
+constexpr Rgb kGrass{0.112F, 0.108F, 0.054F};
+constexpr Rgb kDryGrass{0.215F, 0.180F, 0.105F};
 constexpr Rgb kSoil{0.165F, 0.118F, 0.075F};
 constexpr Rgb kScree{0.215F, 0.192F, 0.165F};
 constexpr Rgb kDarkRock{0.088F, 0.078F, 0.068F};
@@ -74,7 +74,7 @@ Material land_material(const SurfacePoint& p, const MaterialRules& rules) {
   bump = mix(bump, 0.1F, snow);
 
   // Beach: low and gentle, or so labelled; the label reaches up to the first dunes only.
-  const float low = ramp(4.2F, 1.6F, p.z + 2.0F * n.medium) * ramp(0.22F, 0.08F, p.slope);
+  const float low = ramp(3.0F, 1.2F, p.z + 1.3F * n.medium) * ramp(0.22F, 0.08F, p.slope);
   const float labelled = p.beach * ramp(9.0F, 4.0F, p.z + 3.0F * n.medium) * ramp(0.35F, 0.15F, p.slope);
   const float sand = clamp01(std::max(low * mix(1.0F, p.beach + 0.35F, p.labelled), labelled));
   ground = mix(ground, mix(kSand, kWetSand, ramp(0.7F, 0.1F, p.z)), sand);
@@ -91,7 +91,7 @@ Material floor_material(const SurfacePoint& p) {
   const float broad = detail_noise(71, p.x, p.y, 1900.0F, 2, 0.5F, p.footprint).value;
   // Without labels a floor that is gentle and not deep counts as lagoon, one that bulges in the shallows as reef.
   const float sheltered = clamp01(4.0F * p.concavity);
-  const float gentle = ramp(0.22F, 0.06F, p.slope * (1.0F - 0.75F * sheltered) + 0.06F * medium);
+  const float gentle = ramp(0.32F, 0.10F, p.slope * (1.0F - 0.75F * sheltered) + 0.06F * medium);
   const float guessed_reef = ramp(7.0F, 3.0F, depth) * clamp01(0.35F - 2.5F * p.concavity);
   const float reef = mix(guessed_reef, p.reef, p.labelled);
   const float lagoon = mix(gentle * ramp(90.0F, 40.0F, depth), p.lagoon, p.labelled);

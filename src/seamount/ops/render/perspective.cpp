@@ -127,6 +127,7 @@ class Painter {
       high = std::max(high, hit.t);
     }
     if (seen[0].surface == Surface::sky) return true;
+    if (seen[0].surface == Surface::wall || seen[0].surface == Surface::water_wall) return false;  // may hold a corner
     if (seen[0].surface == Surface::sea || seen[0].surface == Surface::table) return true;
     return high - low < 7.0F * low * camera_.pixel_angle();
   }

@@ -11,7 +11,7 @@ namespace seamount::render {
 namespace {
 
 constexpr float kFar = 1e9F;
-constexpr float kHazeDepth = 0.045F;  // optical depth across the terrain
+constexpr float kHazeDepth = 0.022F;  // optical depth across the terrain
 constexpr float kSeaSlope = 0.12F;    // how fast the floor sinks beyond the terrain's border
 constexpr Rgb kTable{0.46F, 0.46F, 0.455F};
 
@@ -25,7 +25,7 @@ Scene::Scene(const Ground& ground, const Sky& sky, const SceneOptions& options, 
     : ground_(ground), sky_(sky), options_(options), tracer_(ground.heights(), run) {
   const float size = 2.0F * std::max(ground.half_width_m(), ground.half_height_m());
   haze_.near_density = options.haze * kHazeDepth / size;
-  haze_.far_length = 5.0F * size;
+  haze_.far_length = 2.5F * size;
   base_ = lowest_of(ground.heights()) - 0.035F * size;
 }
 
@@ -134,6 +134,21 @@ Vec3 Scene::refracted_floor(Vec3 place, Vec3 direction) const {
   return place + (t >= 0.0F ? t : end) * refracted;
 }
 
+float Scene::foam(Vec3 place, float footprint, float depth) const {
+  if (depth > 8.0F) return 0.0F;
+  // Swell breaks where the floor drops into open water within a few boat lengths; a lagoon has none.
+  const float reach = std::max(25.0F, 1.5F * footprint);
+  const FormTexel around = ground_.form(place.x, place.y, reach);
+  const float slope = std::sqrt(around.east * around.east + around.south * around.south) + 1e-6F;
+  const auto below = [&](float distance) {
+    return ground_.sample(place.x - distance * around.east / slope, place.y + distance * around.south / slope, reach);
+  };
+  const GroundSample off = below(3.0F * reach);
+  const float open = ramp(18.0F, 34.0F, -off.point.z) * (1.0F - clamp01(off.point.lagoon));
+  const float drop = ramp(5.0F, 14.0F, -below(reach).point.z);
+  return foam_share(place.x, place.y, footprint, depth, open * drop, open);
+}
+
 Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint) const {
   const float out = beyond(place.x, place.y);
   WaterPoint water;
@@ -145,14 +160,11 @@ Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint) const {
   GroundSample s = ground_.sample(floor.x, floor.y, footprint);
   water.depth = std::max(0.0F, -s.point.z) + kSeaSlope * out;
   s.point.z = -water.depth;
-  const float fade = std::exp(-out / (0.05F * ground_.half_width_m()));
+  const float fade = std::exp(-out / (0.008F * ground_.half_width_m()));
   water.sun = mix(1.0F, s.form.sun, fade);
   water.sky = mix(1.0F, s.cover.sky, fade);
   water.floor = floor_material(s.point).albedo;
-  const FormTexel around = ground_.form(place.x, place.y, std::max(footprint, 120.0F));
-  const float slope = std::sqrt(around.east * around.east + around.south * around.south);
-  const float shelter = clamp01(s.cover.concavity * 8.0F + 0.25F);
-  if (out <= 0.0F) water.foam = foam_share(place.x, place.y, footprint, water.depth, slope, shelter);
+  if (out <= 0.0F) water.foam = foam(place, footprint, water.depth);
   return water_light(water, sky_, options_.clarity);
 }
 
@@ -163,7 +175,7 @@ Vec3 Scene::wall_normal(Vec3 place) const {
 }
 
 Rgb Scene::wall_light(Vec3 place, float footprint) const {
-  constexpr Rgb kTopSoil{0.075F, 0.056F, 0.040F}, kEarth{0.215F, 0.168F, 0.125F}, kBedrock{0.150F, 0.134F, 0.120F};
+  constexpr Rgb kTopSoil{0.075F, 0.056F, 0.040F}, kEarth{0.160F, 0.120F, 0.085F}, kBedrock{0.112F, 0.098F, 0.085F};
   const float size = 2.0F * std::max(ground_.half_width_m(), ground_.half_height_m());
   const float top = ground_.form(place.x, place.y, footprint).height;
   const float below = std::max(0.0F, top - place.z);
@@ -203,8 +215,15 @@ Rgb Scene::water_wall_light(Vec3 place, Vec3 direction, float footprint) const {
 }
 
 float Scene::table_sun(Vec3 place) const {
-  constexpr std::array<std::array<float, 2>, 4> kDisc = {{{-0.9F, 0.3F}, {0.3F, 0.9F}, {0.9F, -0.3F}, {-0.3F, -0.9F}}};
-  constexpr float kSunHalfWidth = 0.02F;
+  constexpr std::array<std::array<float, 2>, 8> kDisc = {{{-0.9F, 0.3F},
+                                                          {0.2F, 0.9F},
+                                                          {0.9F, -0.2F},
+                                                          {-0.3F, -0.8F},
+                                                          {0.5F, 0.4F},
+                                                          {-0.4F, 0.1F},
+                                                          {0.3F, -0.4F},
+                                                          {-0.6F, -0.4F}}};
+  constexpr float kSunHalfWidth = 0.035F;
   const Vec3 sun = sky_.to_sun();
   const Vec3 side = normalised({sun.y, -sun.x, 1e-6F});
   float lit = 0.0F;

@@ -38,6 +38,8 @@ class Scene {
   Rgb surface_light(Vec3 from, Vec3 direction, Hit hit, float pixel_angle) const;
   Rgb land_light(Vec3 place, Vec3 direction, float footprint) const;
   Rgb sea_light(Vec3 place, Vec3 direction, float footprint) const;
+  /// Share of the water's surface that is foam.
+  float foam(Vec3 place, float footprint, float depth) const;
   Rgb wall_light(Vec3 place, float footprint) const;
   Rgb water_wall_light(Vec3 place, Vec3 direction, float footprint) const;
   Rgb table_light(Vec3 place) const;

@@ -5,8 +5,8 @@ namespace {
 
 // Radiance of a clear sky, in units in which sunlight on a white card that faces a high sun is about 2.6.
 constexpr Rgb kZenith{0.105F, 0.225F, 0.500F};
-constexpr Rgb kMiddle{0.300F, 0.470F, 0.740F};
-constexpr Rgb kHorizon{0.700F, 0.780F, 0.860F};
+constexpr Rgb kMiddle{0.270F, 0.440F, 0.720F};
+constexpr Rgb kHorizon{0.640F, 0.740F, 0.850F};
 constexpr Rgb kGlow{1.00F, 0.82F, 0.58F};
 
 }  // namespace
@@ -17,14 +17,14 @@ Sky::Sky(SunDirection sun) {
              static_cast<float>(std::sin(sun.elevation))};
   // Optical depth of a clear atmosphere for red, green and blue times the relative air mass (Kasten's shape).
   const float air_mass = 1.0F / (std::max(0.0F, to_sun_.z) + 0.06F);
-  sun_light_ = 3.05F * exp_of(-air_mass * Rgb{0.095F, 0.150F, 0.255F});
+  sun_light_ = 3.55F * exp_of(-air_mass * Rgb{0.095F, 0.150F, 0.255F});
   const float day = 0.35F + 0.65F * ramp(0.0F, 0.5F, to_sun_.z);
-  sky_light_ = day * Rgb{0.36F, 0.47F, 0.66F};
+  sky_light_ = day * Rgb{0.345F, 0.435F, 0.585F};
 }
 
 Rgb Sky::radiance(Vec3 direction) const {
   const float up = std::max(0.0F, direction.z);
-  const float low = std::exp(-7.5F * up), middle = std::exp(-2.2F * up);
+  const float low = std::exp(-13.0F * up), middle = std::exp(-2.8F * up);
   const float toward = std::max(0.0F, dot(direction, to_sun_));
   const float warm = toward * toward * toward;
   Rgb colour = mix(kZenith, mix(kMiddle, kHorizon, low), middle);

@@ -12,6 +12,8 @@ namespace {
 
 constexpr SunDirection kSun{5.4978, 0.87};  // north-west, 50 degrees high
 
+constexpr float kDaylight = 2.0F;  // brightness of a picture that is its own light, over that of an albedo
+
 /// Brightness of soft light, 1 on open level ground.
 float soft_light(const GroundSample& s, Vec3 normal, Vec3 to_sun) {
   const float direct = std::max(0.0F, dot(normal, to_sun)) / to_sun.z;
@@ -25,11 +27,12 @@ Rgb texel(const Ground& ground, const Sky& sky, const TextureParams& params, flo
   const Material material =
       ground_material(point, {static_cast<float>(params.tree_line_m), static_cast<float>(params.snow_line_m)});
   const float light = soft_light(s, ground.normal(s, material.bump), sky.to_sun());
-  Rgb colour = mix(1.0F, light, static_cast<float>(params.baked_light)) * material.albedo;
+  const auto baked = static_cast<float>(params.baked_light);
+  Rgb colour = mix(1.0F, light, baked) * material.albedo;
   if (params.water && point.z < 0.0F) {
     colour = reflectance_from_above(colour, -point.z, sky.to_sun().z, static_cast<float>(params.water_clarity));
   }
-  return colour;
+  return mix(1.0F, kDaylight, baked) * colour;
 }
 
 }  // namespace

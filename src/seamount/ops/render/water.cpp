@@ -37,11 +37,11 @@ Rgb reflectance_from_above(Rgb floor, float depth, float sun_height, float clari
   return body(floor, depth * (1.0F + 1.0F / refracted_cosine(sun_height)), clarity);
 }
 
-float foam_share(float x, float y, float footprint, float depth, float slope_around, float shelter) {
+float foam_share(float x, float y, float footprint, float depth, float breaking, float exposed) {
   const float noise = detail_noise(113, x, y, 140.0F, 4, 0.65F, footprint).value;
-  const float wash = ramp(1.5F, 0.2F, depth + 0.9F * noise) * (0.30F + 0.45F * (1.0F - shelter));
-  const float breaking = ramp(4.2F, 1.2F, depth + 2.2F * noise) * ramp(0.03F, 0.12F, slope_around) * (1.0F - shelter);
-  return clamp01(0.75F * std::max(wash, breaking) * clamp01(0.75F + 1.1F * noise));
+  const float wash = ramp(1.4F, 0.1F, depth + 0.8F * noise) * (0.25F + 0.45F * exposed);
+  const float surf = ramp(4.5F, 1.5F, depth + 2.5F * noise) * breaking;
+  return clamp01(0.8F * std::max(wash, surf) * clamp01(0.75F + 1.2F * noise));
 }
 
 Rgb water_light(const WaterPoint& p, const Sky& sky, float clarity) {

@@ -31,8 +31,9 @@ Rgb reflectance_from_above(Rgb floor, float depth, float sun_height, float clari
 /// Cosine of the refracted ray to the vertical in water for a ray in air with cosine `cosine`.
 float refracted_cosine(float cosine);
 
-/// Foam by depth and the floor's slope over some 100 m: on the beach's wash and where open water breaks on a crest.
-float foam_share(float x, float y, float footprint, float depth, float slope_around, float shelter);
+/// Foam by depth: the wash on beaches, and where swell breaks. `breaking` and `exposed` in [0, 1]: whether the floor
+/// drops into open water right here, and whether open water is near.
+float foam_share(float x, float y, float footprint, float depth, float breaking, float exposed);
 
 Rgb water_light(const WaterPoint& point, const Sky& sky, float clarity);
 
