@@ -58,7 +58,8 @@ std::string file_for(const recipe::Port& port) {
 /// The document that the flags stand for. File names in it are absolute: there is no recipe file that they could be
 /// relative to.
 Json make_document(const Operator& op, const OperatorFlags& flags) {
-  Json step = {{"id", "step"},
+  const std::string id = op.name.substr(op.name.find('.') + 1);
+  Json step = {{"id", id},
                {"op", op.name},
                {"in", Json::object()},
                {"params", Json::object()},
@@ -78,7 +79,7 @@ Json make_document(const Operator& op, const OperatorFlags& flags) {
   if (!flags.domain.empty()) set_domain(document["domain"], flags.domain);
   if (flags.cell_m) document["domain"]["cell_m"] = *flags.cell_m;
   for (const recipe::Port& port : op.out)
-    document["outputs"].push_back({{"from", "step." + port.name}, {"path", file_for(port)}});
+    document["outputs"].push_back({{"from", id + "." + port.name}, {"path", file_for(port)}});
   return document;
 }
 

@@ -84,9 +84,7 @@ void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder,
     const Session session(flags);
     report = recipe::execute(recipe, options, session.run());
   }
-  int cached = 0;
   for (const recipe::StepReport& step : report.steps) {
-    cached += step.cached ? 1 : 0;
     fmt::print(stderr, "{:>8.3f} s  {} ({}){}\n", step.seconds, step.id, step.op,
                step.cached ? ", from the cache" : "");
   }

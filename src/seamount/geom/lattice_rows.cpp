@@ -60,9 +60,16 @@ void LatticeRows::read(double x0, double dx, double y, std::span<float> out) {
     const auto at = [&](int k) { return lattice_.row(std::clamp(j + k, 0, frame.height - 1)).data(); };
     blend_four(at(-1), at(0), at(1), at(2), w.data(), frame.width, line_.data() + 2);
   }
+  const double first = frame.column(x0);
+  if (dx == frame.cell_m && first == std::floor(first) && first >= 0 &&
+      first + static_cast<double>(out.size()) <= frame.width) {
+    std::copy_n(line_.data() + 2 + static_cast<std::ptrdiff_t>(first), out.size(),
+                out.data());  // the lattice's own columns
+    return;
+  }
   line_[0] = line_[1] = line_[2];
   std::fill(line_.begin() + 2 + static_cast<std::ptrdiff_t>(columns), line_.end(), line_[1 + columns]);
-  spread_columns(line_.data(), frame.width, static_cast<float>(frame.column(x0)), static_cast<float>(dx / frame.cell_m),
+  spread_columns(line_.data(), frame.width, static_cast<float>(first), static_cast<float>(dx / frame.cell_m),
                  static_cast<int>(out.size()), out.data());
 }
 

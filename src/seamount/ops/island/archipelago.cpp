@@ -7,8 +7,9 @@
 #include <numbers>
 
 #include "seamount/base/parallel.h"
+#include "seamount/base/simd.h"
 #include "seamount/geom/blend.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/sample_rows.h"
 
 namespace seamount::island {
 namespace {
@@ -46,16 +47,66 @@ std::vector<Placed> place_members(const std::vector<Member>& members, const Arch
   return placed;
 }
 
-/// Height of a member at a place of its own frame. What is under water fades to its lowest height along the frame's
-/// edge, so that no edge shows on the sea floor.
-float member_height(const Placed& p, double column, double row) {
-  const GridFrame& own = p.member.terrain->frame();
-  const float z = geom::sample_bicubic(*p.member.terrain, column, row);
-  if (z >= 0.0F) return z;
-  const double margin = 0.08 * std::min(own.width, own.height);
-  const double inside = std::min({column, row, own.width - 1 - column, own.height - 1 - row});
-  return p.lowest + static_cast<float>(geom::smoothstep(inside / margin)) * (z - p.lowest);
+SEAMOUNT_VECTORISED void along_line(float start, float step, int count, float* __restrict out) {
+  for (int i = 0; i < count; ++i) out[i] = start + static_cast<float>(i) * step;
 }
+
+/// Scales a member's heights. What is under water fades to the lowest along the frame's edge, so that no edge shows on
+/// the sea floor.
+SEAMOUNT_VECTORISED void settle(const float* __restrict columns, const float* __restrict rows, float last_column,
+                                float last_row, float margin, float lowest, float scale, int count,
+                                float* __restrict heights) {
+  for (int i = 0; i < count; ++i) {
+    const float across = columns[i] < last_column - columns[i] ? columns[i] : last_column - columns[i];
+    const float along = rows[i] < last_row - rows[i] ? rows[i] : last_row - rows[i];
+    const float share = geom::smoothstep((across < along ? across : along) / margin);
+    const float z = heights[i];
+    heights[i] = scale * (z < 0.0F ? lowest + share * (z - lowest) : z);
+  }
+}
+
+/// One row of the sea as one member fills it: cells [first, last) lie on the member's own frame.
+struct MemberRow {
+  explicit MemberRow(int width) : columns(static_cast<size_t>(width)), rows(columns.size()), heights(columns.size()) {}
+
+  void read(const Placed& p, const GridFrame& frame, int y) {
+    const GridFrame& own = p.member.terrain->frame();
+    const Vec2 start = p.source({frame.x(0), frame.y(y)});
+    const Vec2 next = p.source({frame.x(1), frame.y(y)});
+    const double column = own.column(start.x), row = own.row(start.y);
+    const double column_step = own.column(next.x) - column, row_step = own.row(next.y) - row;
+    double low = 0, high = frame.width - 1;
+    clip(column, column_step, own.width, low, high);
+    clip(row, row_step, own.height, low, high);
+    first = static_cast<int>(std::ceil(low));
+    last = std::max(first, static_cast<int>(std::floor(high)) + 1);
+    if (first >= last) return;
+    const auto count = static_cast<size_t>(last - first);
+    const auto from = static_cast<size_t>(first);
+    along_line(static_cast<float>(column + first * column_step), static_cast<float>(column_step), last - first,
+               &columns[from]);
+    along_line(static_cast<float>(row + first * row_step), static_cast<float>(row_step), last - first, &rows[from]);
+    geom::sample_bicubic_rows(*p.member.terrain, {&columns[from], count}, {&rows[from], count},
+                              {&heights[from], count});
+    settle(&columns[from], &rows[from], static_cast<float>(own.width - 1), static_cast<float>(own.height - 1),
+           0.08F * static_cast<float>(std::min(own.width, own.height)), p.lowest, static_cast<float>(p.scale),
+           last - first, &heights[from]);
+  }
+
+  /// Keeps the i in [low, high] with -1/2 <= start + i step <= size - 1/2.
+  static void clip(double start, double step, int size, double& low, double& high) {
+    if (std::abs(step) < 1e-12) {
+      if (start < -0.5 || start > size - 0.5) high = low - 1;
+      return;
+    }
+    const double a = (-0.5 - start) / step, b = (size - 0.5 - start) / step;
+    low = std::max(low, std::min(a, b));
+    high = std::min(high, std::max(a, b));
+  }
+
+  std::vector<float> columns, rows, heights;
+  int first = 0, last = 0;
+};
 
 /// The sea floor does not rise where two floors meet: only what stands above them both is blended.
 float blend(float a, float b, float floor, float k) {
@@ -82,24 +133,21 @@ Archipelago archipelago(const std::vector<Member>& members, const ArchipelagoPar
   const auto k = static_cast<float>(0.5 / params.blend_m);
   Archipelago out{HeightField(frame), labelled ? LabelMap(frame) : LabelMap()};
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    MemberRow member(frame.width);
     for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < frame.width; ++x) {
-        float height = floor;
-        Region label = Region::abyss;
-        for (const Placed& p : placed) {
-          const GridFrame& own = p.member.terrain->frame();
-          const Vec2 source = p.source({frame.x(x), frame.y(y)});
-          const double column = own.column(source.x);
-          const double row = own.row(source.y);
-          if (column < -0.5 || row < -0.5 || column > own.width - 0.5 || row > own.height - 0.5) continue;
-          height = blend(height, static_cast<float>(p.scale) * member_height(p, column, row), floor, k);
-          if (labelled) {
-            label = prior_label(label, p.member.labels->clamped(static_cast<int>(std::lround(column)),
-                                                                static_cast<int>(std::lround(row))));
-          }
+      const auto heights = out.terrain.row(y);
+      std::fill(heights.begin(), heights.end(), floor);
+      if (labelled) std::fill(out.labels.row(y).begin(), out.labels.row(y).end(), Region::abyss);
+      for (const Placed& p : placed) {
+        member.read(p, frame, y);
+        for (int x = member.first; x < member.last; ++x) {
+          const auto i = static_cast<size_t>(x);
+          heights[i] = blend(heights[i], member.heights[i], floor, k);
+          if (!labelled) continue;
+          const int column = static_cast<int>(member.columns[i] + 0.5F);
+          const int row = static_cast<int>(member.rows[i] + 0.5F);
+          out.labels(x, y) = prior_label(out.labels(x, y), p.member.labels->clamped(column, row));
         }
-        out.terrain(x, y) = height;
-        if (labelled) out.labels(x, y) = label;
       }
     }
   });

@@ -161,7 +161,7 @@ geom::CurveKind kind_of(Interpolation interpolation) {
 Curve profile_curve(const Plan& plan, const BuildParams& params) {
   if (!params.profile.knots.empty()) return params.profile;
   const double land = std::sqrt(plan.land_m2);
-  const double peak = params.peak_m.value_or(std::min(3500.0, 75.0 * std::pow(land / 1000.0, 0.85)));
+  const double peak = params.peak_m.value_or(std::min(4200.0, 110.0 * std::pow(land / 1000.0, 0.78)));
   const double floor = params.floor_m.value_or(-std::clamp(0.16 * plan.widths.slope_m, 150.0, 2500.0));
   const double beach = std::min(5.0, 0.5 * peak);
   // Fractions of the summit's height and of the sea floor's depth: a worn shield with a moat, a reef flat and a steep

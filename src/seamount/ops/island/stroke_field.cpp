@@ -41,7 +41,12 @@ Path make_path(const Stroke& stroke, double lattice_cell) {
     }
     path.points.push_back(p);
   }
-  for (const Vec2 p : path.points) path.tangents.push_back(geom::closest_on_polyline(fine, p).tangent);
+  const auto unit = [](Vec2 v) { return (1.0 / std::max(1e-12, std::sqrt(dot(v, v)))) * v; };
+  for (size_t i = 0; i < path.points.size(); ++i) {
+    const Vec2 in = i > 0 ? unit(path.points[i] - path.points[i - 1]) : Vec2{};
+    const Vec2 out = i + 1 < path.points.size() ? unit(path.points[i + 1] - path.points[i]) : Vec2{};
+    path.tangents.push_back(unit(in + out));
+  }
   path.west = path.south = std::numeric_limits<double>::infinity();
   path.east = path.north = -path.west;
   for (const Vec2 p : path.points) {
@@ -187,11 +192,10 @@ StrokeField::StrokeField(const std::vector<Stroke>& strokes, const GridFrame& fr
   for (const auto& [octave, members] : classes) {
     const GridFrame lattice = geom::coarser_frame(frame, std::ldexp(1.0, octave) / kNodesPerWidth);
     Layer layer{ScalarField(lattice, 0.0F), ScalarField(lattice, 0.0F)};
-    std::vector<Path> paths;
-    for (const size_t i : members) paths.push_back(make_path(strokes[i], lattice.cell_m));
+    std::vector<std::pair<const Stroke*, Path>> paths;
+    for (const size_t i : members) paths.emplace_back(&strokes[i], make_path(strokes[i], lattice.cell_m));
     parallel_rows(run, lattice.width, lattice.height, [&](int begin, int end) {
-      for (size_t k = 0; k < paths.size(); ++k)
-        add_stroke(strokes[members[k]], paths[k], begin, end, layer.east, layer.north);
+      for (const auto& row : paths) add_stroke(*row.first, row.second, begin, end, layer.east, layer.north);
     });
     layers_.push_back(std::move(layer));
   }

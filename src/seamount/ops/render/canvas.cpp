@@ -55,7 +55,8 @@ void fill_polygon(Image& image, const std::vector<Vec2>& corners, Colour colour)
     for (int x = static_cast<int>(std::floor(low.x)); x <= high.x; ++x) {
       int covered = 0;
       for (int s = 0; s < kSide * kSide; ++s) {
-        covered += inside(x + (s % kSide + 0.5) / kSide, y + (s / kSide + 0.5) / kSide) ? 1 : 0;
+        const int column = s % kSide, row = s / kSide;
+        covered += inside(x + (column + 0.5) / kSide, y + (row + 0.5) / kSide) ? 1 : 0;
       }
       blend(image, x, y, colour, static_cast<float>(covered) / (kSide * kSide));
     }

@@ -95,10 +95,9 @@ void write_dithered(uint8_t* pixel, int x, int y, Rgb display) {
   const uint64_t noise = mix_bits((static_cast<uint64_t>(static_cast<uint32_t>(y)) << 32) | static_cast<uint32_t>(x));
   const std::array<float, 3> channel = {display.r, display.g, display.b};
   for (size_t i = 0; i < 3; ++i) {
-    const auto first = static_cast<float>((noise >> (20 * i)) & 1023U);
-    const auto second = static_cast<float>((noise >> (20 * i + 10)) & 1023U);
-    const float triangular = (first + second) / 2046.0F;  // in [0, 1] with mean 1/2: floor below rounds without bias
-    pixel[i] = static_cast<uint8_t>(std::clamp(encode(channel[i]) * 255.0F + triangular, 0.0F, 255.0F));
+    // In [0, 1): what floor() then does is right on average.
+    const float dither = static_cast<float>((noise >> (20 * i)) & 0xfffffU) * 0x1p-20F;
+    pixel[i] = static_cast<uint8_t>(std::min(encode(channel[i]) * 255.0F + dither, 255.0F));
   }
 }
 

@@ -53,7 +53,7 @@ float lightness(Rgb linear);
 /// bright colours (a share of the curve acts on the luminance alone).
 Rgb tone_curve(Rgb scene);
 
-/// Writes a display-linear colour as 8-bit sRGB at a pixel, with hashed triangular noise of one step against banding:
+/// Writes a display-linear colour as 8-bit sRGB at a pixel, with hashed noise of one step against banding:
 /// a function of the pixel alone.
 void write_dithered(uint8_t* pixel, int x, int y, Rgb display);
 

@@ -190,11 +190,11 @@ Openness openness(const HeightField& surface, const RunContext& run) {
   const int side = std::max(surface.width(), surface.height());
   std::vector<Grid<float>> smooth;
   smooth.push_back(surface);
-  // smooth[k] is blurred to about a quarter of the distance 1.5 * 2^k at which it is read.
+  // smooth[k] is blurred to about a fifth of the distance 1.5 * 2^k at which it is read.
   for (int k = 1; k < 9 && (1 << k) < side; ++k) {
     smooth.push_back(k < 3 ? smooth.back() : smoothed(smooth.back(), 1 << (k - 3), run));
   }
-  size_t around = 0;
+  size_t around = std::min<size_t>(3, smooth.size() - 1);
   while (around + 1 < smooth.size() && 0.35 * static_cast<double>(1 << around) < 0.02 * side) ++around;
   const auto radius = static_cast<float>(0.35 * static_cast<double>(1 << around) * surface.cell_m());
   Openness result{Grid<float>(surface.frame()), Grid<float>(surface.frame())};

@@ -63,7 +63,7 @@ Layout lay_out(const MapParams& params, const GridFrame& frame) {
   const int margin = bare ? 0 : units(1.5);
   const int top = params.title.empty() ? margin : units(4.2);
   const int bottom = params.scale_bar ? units(3.6) : margin;
-  const int column = side ? units(6.2) : 0;
+  const int column = side ? units(7.2) : 0;
   layout.width = params.width_px;
   layout.map = {margin, top, std::max(1, params.width_px - 2 * margin - column), 1};
   layout.map.height =

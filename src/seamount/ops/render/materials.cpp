@@ -11,7 +11,7 @@ constexpr Rgb kGrass{0.112F, 0.108F, 0.054F};
 constexpr Rgb kDryGrass{0.215F, 0.180F, 0.105F};
 constexpr Rgb kSoil{0.165F, 0.118F, 0.075F};
 constexpr Rgb kScree{0.215F, 0.192F, 0.165F};
-constexpr Rgb kDarkRock{0.088F, 0.078F, 0.068F};
+constexpr Rgb kDarkRock{0.078F, 0.069F, 0.060F};
 constexpr Rgb kPaleRock{0.200F, 0.178F, 0.150F};
 constexpr Rgb kSand{0.560F, 0.475F, 0.345F};
 constexpr Rgb kWetSand{0.330F, 0.270F, 0.185F};
@@ -37,7 +37,8 @@ Rgb rock_colour(const SurfacePoint& p, const Breakup& n) {
   // Beds that wander with the broad noise show as faint bands on cliffs.
   const float bed = 90.0F, phase = (p.z + 160.0F * n.broad + 22.0F * n.medium) / bed;
   const float band = p.footprint < 0.6F * bed ? 0.5F + 0.5F * std::sin(6.2832F * phase) : 0.5F;
-  const float pale = clamp01(0.38F + 0.30F * (band - 0.5F) + 0.55F * n.medium + 0.35F * n.fine + 0.35F * n.broad);
+  const float pale = clamp01(0.42F + 0.26F * (band - 0.5F) + 0.55F * n.medium + 0.45F * n.fine + 0.30F * n.broad -
+                             0.9F * std::clamp(p.concavity, -0.3F, 0.3F) - 0.22F * (p.slope - 1.0F));
   return mix(kDarkRock, kPaleRock, pale);
 }
 
@@ -60,8 +61,10 @@ Material land_material(const SurfacePoint& p, const MaterialRules& rules) {
   ground = mix(ground, crowns, forest);
   bump = mix(bump, 2.2F, forest);
 
-  const float stony = ramp(0.95F, 1.45F, height + 0.30F * n.medium + 0.25F * n.broad + 0.25F * p.slope);
-  ground = mix(ground, mix(kScree, kPaleRock, clamp01(0.5F + n.medium + n.fine)), stony);
+  const float stony =
+      ramp(1.05F, 1.70F, height + 0.34F * n.medium + 0.28F * n.broad + 0.30F * p.slope - 0.4F * p.concavity);
+  ground = mix(ground, mix(kScree, rock_colour(p, n), clamp01(0.40F + 1.1F * n.medium + n.fine - 1.5F * p.concavity)),
+               stony);
   const float rock = ramp(0.78F, 1.22F, uneven + 0.22F * cold);
   ground = mix(ground, rock_colour(p, n), rock);
   bump = mix(bump, 1.6F, std::max(rock, 0.5F * stony));
@@ -81,7 +84,7 @@ Material land_material(const SurfacePoint& p, const MaterialRules& rules) {
   bump = mix(bump, 0.1F, sand);
   // Rock that the spray keeps bare and dark at steep coasts.
   const float spray = ramp(9.0F, 2.0F, p.z + 4.0F * n.medium) * ramp(0.25F, 0.6F, p.slope) * (1.0F - sand);
-  return {(1.0F + 0.18F * n.fine) * mix(ground, kDarkRock, 0.8F * spray), bump};
+  return {(1.0F + 0.18F * (1.0F - 0.7F * snow) * n.fine) * mix(ground, kDarkRock, 0.8F * spray), bump};
 }
 
 Material floor_material(const SurfacePoint& p) {

@@ -208,7 +208,7 @@ Rgb Scene::water_wall_light(Vec3 place, Vec3 direction, float footprint) const {
   const float size = 2.0F * std::max(ground_.half_width_m(), ground_.half_height_m());
   const Rgb through = water_transmittance(path, options_.clarity * (1.0F + size / 1500.0F));
   const float depth = clamp01(-place.z / (0.10F * size));
-  const Rgb body = mix(Rgb{0.060F, 0.220F, 0.290F}, Rgb{0.010F, 0.045F, 0.110F}, depth);
+  const Rgb body = mix(Rgb{0.030F, 0.125F, 0.190F}, Rgb{0.006F, 0.028F, 0.075F}, depth);
   const Rgb down = 0.5F * sky_.sun_light() + sky_.sky_light();
   const float facing = 0.75F + 0.25F * std::max(0.0F, dot(wall_normal(place), sky_.to_sun()));
   return facing * down * (body + through * (0.6F * floor_material(s.point).albedo - body));

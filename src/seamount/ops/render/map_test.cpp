@@ -1,0 +1,84 @@
+#include "seamount/ops/render/map.h"
+
+#include <gtest/gtest.h>
+
+#include "seamount/base/error.h"
+#include "seamount/ops/render/test_terrain.h"
+
+namespace seamount::render {
+namespace {
+
+MapParams bare(int width_px) {
+  MapParams params;
+  params.width_px = width_px;
+  params.legend = params.scale_bar = params.north_arrow = params.contours = params.coast = false;
+  return params;
+}
+
+TEST(Map, WithoutFurnitureIsTheTerrainAlone) {
+  const HeightField terrain = test_island(60, 40, 9000.0, 600.0);
+  const Image image = map(terrain, nullptr, bare(240), {});
+  EXPECT_EQ(image.width, 240);
+  EXPECT_EQ(image.height, 160);
+}
+
+TEST(Map, EachPieceOfFurnitureCanBeSwitched) {
+  const HeightField terrain = test_island(80, 80, 9000.0, 600.0);
+  const LabelMap labels = test_labels(terrain);
+  const MapParams all{.width_px = 500, .title = "Island"};
+  const Image whole = map(terrain, &labels, all, {});
+  EXPECT_EQ(whole.width, 500);
+  for (bool MapParams::*part : {&MapParams::contours, &MapParams::coast, &MapParams::reef_crest, &MapParams::legend,
+                                &MapParams::scale_bar, &MapParams::north_arrow}) {
+    MapParams without = all;
+    without.*part = false;
+    EXPECT_NE(map(terrain, &labels, without, {}), whole);
+  }
+  MapParams untitled = all;
+  untitled.title.clear();
+  EXPECT_LT(map(terrain, &labels, untitled, {}).height, whole.height);
+}
+
+TEST(Map, TheCoastHasNoJumpOfColour) {
+  // An even slope from -20 m to +20 m: neighbouring columns differ by little all the way.
+  HeightField slope(GridFrame::centred(400, 8, 10.0));
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 400; ++x) slope(x, y) = 0.1F * static_cast<float>(x - 200);
+  }
+  const Image image = map(slope, nullptr, bare(400), {});
+  for (int x = 1; x < 400; ++x) {
+    const Colour a = image.colour(x - 1, 4), b = image.colour(x, 4);
+    EXPECT_LE(std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b), 16) << x;
+  }
+}
+
+TEST(Map, RegionsNeedLabels) {
+  const HeightField terrain = test_island(30, 30, 9000.0, 600.0);
+  MapParams params = bare(90);
+  params.theme = MapTheme::regions;
+  EXPECT_THROW(map(terrain, nullptr, params, {}), IncompatibleInputs);
+  const LabelMap labels = test_labels(terrain);
+  EXPECT_NE(map(terrain, &labels, params, {}), map(terrain, &labels, bare(90), {}));
+}
+
+TEST(Map, ALandModelsFlatSeaIsDrawnAsSea) {
+  HeightField terrain(GridFrame::centred(60, 60, 90.0), 0.0F);
+  for (int y = 20; y < 40; ++y) {
+    for (int x = 20; x < 40; ++x) terrain(x, y) = 150.0F;
+  }
+  const Image image = map(terrain, nullptr, bare(60), {});
+  EXPECT_GT(image.colour(5, 5).b, image.colour(5, 5).r + 20);
+}
+
+TEST(Map, OddShapesAndThreads) {
+  for (const auto& [w, h] : {std::pair{1, 1}, {1, 6}, {50, 2}}) {
+    const HeightField terrain(GridFrame::centred(w, h, 25.0), 12.0F);
+    EXPECT_EQ(map(terrain, nullptr, {.width_px = 120}, {}).width, 120);
+  }
+  const HeightField terrain = test_island(70, 50, 9000.0, 600.0);
+  EXPECT_EQ(map(terrain, nullptr, {.width_px = 400}, {.threads = 1}),
+            map(terrain, nullptr, {.width_px = 400}, {.threads = 2}));
+}
+
+}  // namespace
+}  // namespace seamount::render

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Renders the pictures of docs/gallery from the recipes, never by hand: tools/gallery.sh
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+made=$(mktemp -d)
+trap 'rm -rf "$made"' EXIT
+for recipe in kauai reef_stages archipelago; do
+  ./run run "recipes/$recipe.json" --out "$made" --no-cache
+done
+cp "$made"/view.png docs/gallery/kauai.png
+cp "$made"/map.png docs/gallery/kauai_map.png
+cp "$made"/{1_fringing,2_barrier,3_atoll}.png docs/gallery/
+cp "$made"/sea.png docs/gallery/archipelago.png
