@@ -43,6 +43,22 @@ class Session {
 /// Runs a recipe and prints its summary: written files to stdout (or JSON), timings to stderr.
 void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder, const RunFlags& flags);
 
+/// Beginnings of JSON pointers into a document that was made from flags, and the flags that they came from.
+using FlagNames = std::vector<std::pair<std::string, std::string>>;
+/// Throws InvalidArgument for a defect of such a document, by its flag.
+[[noreturn]] void throw_as_flag(const recipe::Diagnostic& defect, const std::string& command, const FlagNames& flags);
+
+/// A recipe made from flags. Throws InvalidArgument for the first defect.
+recipe::Recipe parse_made_recipe(const recipe::Json& document, const std::string& command, const FlagNames& flags,
+                                 const recipe::RecipeChanges& changes = {});
+
+/// A file name that does not depend on where the program runs. Throws InvalidArgument{flag} for an empty one.
+std::string absolute_file(const std::string& flag, const std::string& file);
+
+/// Checks of numbers on the command line: digits that fit into 64 bits; a number that is not nan or inf.
+CLI::Validator whole_number();
+CLI::Validator finite_number();
+
 /// A command's work; set by its callback when it was chosen, run after parsing.
 using Work = std::function<void()>;
 

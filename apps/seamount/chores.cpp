@@ -20,12 +20,11 @@ struct ChoreFlags : RunFlags {
   std::string out;
   std::string as;
   std::string labels;
+  std::string feature;
   std::optional<int> size;
   std::optional<double> cell_m, low_m, high_m;
   std::vector<std::string> sets;
 };
-
-std::string absolute(const std::string& file) { return fs::absolute(file).lexically_normal().string(); }
 
 bool is_drawing(const std::string& file) {
   const std::string extension = fs::path(file).extension().string();
@@ -38,17 +37,19 @@ void set_member(Json& output, const std::string& assignment) {
   if (equals == std::string::npos || equals == 0)
     throw InvalidArgument("--set", "expected NAME=VALUE, found '" + assignment + "'");
   const Json value = Json::parse(assignment.substr(equals + 1), nullptr, false);
-  output[assignment.substr(0, equals)] = value.is_discarded() ? Json(assignment.substr(equals + 1)) : value;
+  const std::string name = assignment.substr(0, equals);
+  if (output.contains(name)) throw InvalidArgument("--set", "'" + name + "' is given already");
+  output[name] = value.is_discarded() ? Json(assignment.substr(equals + 1)) : value;
 }
 
 /// Areas and lines as they are; a terrain by importing it and writing one output.
 void convert(const ChoreFlags& flags) {
   if (is_drawing(flags.in)) {
-    io::write_drawing(io::read_drawing(flags.in), flags.out);
+    io::write_drawing(io::read_drawing(flags.in, {.feature = flags.feature, .layer = {}}), flags.out);
     std::cout << flags.out << "\n";
     return;
   }
-  Json step = {{"id", "file"}, {"op", "terrain.import"}, {"params", {{"file", absolute(flags.in)}}}};
+  Json step = {{"id", "file"}, {"op", "terrain.import"}, {"params", {{"file", absolute_file("in", flags.in)}}}};
   if (flags.cell_m) step["params"]["cell_m"] = *flags.cell_m;
   if (flags.low_m) step["params"]["low_m"] = *flags.low_m;
   if (flags.high_m) step["params"]["high_m"] = *flags.high_m;
@@ -58,22 +59,32 @@ void convert(const ChoreFlags& flags) {
   if (flags.size) output["size"] = *flags.size;
   for (const std::string& assignment : flags.sets) set_member(output, assignment);
   const Json document = {{"seamount", 1}, {"steps", {step}}, {"outputs", {output}}};
-  const recipe::Recipe recipe = recipe::parse_recipe(document.dump(), "convert", "");
+  const FlagNames names = {{"/steps/0/params/cell_m", "--cell"},
+                           {"/steps/0/params/low_m", "--low"},
+                           {"/steps/0/params/high_m", "--high"},
+                           {"/outputs/0/path", "out"},
+                           {"/outputs/0/as", "--as"},
+                           {"/outputs/0/size", "--size"},
+                           {"/outputs/0/", "--set "}};
+  const recipe::Recipe recipe = parse_made_recipe(document, "convert", names);
   run_and_report(recipe, out.has_parent_path() ? out.parent_path().string() : ".", flags);
 }
 
 /// A picture of a terrain file.
 void render(const ChoreFlags& flags) {
   const std::string op = "render." + (flags.as.empty() ? std::string("perspective") : flags.as);
-  Json step = {
-      {"id", "picture"}, {"op", op}, {"in", {{"terrain", {{"file", absolute(flags.in)}}}}}, {"params", Json::object()}};
-  if (!flags.labels.empty()) step["in"]["labels"] = {{"file", absolute(flags.labels)}};
+  Json step = {{"id", "picture"},
+               {"op", op},
+               {"in", {{"terrain", {{"file", absolute_file("file", flags.in)}}}}},
+               {"params", Json::object()}};
+  if (!flags.labels.empty()) step["in"]["labels"] = {{"file", absolute_file("--labels", flags.labels)}};
   for (const std::string& assignment : flags.sets) set_member(step["params"], assignment);
   const fs::path out(flags.out);
   const Json document = {{"seamount", 1},
                          {"steps", {step}},
                          {"outputs", {{{"from", "picture.image"}, {"path", out.filename().string()}}}}};
-  const recipe::Recipe recipe = recipe::parse_recipe(document.dump(), "render", "");
+  const FlagNames names = {{"/steps/0/op", "--as"}, {"/steps/0/params/", "--set "}, {"/outputs/0/path", "--out"}};
+  const recipe::Recipe recipe = parse_made_recipe(document, "render", names);
   run_and_report(recipe, out.has_parent_path() ? out.parent_path().string() : ".", flags);
 }
 
@@ -100,10 +111,13 @@ void add_chore_commands(CLI::App& program, Work& work) {
   convert_command->add_option("out", flags->out, "file to write; its extension is the format")->required();
   convert_command->add_option("--as", flags->as,
                               "output format, where the extension does not say: unreal, unity, mesh, ...");
+  convert_command->add_option("--feature", flags->feature, "name of the one feature to convert, of areas and lines");
   convert_command->add_option("--size", flags->size, "samples a side, for engines");
-  convert_command->add_option("--cell", flags->cell_m, "cell size in metres, where the file does not say");
-  convert_command->add_option("--low", flags->low_m, "height of the lowest code of an 8- or 16-bit image, in metres");
-  convert_command->add_option("--high", flags->high_m, "height of the highest code, in metres");
+  convert_command->add_option("--cell", flags->cell_m, "cell size in metres, where the file does not say")
+      ->check(finite_number());
+  convert_command->add_option("--low", flags->low_m, "height of the lowest code of an 8- or 16-bit image, in metres")
+      ->check(finite_number());
+  convert_command->add_option("--high", flags->high_m, "height of the highest code, in metres")->check(finite_number());
   convert_command->add_option("--set", flags->sets, "a parameter of the output format: NAME=VALUE")
       ->allow_extra_args(false);
   add_run_flags(*convert_command, *flags);

@@ -40,12 +40,11 @@ train::IslandSetParams read_set_params(const DatasetFlags& flags) {
   Json given = Json::object();
   for (const recipe::ParamInfo& info : recipe::describe_params<train::IslandSetParams>()) {
     const auto found = flags.params.find(info.name);
-    if (found != flags.params.end() && !found->second.empty())
-      given[info.name] = recipe::parse_flag(info, found->second);
+    if (found != flags.params.end()) given[info.name] = recipe::parse_flag(info, found->second);
   }
   recipe::Diagnostics diagnostics;
   const auto params = recipe::read_params<train::IslandSetParams>(given, {"", diagnostics});
-  if (!diagnostics.empty()) throw recipe::RecipeError("dataset", diagnostics.items());
+  if (!diagnostics.empty()) throw_as_flag(diagnostics.items().front(), "dataset", {{"/", "--"}});
   return params;
 }
 
@@ -77,13 +76,18 @@ void add_dataset_command(CLI::App& program, Work& work) {
   islands->add_option("--count", flags->count, "samples in the set")
       ->check(CLI::Range(uint64_t{1}, uint64_t{100000000}));
   islands->add_option("--out", flags->out, "folder of the set")->required();
-  islands->add_option("--only", flags->only, "make this one sample alone");
+  islands->add_option("--only", flags->only, "make this one sample alone")->check(whole_number());
   add_run_flags(*islands, *flags);
   for (const recipe::ParamInfo& info : recipe::describe_params<train::IslandSetParams>()) {
-    islands->add_option("--" + info.name, flags->params[info.name], info.help)->type_name(info.kind);
+    islands
+        ->add_option_function<std::string>(
+            "--" + info.name, [flags, name = info.name](const std::string& text) { flags->params[name] = text; },
+            info.help)
+        ->type_name(info.kind);
   }
   islands->callback([flags, &work] {
     work = [flags] {
+      if (flags->out.empty()) throw InvalidArgument("--out", "a folder name is needed");
       if (flags->count == 0 && !flags->only) throw InvalidArgument("--count", "is missing: how many samples?");
       make_islands(*flags);
     };

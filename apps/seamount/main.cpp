@@ -23,16 +23,38 @@ std::vector<std::string> command_names(const CLI::App& program) {
   return names;
 }
 
-/// A usage error in one line, with the nearest command where a command was mistyped.
+/// "unknown flag '--relef', did you mean '--relief'?" for the first argument that the chosen command does not know.
+std::string unknown_argument(const CLI::App& program, const CLI::ExtrasError& error) {
+  for (const CLI::App* command : program.get_subcommands()) {
+    for (const CLI::App* inner : command->get_subcommands()) command = inner;
+    for (const std::string& extra : command->remaining(false)) {
+      if (!extra.starts_with("--")) continue;
+      const std::string flag = extra.substr(0, extra.find('='));
+      std::vector<std::string> names;
+      for (const CLI::Option* option : command->get_options())
+        if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
+      return "unknown flag '" + flag + "'" + suggestion(flag, names);
+    }
+  }
+  return error.what();
+}
+
+/// A usage error in one line, with the nearest command or flag where one was mistyped.
 int report_usage(const CLI::App& program, const CLI::ParseError& error, int argc, char** argv) {
   if (error.get_exit_code() == 0) return program.exit(error, std::cout, std::cerr);
   std::string message = error.what();
-  if (argc > 1 && argv[1][0] != '-') {
-    const std::vector<std::string> names = command_names(program);
-    if (std::find(names.begin(), names.end(), argv[1]) == names.end()) {
-      message = std::string("unknown command '") + argv[1] + "'" + suggestion(argv[1], names);
+  const CLI::App* command = &program;
+  for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
+    const std::vector<std::string> names = command_names(*command);
+    if (names.empty()) break;
+    if (std::find(names.begin(), names.end(), argv[i]) == names.end()) {
+      message = std::string("unknown command '") + argv[i] + "'" + suggestion(argv[i], names);
+      break;
     }
+    command = command->get_subcommand(argv[i]);
   }
+  if (const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error); extras != nullptr && message == error.what())
+    message = unknown_argument(program, *extras);
   std::cerr << "seamount: " << message << "\n";
   return kWrongInput;
 }
@@ -62,9 +84,18 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace seamount;
-  std::signal(SIGINT, [](int) { app::cancel_flag() = true; });
-  std::signal(SIGTERM, [](int) { app::cancel_flag() = true; });
+  // The first signal asks the work to stop and interrupts a read that waits for a pipe; the second one ends the
+  // program.
+  struct sigaction on_stop = {};
+  on_stop.sa_handler = [](int) { app::cancel_flag() = true; };
+  on_stop.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &on_stop, nullptr);
+  sigaction(SIGTERM, &on_stop, nullptr);
   const auto fail = [](const char* what, app::ExitCode code) {
+    if (app::cancel_flag()) {
+      what = "cancelled";
+      code = app::kFailed;
+    }
     std::cerr << "seamount: " << what << "\n";
     return static_cast<int>(code);
   };

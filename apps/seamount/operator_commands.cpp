@@ -1,7 +1,7 @@
 // Every operator as a command of its own: a recipe of one step, made from flags.
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <cmath>
 
 #include "app.h"
 #include "seamount/base/text.h"
@@ -22,8 +22,6 @@ struct OperatorFlags : RunFlags {
   std::map<std::string, std::string> params;
 };
 
-std::string absolute(const std::string& file) { return std::filesystem::absolute(file).lexically_normal().string(); }
-
 /// "60000x40000" or "60000": width and height in metres.
 void set_domain(Json& domain, const std::string& text) {
   const size_t cross = text.find('x');
@@ -35,7 +33,7 @@ void set_domain(Json& domain, const std::string& text) {
     } catch (const std::exception&) {
       used = 0;
     }
-    if (used == 0 || used != part.size())
+    if (used == 0 || used != part.size() || !std::isfinite(value))
       throw InvalidArgument("--domain", "expected WIDTHxHEIGHT in metres, found '" + text + "'");
     return value;
   };
@@ -66,14 +64,16 @@ Json make_document(const Operator& op, const OperatorFlags& flags) {
                {"seed", flags.seed.value_or(0)}};
   for (const recipe::ParamInfo& info : op.params) {
     const auto given = flags.params.find(info.name);
-    if (given == flags.params.end() || given->second.empty()) continue;
-    step["params"][info.name] =
-        info.kind == "file" ? Json(absolute(given->second)) : recipe::parse_flag(info, given->second);
+    if (given == flags.params.end()) continue;
+    step["params"][info.name] = info.kind == "file" ? Json(absolute_file("--" + info.name, given->second))
+                                                    : recipe::parse_flag(info, given->second);
   }
   for (const std::string& assignment : flags.in) {
     const size_t equals = assignment.find('=');
     if (equals == std::string::npos) throw InvalidArgument("--in", "expected NAME=FILE, found '" + assignment + "'");
-    step["in"][assignment.substr(0, equals)] = {{"file", absolute(assignment.substr(equals + 1))}};
+    const std::string name = assignment.substr(0, equals);
+    if (step["in"].contains(name)) throw InvalidArgument("--in", "'" + name + "' is given twice");
+    step["in"][name] = {{"file", absolute_file("--in " + name, assignment.substr(equals + 1))}};
   }
   Json document = {{"seamount", 1}, {"domain", Json::object()}, {"steps", {step}}, {"outputs", Json::array()}};
   if (!flags.domain.empty()) set_domain(document["domain"], flags.domain);
@@ -91,7 +91,7 @@ void add_operator_command(CLI::App& program, const Operator& op, Work& work) {
     command->add_option("--in", flags->in, "an input: NAME=FILE")->allow_extra_args(false);
   }
   command->add_option("--domain", flags->domain, "width and height of the terrain in metres: 60000x40000");
-  command->add_option("--cell", flags->cell_m, "cell size in metres");
+  command->add_option("--cell", flags->cell_m, "cell size in metres")->check(finite_number());
   command->add_option("--size", flags->size, "cells along the longer side")->check(CLI::Range(1, 65536));
   add_run_flags(*command, *flags);
   for (const recipe::ParamInfo& info : op.params) {
@@ -99,14 +99,20 @@ void add_operator_command(CLI::App& program, const Operator& op, Work& work) {
     std::string dashed = info.name;
     std::replace(dashed.begin(), dashed.end(), '_', '-');
     if (dashed != info.name) names += ",--" + dashed;
-    command->add_option(names, flags->params[info.name], info.help + (info.unit.empty() ? "" : " [" + info.unit + "]"))
+    command
+        ->add_option_function<std::string>(
+            names, [flags, name = info.name](const std::string& text) { flags->params[name] = text; },
+            info.help + (info.unit.empty() ? "" : " [" + info.unit + "]"))
         ->type_name(info.kind)
         ->group("Parameters");
   }
   command->callback([flags, &op, &work] {
     work = [flags, &op] {
       const Json document = make_document(op, *flags);
-      const recipe::Recipe recipe = recipe::parse_recipe(document.dump(), op.name, "", {.size = flags->size});
+      static const FlagNames kFlags = {{"/steps/0/params/", "--"}, {"/steps/0/in/", "--in "},
+                                       {"/steps/0/in", "--in"},    {"/domain/cell_m", "--cell"},
+                                       {"/domain/", "--domain "},  {"/domain", "--domain"}};
+      const recipe::Recipe recipe = parse_made_recipe(document, op.name, kFlags, {.size = flags->size});
       run_and_report(recipe, flags->out, *flags);
     };
   });

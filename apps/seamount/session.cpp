@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <mutex>
 
@@ -56,7 +60,7 @@ std::atomic<bool>& cancel_flag() {
 
 void add_run_flags(CLI::App& command, RunFlags& flags) {
   command.add_option("--threads", flags.threads, "threads to use; 0: all processors")->check(CLI::Range(0, 1024));
-  command.add_option("--seed", flags.seed, "seed of everything random");
+  command.add_option("--seed", flags.seed, "seed of everything random")->check(whole_number());
   command.add_flag("--no-cache", flags.no_cache, "compute every step, keep none");
   command.add_flag("--json", flags.json, "print the summary as JSON");
 }
@@ -75,7 +79,60 @@ Session::~Session() {
   current_line().reset();
 }
 
+CLI::Validator whole_number() {
+  return {[](std::string& text) -> std::string {
+            const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+            uint64_t number = 0;
+            const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+            if (digits && read.ec == std::errc{}) return "";
+            return "expected a whole number from 0 to 2^64 - 1, found '" + text + "'";
+          },
+          "WHOLE"};
+}
+
+CLI::Validator finite_number() {
+  return {[](std::string& text) -> std::string {
+            double number = 0;
+            if (CLI::detail::lexical_cast(text, number) && std::isfinite(number)) return "";
+            return "expected a number, found '" + text + "'";
+          },
+          "NUMBER"};
+}
+
+std::string absolute_file(const std::string& flag, const std::string& file) {
+  if (file.empty()) throw InvalidArgument(flag, "a file name is needed");
+  return std::filesystem::absolute(file).lexically_normal().string();
+}
+
+void throw_as_flag(const recipe::Diagnostic& defect, const std::string& command, const FlagNames& flags) {
+  // "/steps/0/params/peak_m", "peak_m: 1e9 is outside [0, 9000]": the name is said once.
+  std::string message = defect.message;
+  const std::string name = defect.pointer.substr(defect.pointer.rfind('/') + 1) + ": ";
+  if (message.starts_with(name)) message.erase(0, name.size());
+  for (const auto& [pointer, flag] : flags) {
+    if (defect.pointer.starts_with(pointer))
+      throw InvalidArgument(flag + defect.pointer.substr(pointer.size()), message);
+  }
+  throw InvalidArgument(command, message);
+}
+
+recipe::Recipe parse_made_recipe(const recipe::Json& document, const std::string& command, const FlagNames& flags,
+                                 const recipe::RecipeChanges& changes) {
+  const std::string text = document.dump(-1, ' ', false, recipe::Json::error_handler_t::replace);
+  try {
+    return recipe::parse_recipe(text, command, "", changes);
+  } catch (const recipe::RecipeError& error) {
+    // What was written wrongly says more than what is therefore missing.
+    const auto& defects = error.diagnostics();
+    const auto unknown = std::find_if(defects.begin(), defects.end(), [](const recipe::Diagnostic& defect) {
+      return defect.message.starts_with("unknown");
+    });
+    throw_as_flag(unknown == defects.end() ? defects.front() : *unknown, command, flags);
+  }
+}
+
 void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder, const RunFlags& flags) {
+  if (out_folder.empty()) throw InvalidArgument("--out", "a folder name is needed");
   const auto start = Clock::now();
   recipe::ExecuteOptions options{.out_folder = out_folder};
   if (flags.no_cache) options.cache_folder.clear();

@@ -1,6 +1,7 @@
 #include "seamount/io/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,11 +22,13 @@ namespace {
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
+constexpr const char* kTemporary = ".seamount-";
+
 /// ".seamount-<process>-<count>-<name>" in the folder of `target`.
 fs::path temporary_beside(const fs::path& target) {
   static std::atomic<unsigned> count{0};
   const std::string stamp = std::to_string(::getpid()) + "-" + std::to_string(count++);
-  return target.parent_path() / (".seamount-" + stamp + "-" + target.filename().string());
+  return target.parent_path() / (kTemporary + stamp + "-" + target.filename().string());
 }
 
 /// Removes the temporary and what a library may have put beside it under a longer name (journals, .aux.xml).
@@ -90,6 +93,23 @@ void write_bytes(const std::string& path, std::span<const uint8_t> bytes) {
 void write_text(const std::string& path, std::string_view text) {
   write_bytes(path, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
 }
+
+FolderLock::FolderLock(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder, "cannot be made: " + error.message());
+  handle_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle_ < 0) throw IoError(folder, "cannot be opened: " + reason(errno));
+  if (::flock(handle_, LOCK_EX | LOCK_NB) == 0) {
+    remove_temporaries(fs::path(folder) / kTemporary);
+    return;
+  }
+  const int failed = errno;
+  ::close(handle_);
+  throw IoError(folder, failed == EWOULDBLOCK ? "another run is writing to it" : "cannot be locked: " + reason(failed));
+}
+
+FolderLock::~FolderLock() { ::close(handle_); }
 
 FileWriter::FileWriter(const std::string& file, std::string shown_path)
     : path_(std::move(shown_path)), file_(std::fopen(file.c_str(), "wb")) {

@@ -44,6 +44,20 @@ class FileWriter {
   std::FILE* file_;
 };
 
+/// A folder (made if missing) that one process at a time works in; the lock goes with the process, however it ends.
+/// Temporaries that a killed process left there are removed.
+/// Throws IoError if the folder cannot be made or another process holds it.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::string& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int handle_;
+};
+
 /// Throws IoError unless `path` is a regular file that may be read.
 void check_readable(const std::string& path);
 

@@ -81,6 +81,19 @@ TEST(AtomicFile, FullDiskIsOneClearErrorAndLeavesNothing) {
   EXPECT_EQ(folder.files(), 1U);
 }
 
+TEST(FolderLock, IsForOneAtATimeAndRemovesWhatAKilledRunLeft) {
+  const TestFolder folder;
+  write_text(folder(".seamount-1-0-x.png"), "half");
+  write_text(folder("x.png"), "whole");
+  {
+    const FolderLock lock(folder(""));
+    EXPECT_EQ(folder.files(), 1U);
+    EXPECT_THAT(error_of([&] { FolderLock(folder("")); }), HasSubstr("another run is writing to it"));
+  }
+  EXPECT_NO_THROW(FolderLock(folder("new/folder")));
+  EXPECT_THROW(FolderLock(folder("x.png")), IoError);
+}
+
 TEST(ReadFile, SaysWhatIsWrong) {
   const TestFolder folder;
   write_text(folder("x"), "12345");

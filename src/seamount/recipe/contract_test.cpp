@@ -46,6 +46,9 @@ class ExampleCall {
     }
     params_ = op.complete(Json::object(), {"", diagnostics_});
     if (op.name == "terrain.import") params_["file"] = file();
+    for (const auto& [name, pixels] : {std::pair{"width_px", 160}, {"height_px", 90}, {"size_px", 64}}) {
+      if (params_.contains(name)) params_[name] = pixels;
+    }
   }
   Values run(const Operator& op, Seed seed, const RunContext& context) const {
     return op.run(params_, {domain_, seed, in_, folder_, context});

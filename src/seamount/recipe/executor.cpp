@@ -191,9 +191,13 @@ class StepRunner {
 
   Values run_operator(const Step& step, const RunContext& run) {
     Values in;
-    for (const auto& [port, source] : step.in) {
-      const Port* declared = step.op->find_in(port);
-      in[port] = source.from_file() ? read_value_file(resolve(source.file), declared->kind, run) : value(source);
+    GridFrame frame = recipe_.domain;
+    for (const Port& port : step.op->in) {  // in their order: a terrain before the labels that may be painted over it
+      const auto connected = step.in.find(port.name);
+      if (connected == step.in.end()) continue;
+      const Source& source = connected->second;
+      in[port.name] = source.from_file() ? read_value_file(resolve(source.file), port.kind, frame, run) : value(source);
+      if (port.kind == ValueKind::terrain) frame = *in[port.name].frame();
     }
     return step.op->run(step.params, {recipe_.domain, step.seed, in, recipe_.folder, run});
   }
@@ -278,8 +282,7 @@ ExecuteReport execute(const Recipe& recipe, const ExecuteOptions& options, const
     report.steps = runner.reports();
     report.outputs.resize(recipe.outputs.size());
     tbb::task_group group;
-    std::mutex mutex;
-    std::exception_ptr failure;
+    std::vector<std::exception_ptr> failures(recipe.outputs.size());
     for (size_t i = 0; i < recipe.outputs.size(); ++i) {
       group.run([&, i] {
         try {
@@ -288,13 +291,14 @@ ExecuteReport execute(const Recipe& recipe, const ExecuteOptions& options, const
                        report.outputs[i]);
           progress.set(recipe.steps.size() + i, 1.0);
         } catch (...) {
-          const std::lock_guard lock(mutex);
-          if (!failure) failure = std::current_exception();
+          failures[i] = std::current_exception();
         }
       });
     }
     group.wait();
-    if (failure) std::rethrow_exception(failure);
+    for (const std::exception_ptr& failure : failures) {
+      if (failure) std::rethrow_exception(failure);
+    }
   });
   return report;
 }

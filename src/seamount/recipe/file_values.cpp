@@ -4,6 +4,7 @@
 #include <fstream>
 #include <vector>
 
+#include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
 #include "seamount/io/label_image.h"
 #include "seamount/io/raster.h"
@@ -24,7 +25,7 @@ void hash_file(const std::string& path, Hasher& hasher) {
 
 }  // namespace
 
-Value read_value_file(const std::string& path, ValueKind kind, const RunContext& run) {
+Value read_value_file(const std::string& path, ValueKind kind, const GridFrame& frame, const RunContext& run) {
   run.check_cancelled();
   switch (kind) {
     case ValueKind::terrain:
@@ -32,6 +33,8 @@ Value read_value_file(const std::string& path, ValueKind kind, const RunContext&
     case ValueKind::field:
       return Value::field(io::read_field(path));
     case ValueKind::labels:
+      if (io::extension_of(path) == ".png" && !std::filesystem::exists(path + ".json"))
+        return Value::labels(read_label_picture(path, frame, run));
       return Value::labels(io::read_labels(path));
     case ValueKind::image:
       return Value::image(io::read_image(path));

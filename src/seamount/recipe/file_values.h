@@ -9,9 +9,9 @@
 
 namespace seamount::recipe {
 
-/// Reads a file as a value of this kind: rasters of heights or scalars, label rasters or painted label images,
-/// pictures, vector files. Throws IoError.
-Value read_value_file(const std::string& path, ValueKind kind, const RunContext& run);
+/// Reads a file as a value of this kind: rasters of heights or scalars, label rasters, painted label images of any size
+/// (laid over `frame` if nothing beside them says where they lie), pictures, vector files. Throws IoError.
+Value read_value_file(const std::string& path, ValueKind kind, const GridFrame& frame, const RunContext& run);
 
 /// A painted label image (io/label_image.h) laid over the domain. Throws IoError.
 LabelMap read_label_picture(const std::string& path, const GridFrame& domain, const RunContext& run);

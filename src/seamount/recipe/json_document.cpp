@@ -7,7 +7,6 @@
 namespace seamount::recipe {
 namespace {
 
-constexpr size_t kLargestText = size_t{64} << 20;
 constexpr int kDeepest = 64;
 
 TextPlace place_of(std::string_view text, size_t offset) {
@@ -141,7 +140,7 @@ std::string pointer_token(std::string_view key) {
 }
 
 JsonDocument parse_json(std::string_view text, const std::string& file) {
-  if (text.size() > kLargestText) fail(file, {}, fmt::format("{} bytes; a document may have 64 MiB", text.size()));
+  if (text.size() > kLargestText) fail(file, {}, "longer than 64 MiB");
   JsonDocument document;
   bool too_deep = false;
   const auto limit_depth = [&](int depth, Json::parse_event_t, Json&) {
@@ -153,7 +152,11 @@ JsonDocument parse_json(std::string_view text, const std::string& file) {
   } catch (const Json::parse_error& error) {
     fail(file, place_of(text, error.byte == 0 ? 0 : error.byte - 1), syntax_message(error.what()));
   } catch (const Json::exception& error) {
-    fail(file, {}, error.what());
+    // "[json.exception.out_of_range.406] number overflow parsing '1e999'": the only other one that parsing throws.
+    const std::string what = error.what();
+    const size_t quote = what.find('\'');
+    const std::string number = quote == std::string::npos ? what : what.substr(quote + 1, what.size() - quote - 2);
+    fail(file, place_of(text, text.find(number)), "the number " + number + " is too large");
   }
   if (too_deep) fail(file, {}, fmt::format("nested deeper than {} levels", kDeepest));
   Diagnostics diagnostics;

@@ -25,6 +25,9 @@ struct JsonDocument {
   std::map<std::string, TextPlace> places;  ///< by JSON pointer; a member's place is its key's
 };
 
+/// Longer text is refused.
+inline constexpr size_t kLargestText = size_t{64} << 20;
+
 /// Parses `text`. Throws RecipeError naming `file` with line and column for a syntax error, a duplicate key, nesting
 /// over 64 levels or text over 64 MiB. Time and memory are linear in the text.
 JsonDocument parse_json(std::string_view text, const std::string& file);

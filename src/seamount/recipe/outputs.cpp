@@ -1,5 +1,7 @@
 #include "seamount/recipe/outputs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -207,6 +209,22 @@ OutputFormat format(OutputFormat row, Function function) {
   return row;
 }
 
+/// The sizes that an engine reads are known before anything runs.
+template <io::Engine engine>
+OutputFormat engine_format(OutputFormat row) {
+  row = format<EngineParams>(std::move(row), write_engine<engine>);
+  row.complete = [name = row.name](const Json& given, const ReadPlace& place) {
+    const auto params = read_params<EngineParams>(given, place);
+    const std::vector<int>& sizes = io::engine_sizes(engine);
+    if (params.size > 0 && !sizes.empty() && std::find(sizes.begin(), sizes.end(), params.size) == sizes.end()) {
+      place.at("size").fail(
+          fmt::format("{} is not a size that {} reads; allowed are {}", params.size, name, fmt::join(sizes, ", ")));
+    }
+    return write_params(params);
+  };
+  return row;
+}
+
 std::vector<OutputFormat> make_formats() {
   using enum ValueKind;
   const std::vector<std::string> rasters = {".tif", ".asc", ".png", ".exr", ".r16", ".raw", ".r32", ".npy"};
@@ -227,17 +245,14 @@ std::vector<OutputFormat> make_formats() {
                         labelled,
                         {labels}},
                        [](const NoParams&, const OutputCall& call) { write_raster({}, call); }),
-      format<EngineParams>(
-          {"unreal", "16-bit landscape for Unreal Engine, with the scale to type in", raw16, {}, {terrain}},
-          write_engine<io::Engine::unreal>),
-      format<EngineParams>(
-          {"unity", "16-bit RAW for Unity terrain, with the size to type in", {".raw", ".r16"}, {}, {terrain}},
-          write_engine<io::Engine::unity>),
-      format<EngineParams>(
-          {"godot", "EXR in metres for Godot's Terrain3D and HTerrain", {".exr", ".r16"}, {}, {terrain}},
-          write_engine<io::Engine::godot>),
-      format<EngineParams>({"blender", "EXR in metres for a displacement modifier", {".exr"}, {}, {terrain}},
-                           write_engine<io::Engine::blender>),
+      engine_format<io::Engine::unreal>(
+          {"unreal", "16-bit landscape for Unreal Engine, with the scale to type in", raw16, {}, {terrain}}),
+      engine_format<io::Engine::unity>(
+          {"unity", "16-bit RAW for Unity terrain, with the size to type in", {".raw", ".r16"}, {}, {terrain}}),
+      engine_format<io::Engine::godot>(
+          {"godot", "EXR in metres for Godot's Terrain3D and HTerrain", {".exr", ".r16"}, {}, {terrain}}),
+      engine_format<io::Engine::blender>(
+          {"blender", "EXR in metres for a displacement modifier", {".exr"}, {}, {terrain}}),
       format<MeshParams>({"mesh", "triangles: GLB and OBJ with texture, PLY, STL", meshes, meshes, {terrain}},
                          write_mesh),
       format<TilesParams>(

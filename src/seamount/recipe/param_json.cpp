@@ -243,18 +243,17 @@ Json param_schema(const ParamInfo& info) {
 
 Json parse_flag(const ParamInfo& info, const std::string& text) {
   if (info.kind == "text" || info.kind == "file" || info.kind == "choice" || info.kind == "colour") return text;
-  std::string source = text;
   if (!text.empty() && text[0] == '@') {
     std::ifstream file(text.substr(1));
     std::stringstream content;
     if (!file || !(content << file.rdbuf()))
       throw InvalidArgument("--" + info.name, text.substr(1) + ": cannot be read");
-    source = content.str();
+    return parse_json(content.str(), text.substr(1)).root;
   }
   try {
-    return parse_json(source, "--" + info.name).root;
+    return parse_json(text, "--" + info.name).root;
   } catch (const RecipeError&) {
-    throw InvalidArgument("--" + info.name, "expected a " + info.kind + ", found '" + text + "'");
+    throw InvalidArgument("--" + info.name, "expected a value of the kind '" + info.kind + "', found '" + text + "'");
   }
 }
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <sstream>
 
 #include "seamount/recipe/domain.h"
 
@@ -27,8 +27,17 @@ std::optional<std::string> text_member(const Json& object, const std::string& ke
     if (required) place.fail("\"" + key + "\" is missing");
     return std::nullopt;
   }
-  if (!member->is_string() || member->get_ref<const std::string&>().empty()) {
+  if (!member->is_string()) {
     place.at(key).expected("a text", *member);
+    return std::nullopt;
+  }
+  const auto& text = member->get_ref<const std::string&>();
+  if (text.empty()) {
+    place.at(key).fail("is empty");
+    return std::nullopt;
+  }
+  if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < ' '; })) {
+    place.at(key).expected("a text without control characters", *member);
     return std::nullopt;
   }
   return member->get<std::string>();
@@ -292,6 +301,9 @@ class RecipeReader {
     if (output.format == nullptr || !output.format->takes(kind)) {
       if (as) {
         place.at("as").fail(fmt::format("'{}' is no way to write {}{}", *as, kind_name(kind), suggestion(*as, names)));
+      } else if (names.size() == 1) {
+        place.at("path").fail(fmt::format("'{}' is written to {}, not to '{}'", names.front(),
+                                          fmt::join(find_output_format(names.front())->extensions, ", "), output.path));
       } else {
         place.at("path").fail(fmt::format("'{}' does not say how to write {}; add \"as\": one of {}", output.path,
                                           kind_name(kind), fmt::join(names, ", ")));
@@ -346,10 +358,14 @@ Recipe read_recipe(const std::string& path, const RecipeChanges& changes) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw IoError(path, "is a folder, not a recipe");
   std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
   if (!file) throw IoError(path, std::filesystem::exists(path, ignored) ? "cannot be read" : "no such file");
-  text << file.rdbuf();
-  return parse_recipe(text.str(), path, std::filesystem::path(path).parent_path().string(), changes);
+  std::string text;
+  while (file && text.size() <= kLargestText) {
+    std::array<char, 1 << 16> block{};
+    file.read(block.data(), block.size());
+    text.append(block.data(), static_cast<size_t>(file.gcount()));
+  }
+  return parse_recipe(text, path, std::filesystem::path(path).parent_path().string(), changes);
 }
 
 }  // namespace seamount::recipe

@@ -127,6 +127,11 @@ TEST(Recipe, ChecksOutputs) {
               ElementsAre("/outputs/0/path: 'perspective' is written to .png, not to 'x.tif'"));
   EXPECT_THAT(output(R"("from": "isle.terrain", "path": "x.tif", "sise": 3)").front(),
               ::testing::HasSubstr("/outputs/0/sise: unknown parameter 'sise'"));
+  EXPECT_THAT(output(R"("from": "isle.terrain", "path": "x.r16", "as": "unreal", "size": 506)").front(),
+              ::testing::HasSubstr("/outputs/0/size: 506 is not a size that unreal reads; allowed are 127, 253"));
+  EXPECT_THAT(output(R"("from": "isle.terrain", "path": "x\u0000.tif")").front(),
+              ::testing::HasSubstr("/outputs/0/path: expected a text without control characters"));
+  EXPECT_THAT(output(R"("from": "isle.terrain", "path": "")"), ElementsAre("/outputs/0/path: is empty"));
   EXPECT_THAT(output(R"("from": "isle.terrain")"), ElementsAre("/outputs/0: \"path\" is missing"));
 }
 

@@ -49,18 +49,6 @@ std::vector<PolarOutline> draw_outlines(double width_m, Rng& rng, Seed seed) {
   return outlines;
 }
 
-/// A curve times noise around 1 (eq. 1.17, 1.18), sampled finely enough to carry the noise.
-Curve times_noise(const Curve& curve, double amplitude, double low, double high, Seed seed) {
-  const geom::CurveFunction base(curve);
-  Curve out;
-  for (int i = 0; i <= 50; ++i) {
-    const double x = 0.1 * i;
-    const double y = base(x) * (1.0 + amplitude * geom::fbm1(seed, 1.3 * x, 4));
-    out.knots.push_back({x, std::round(std::clamp(y, low, high) * 1000) / 1000});
-  }
-  return out;
-}
-
 std::vector<Stroke> draw_strokes(double width_m, Rng& rng) {
   std::vector<Stroke> strokes(static_cast<size_t>(rng.integer(0, 6)));
   for (Stroke& stroke : strokes) {
@@ -156,6 +144,17 @@ Augmentation draw_augmentation(const IslandSetParams& params, int islands, Rng& 
 }
 
 }  // namespace
+
+Curve times_noise(const Curve& curve, double amplitude, double low, double high, Seed seed) {
+  const geom::CurveFunction base(curve);
+  Curve out;
+  for (int i = 0; i <= 50; ++i) {
+    const double x = 0.1 * i;
+    const double y = base(x) * (1.0 + amplitude * geom::fbm1(seed, 1.3 * x, 4));
+    out.knots.push_back({x, std::round(std::clamp(y, low, high) * 1000) / 1000});
+  }
+  return out;
+}
 
 double overlap(const LabelMap& a, const LabelMap& b) {
   int64_t both = 0, either = 0;

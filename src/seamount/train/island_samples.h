@@ -100,6 +100,10 @@ struct IslandPair {
   LabelMap labels;
 };
 
+/// A profile or resistance times noise around 1 (eq. 1.17, 1.18): f(x) (1 + amplitude eta(x)), clamped to [low, high],
+/// at every tenth of a region; values rounded to thousandths.
+Curve times_noise(const Curve& curve, double amplitude, double low, double high, Seed seed);
+
 /// Draws everything for sample `index` of a set. Throws InvalidArgument for params out of range.
 IslandSample draw_island_sample(const IslandSetParams& params, uint64_t index, Seed seed);
 

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "seamount/geom/curve.h"
+#include "seamount/geom/noise.h"
 #include "seamount/train/island_set.h"
 
 namespace seamount::train {
@@ -26,6 +28,17 @@ TEST(DrawIslandSample, OutlinesStayOrderedAtEveryAngle) {
         }
       }
     }
+  }
+}
+
+TEST(TimesNoise, IsEquations1_17And1_18) {
+  const Curve profile{{{0, 900}, {1, 20}, {2, 0}, {5, -700}}};
+  const geom::CurveFunction base(profile);
+  const Curve noisy = times_noise(profile, 0.25, -600, 950, Seed{4});
+  ASSERT_EQ(noisy.knots.size(), 51U);
+  for (const Knot& knot : noisy.knots) {
+    const double expected = base(knot.x) * (1.0 + 0.25 * geom::fbm1(Seed{4}, 1.3 * knot.x, 4));
+    EXPECT_NEAR(knot.y, std::clamp(expected, -600.0, 950.0), 0.0006) << knot.x;
   }
 }
 

@@ -79,6 +79,7 @@ void make_island_files(const IslandSetParams& params, IslandSample& sample, Seed
 
 IslandSetReport make_island_set(const IslandSetParams& params, const IslandSetOptions& options, const RunContext& run) {
   check_params(params);
+  const io::FolderLock lock(options.folder);
   Manifest manifest(options.folder, options.line(nullptr));
   IslandSetReport report;
   report.present = std::min(manifest.finished(), options.count);

@@ -51,17 +51,27 @@ SEAMOUNT_VECTORISED void along_line(float start, float step, int count, float* _
   for (int i = 0; i < count; ++i) out[i] = start + static_cast<float>(i) * step;
 }
 
-/// Scales a member's heights. What is under water fades to the lowest along the frame's edge, so that no edge shows on
-/// the sea floor.
-SEAMOUNT_VECTORISED void settle(const float* __restrict columns, const float* __restrict rows, float last_column,
-                                float last_row, float margin, float lowest, float scale, int count,
-                                float* __restrict heights) {
+/// How a member joins the common sea floor.
+struct Joining {
+  float last_column, last_row, margin;  ///< of its own frame, in cells
+  float stretch;  ///< of depths below kShallow_m, so that its sea floor comes to lie on the common one
+  float floor;    ///< the common floor before scaling
+  float scale;
+};
+
+constexpr float kShallow_m = -150.0F;  // reefs and lagoons keep their depths
+
+/// Brings a member's heights to the common floor and scales them. What is under water fades to the floor along the
+/// frame's edge, so that no edge shows on the sea floor.
+SEAMOUNT_VECTORISED void settle(const float* __restrict columns, const float* __restrict rows, const Joining join,
+                                int count, float* __restrict heights) {
   for (int i = 0; i < count; ++i) {
-    const float across = columns[i] < last_column - columns[i] ? columns[i] : last_column - columns[i];
-    const float along = rows[i] < last_row - rows[i] ? rows[i] : last_row - rows[i];
-    const float share = geom::smoothstep((across < along ? across : along) / margin);
+    const float across = columns[i] < join.last_column - columns[i] ? columns[i] : join.last_column - columns[i];
+    const float along = rows[i] < join.last_row - rows[i] ? rows[i] : join.last_row - rows[i];
+    const float share = geom::smoothstep((across < along ? across : along) / join.margin);
     const float z = heights[i];
-    heights[i] = scale * (z < 0.0F ? lowest + share * (z - lowest) : z);
+    const float deep = z < kShallow_m ? kShallow_m + (z - kShallow_m) * join.stretch : z;
+    heights[i] = join.scale * (z < 0.0F ? join.floor + share * (deep - join.floor) : z);
   }
 }
 
@@ -69,7 +79,7 @@ SEAMOUNT_VECTORISED void settle(const float* __restrict columns, const float* __
 struct MemberRow {
   explicit MemberRow(int width) : columns(static_cast<size_t>(width)), rows(columns.size()), heights(columns.size()) {}
 
-  void read(const Placed& p, const GridFrame& frame, int y) {
+  void read(const Placed& p, const GridFrame& frame, float floor, int y) {
     const GridFrame& own = p.member.terrain->frame();
     const Vec2 start = p.source({frame.x(0), frame.y(y)});
     const Vec2 next = p.source({frame.x(1), frame.y(y)});
@@ -88,9 +98,16 @@ struct MemberRow {
     along_line(static_cast<float>(row + first * row_step), static_cast<float>(row_step), last - first, &rows[from]);
     geom::sample_bicubic_rows(*p.member.terrain, {&columns[from], count}, {&rows[from], count},
                               {&heights[from], count});
-    settle(&columns[from], &rows[from], static_cast<float>(own.width - 1), static_cast<float>(own.height - 1),
-           0.08F * static_cast<float>(std::min(own.width, own.height)), p.lowest, static_cast<float>(p.scale),
-           last - first, &heights[from]);
+    const float own_floor = floor / static_cast<float>(p.scale);
+    const Joining join{static_cast<float>(own.width - 1),
+                       static_cast<float>(own.height - 1),
+                       0.08F * static_cast<float>(std::min(own.width, own.height)),
+                       p.lowest < 2.0F * kShallow_m && own_floor < p.lowest
+                           ? (own_floor - kShallow_m) / (p.lowest - kShallow_m)
+                           : 1.0F,
+                       own_floor,
+                       static_cast<float>(p.scale)};
+    settle(&columns[from], &rows[from], join, last - first, &heights[from]);
   }
 
   /// Keeps the i in [low, high] with -1/2 <= start + i step <= size - 1/2.
@@ -139,7 +156,7 @@ Archipelago archipelago(const std::vector<Member>& members, const ArchipelagoPar
       std::fill(heights.begin(), heights.end(), floor);
       if (labelled) std::fill(out.labels.row(y).begin(), out.labels.row(y).end(), Region::abyss);
       for (const Placed& p : placed) {
-        member.read(p, frame, y);
+        member.read(p, frame, floor, y);
         for (int x = member.first; x < member.last; ++x) {
           const auto i = static_cast<size_t>(x);
           heights[i] = blend(heights[i], member.heights[i], floor, k);

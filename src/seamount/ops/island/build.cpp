@@ -17,7 +17,7 @@ namespace {
 constexpr int kReliefSide = 4096;
 
 /// Everything that a row of the island is made from.
-struct Recipe {
+struct Making {
   RegionCoordinate coordinate;
   geom::CurveTable profile;
   geom::Fbm coast_detail;
@@ -55,16 +55,16 @@ SEAMOUNT_VECTORISED void gully_strength_row(const float* coordinate, const float
   }
 }
 
-void coordinate_rows(const Recipe& recipe, const GridFrame& frame, ScalarField& out, const RunContext& run) {
+void coordinate_rows(const Making& making, const GridFrame& frame, ScalarField& out, const RunContext& run) {
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
     std::vector<float> shift(static_cast<size_t>(frame.width), 0.0F);
     for (int y = begin; y < end; ++y) {
-      if (recipe.coast_detail_m > 0) {
+      if (making.coast_detail_m > 0) {
         std::fill(shift.begin(), shift.end(), 0.0F);
-        geom::fbm_add_row(recipe.seed.derive("island.coast_detail"), recipe.coast_detail, frame.x(0), frame.cell_m,
-                          frame.y(y), shift, static_cast<float>(recipe.coast_detail_m));
+        geom::fbm_add_row(making.seed.derive("island.coast_detail"), making.coast_detail, frame.x(0), frame.cell_m,
+                          frame.y(y), shift, static_cast<float>(making.coast_detail_m));
       }
-      recipe.coordinate.row(frame.x(0), frame.cell_m, frame.y(y), shift, out.row(y));
+      making.coordinate.row(frame.x(0), frame.cell_m, frame.y(y), shift, out.row(y));
     }
   });
 }
@@ -86,7 +86,7 @@ SEAMOUNT_VECTORISED void keep_above(const float* __restrict profile, float* __re
 }
 
 /// Heights of the profile with valleys cut into them, on a frame of at most kReliefSide a side.
-HeightField carved(const Recipe& recipe, const ScalarField& coordinate, const BuildParams& params,
+HeightField carved(const Making& making, const ScalarField& coordinate, const BuildParams& params,
                    double valley_spacing, double peak, Seed seed, const RunContext& run) {
   HeightField height(coordinate.frame());
   ScalarField strength(coordinate.frame());
@@ -95,7 +95,7 @@ HeightField carved(const Recipe& recipe, const ScalarField& coordinate, const Bu
   parallel_rows(run.part(0.0, 0.2), height.width(), height.height(), [&](int begin, int end) {
     std::vector<float> noise(static_cast<size_t>(height.width()), 0.0F);
     for (int y = begin; y < end; ++y) {
-      recipe.profile.evaluate(coordinate.row(y), height.row(y));
+      making.profile.evaluate(coordinate.row(y), height.row(y));
       if (params.massif > 0) {
         geom::fbm_row(seed.derive("island.massif"), massif, height.frame().x(0), height.cell_m(), height.frame().y(y),
                       noise);
@@ -114,7 +114,7 @@ HeightField carved(const Recipe& recipe, const ScalarField& coordinate, const Bu
     parallel_rows(run.part(0.95, 1.0), height.width(), height.height(), [&](int begin, int end) {
       std::vector<float> profile(static_cast<size_t>(height.width()));
       for (int y = begin; y < end; ++y) {
-        recipe.profile.evaluate(coordinate.row(y), profile);
+        making.profile.evaluate(coordinate.row(y), profile);
         keep_above(profile.data(), height.row(y).data(), height.width());
       }
     });
@@ -123,15 +123,15 @@ HeightField carved(const Recipe& recipe, const ScalarField& coordinate, const Bu
 }
 
 /// What carving changes, on a coarse frame: for frames so large that detail below it comes from noise alone.
-HeightField carving_change(const Recipe& recipe, const GridFrame& frame, const BuildParams& params,
+HeightField carving_change(const Making& making, const GridFrame& frame, const BuildParams& params,
                            double valley_spacing, double peak, Seed seed, const RunContext& run) {
   ScalarField coordinate(frame);
-  coordinate_rows(recipe, frame, coordinate, run.part(0.0, 0.1));
-  HeightField change = carved(recipe, coordinate, params, valley_spacing, peak, seed, run.part(0.1, 1.0));
+  coordinate_rows(making, frame, coordinate, run.part(0.0, 0.1));
+  HeightField change = carved(making, coordinate, params, valley_spacing, peak, seed, run.part(0.1, 1.0));
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
     std::vector<float> plain(static_cast<size_t>(frame.width));
     for (int y = begin; y < end; ++y) {
-      recipe.profile.evaluate(coordinate.row(y), plain);
+      making.profile.evaluate(coordinate.row(y), plain);
       for (size_t x = 0; x < plain.size(); ++x) change.row(y)[x] -= plain[x];
     }
   });
@@ -139,13 +139,13 @@ HeightField carving_change(const Recipe& recipe, const GridFrame& frame, const B
 }
 
 /// The plain profile plus that change.
-void profile_with_change(const Recipe& recipe, const HeightField& change, Island& island, const RunContext& run) {
+void profile_with_change(const Making& making, const HeightField& change, Island& island, const RunContext& run) {
   const GridFrame& frame = island.terrain.frame();
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
     geom::LatticeRows rows(change);
     std::vector<float> added(static_cast<size_t>(frame.width));
     for (int y = begin; y < end; ++y) {
-      recipe.profile.evaluate(island.coordinate.row(y), island.terrain.row(y));
+      making.profile.evaluate(island.coordinate.row(y), island.terrain.row(y));
       rows.read(frame.x(0), frame.cell_m, frame.y(y), added);
       for (size_t x = 0; x < added.size(); ++x) island.terrain.row(y)[x] += added[x];
     }
@@ -189,7 +189,7 @@ Island build(const Plan& plan, const BuildParams& params, const GridFrame& frame
   const Curve curve = profile_curve(plan, params);
   const double radius = std::sqrt(plan.land_m2 / std::numbers::pi);
   const double detail = params.coast_detail_m.value_or(0.35 * plan.edge_m);
-  const Recipe recipe{
+  const Making making{
       RegionCoordinate(plan, frame, params.smoothing, run.part(0.0, 0.2)),
       geom::CurveTable(geom::CurveFunction(curve, kind_of(params.interpolation), "profile"), 0.0, kOutlineCount, 8192),
       {.wavelength_m = std::max(1e-3, 7.0 * detail), .octaves = 8, .gain = 0.52, .cell_m = frame.cell_m},
@@ -205,21 +205,21 @@ Island build(const Plan& plan, const BuildParams& params, const GridFrame& frame
   const bool large = coarse_cell > frame.cell_m;
   HeightField change;  // made before the island itself is allocated: it needs much scratch
   if (large) {
-    change = carving_change(recipe, geom::coarser_frame(frame, coarse_cell), params, spacing, peak, seed,
+    change = carving_change(making, geom::coarser_frame(frame, coarse_cell), params, spacing, peak, seed,
                             run.part(0.2, 0.5));
   }
   Island island{HeightField(large ? frame : GridFrame{}), LabelMap(frame), ScalarField(frame)};
-  coordinate_rows(recipe, frame, island.coordinate, run.part(0.5, 0.6));
+  coordinate_rows(making, frame, island.coordinate, run.part(0.5, 0.6));
   if (large) {
-    profile_with_change(recipe, change, island, run.part(0.6, 0.9));
+    profile_with_change(making, change, island, run.part(0.6, 0.9));
   } else {
-    island.terrain = carved(recipe, island.coordinate, params, spacing, peak, seed, run.part(0.6, 0.9));
+    island.terrain = carved(making, island.coordinate, params, spacing, peak, seed, run.part(0.6, 0.9));
   }
   parallel_rows(run.part(0.9, 1.0), frame.width, frame.height, [&](int begin, int end) {
     std::vector<float> noise(static_cast<size_t>(frame.width));
     for (int y = begin; y < end; ++y) {
-      geom::fbm_row(seed.derive("island.noise"), recipe.noise, frame.x(0), frame.cell_m, frame.y(y), noise);
-      add_noise(noise.data(), recipe.noise_m, island.terrain.row(y).data(), frame.width);
+      geom::fbm_row(seed.derive("island.noise"), making.noise, frame.x(0), frame.cell_m, frame.y(y), noise);
+      add_noise(noise.data(), making.noise_m, island.terrain.row(y).data(), frame.width);
       label_row(island.coordinate.row(y).data(), reinterpret_cast<uint8_t*>(island.labels.row(y).data()), frame.width);
     }
   });

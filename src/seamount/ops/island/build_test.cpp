@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "seamount/base/error.h"
+#include "seamount/geom/noise.h"
 #include "seamount/ops/island/archipelago.h"
 #include "seamount/ops/island/coordinate.h"
 #include "seamount/ops/island/outlines.h"
@@ -106,6 +108,10 @@ TEST(RandomPlan, IsEquation1_16) {
   for (const double r : circle.polar[kCoast].radii_m) EXPECT_NEAR(r, 2600, 1e-6);
   const Plan coast = random_plan(frame, {}, 0.4, Seed{3}, {});
   const auto& radii = coast.polar[kCoast].radii_m;
+  for (size_t i = 0; i < radii.size(); i += 37) {
+    const double theta = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(radii.size());
+    EXPECT_NEAR(radii[i], 2600 * (1 + 0.4 * geom::fbm_circle(Seed{3}.derive("island.coast"), theta, 3.0, 5)), 1e-6);
+  }
   double mean = 0, largest_step = 0;
   for (size_t i = 0; i < radii.size(); ++i) {
     mean += radii[i] / static_cast<double>(radii.size());

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kAngles = 2048;
 constexpr int kLatticeSide = 1024;
+constexpr int kDomeSide = 256;  // the dome is smooth: its edge comes from the distance field
 constexpr float kTurn = static_cast<float>(2.0 * std::numbers::pi);
 
 SEAMOUNT_INLINE float clamp01(float v) { return v < 0.0F ? 0.0F : (v > 1.0F ? 1.0F : v); }
@@ -108,12 +109,17 @@ SEAMOUNT_VECTORISED void add_share(const float* inner, float inner_offset, const
   }
 }
 
-/// x~ inside the innermost outline: sqrt(1 - u / max u), with u / max u = dome * depth.
-SEAMOUNT_VECTORISED void dome_loop(const float* field, float offset, const float* dome, const float* shift, float base,
-                                   int count, float* __restrict out) {
+/// x~ inside the innermost outline: sqrt(1 - u / max u). u itself is read in the interior, and near the outline its
+/// slope times the depth inside it, which is exact there.
+SEAMOUNT_VECTORISED void dome_loop(const float* field, float offset, const float* u, const float* slope,
+                                   const float* shift, float rim, float base, int count, float* __restrict out) {
   for (int i = 0; i < count; ++i) {
-    const float depth = offset - field[i] - shift[i];
-    const float rest = 1.0F - dome[i] * (depth > 0.0F ? depth : 0.0F);
+    const float inside = offset - field[i] - shift[i];
+    const float depth = inside > 0.0F ? inside : 0.0F;
+    float t = clamp01(depth / rim);
+    t = t * t * (3.0F - 2.0F * t);
+    const float near_rim = slope[i] * depth;
+    const float rest = 1.0F - (near_rim + t * (u[i] - near_rim));
     out[i] = base + std::sqrt(rest > 0.0F ? rest : 0.0F);
   }
 }
@@ -146,35 +152,56 @@ void soften(ScalarField& distance, double smoothing, const RunContext& run) {
   }
 }
 
-/// (u / max u) / depth inside distance < offset; smooth up to the outline, so that u itself can be read between lattice
-/// nodes with the outline's own accuracy.
-ScalarField dome_per_depth(const ScalarField& distance, double offset, const RunContext& run) {
-  const GridFrame& frame = distance.frame();
-  Grid<uint8_t> fixed(frame);
-  ScalarField u(frame, 0.0F);
-  for (size_t c = 0; c < u.size(); ++c) fixed.cells()[c] = distance.cells()[c] >= offset ? 1 : 0;
-  geom::solve_poisson(u, fixed, ScalarField(frame, static_cast<float>(-1.0 / (frame.cell_m * frame.cell_m))), run,
-                      {.tolerance = 1e-3});
-  const float highest = std::max(1e-20F, *std::max_element(u.cells().begin(), u.cells().end()));
-  ScalarField weight(frame, 0.0F);
+/// Highest value of a smooth field: at its highest node, and above it by the parabolas through the neighbours.
+float summit(const ScalarField& u) {
+  const auto highest = std::max_element(u.cells().begin(), u.cells().end());
+  const auto at = static_cast<int>(highest - u.cells().begin());
+  const int x = at % u.width(), y = at / u.width();
+  float sum = *highest;
+  for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}}) {
+    const float a = u.clamped(x - dx, y - dy), b = u.clamped(x + dx, y + dy);
+    const float bend = 2.0F * *highest - a - b;
+    if (bend > 0.0F) sum += (b - a) * (b - a) / (8.0F * bend);
+  }
+  return sum;
+}
+
+/// u / depth where u is well inside, spread a little outwards, so that it can be read right up to the outline.
+ScalarField slope_at_rim(const ScalarField& u, const ScalarField& distance, double offset, const RunContext& run) {
+  const GridFrame& frame = u.frame();
+  ScalarField slope(frame, 0.0F), weight(frame, 0.0F);
   for (size_t c = 0; c < u.size(); ++c) {
     const auto depth = static_cast<float>(offset - distance.cells()[c]);
-    const bool deep = depth > 1.5F * static_cast<float>(frame.cell_m);
-    weight.cells()[c] = deep ? 1.0F : 0.0F;
-    u.cells()[c] = deep ? u.cells()[c] / (highest * depth) : 0.0F;
+    if (depth < 1.5F * static_cast<float>(frame.cell_m)) continue;
+    weight.cells()[c] = 1.0F;
+    slope.cells()[c] = u.cells()[c] / depth;
   }
-  const ScalarField exact = u;
-  geom::gaussian_blur(u, 1.5 * frame.cell_m, run);
+  const ScalarField exact = slope;
   ScalarField cover = weight;
+  geom::gaussian_blur(slope, 1.5 * frame.cell_m, run);
   geom::gaussian_blur(cover, 1.5 * frame.cell_m, run);
   for (size_t c = 0; c < u.size(); ++c) {
-    u.cells()[c] =
-        weight.cells()[c] > 0 ? exact.cells()[c] : (cover.cells()[c] > 1e-4F ? u.cells()[c] / cover.cells()[c] : 0.0F);
+    const float spread = cover.cells()[c] > 1e-4F ? slope.cells()[c] / cover.cells()[c] : 0.0F;
+    slope.cells()[c] = weight.cells()[c] > 0 ? exact.cells()[c] : spread;
   }
-  return u;
+  return slope;
 }
 
 }  // namespace
+
+/// Solves laplace(u) = -1 inside distance < offset and scales it to a summit of 1.
+RegionCoordinate::Dome RegionCoordinate::make_dome(const ScalarField& distance, double offset, const RunContext& run) {
+  const GridFrame& frame = distance.frame();
+  Grid<uint8_t> fixed(frame);
+  Dome dome{ScalarField(frame, 0.0F), {}};
+  for (size_t c = 0; c < fixed.size(); ++c) fixed.cells()[c] = distance.cells()[c] >= offset ? 1 : 0;
+  const ScalarField source(frame, static_cast<float>(-1.0 / (frame.cell_m * frame.cell_m)));
+  geom::solve_poisson(dome.u, fixed, source, run, {.tolerance = 1e-3});
+  const float highest = std::max(1e-20F, summit(dome.u));
+  for (float& u : dome.u.cells()) u /= highest;
+  dome.slope = slope_at_rim(dome.u, distance, offset, run);
+  return dome;
+}
 
 RegionCoordinate::RegionCoordinate(const Plan& plan, const GridFrame& frame, double smoothing, const RunContext& run)
     : lattice_(geom::coarser_frame(frame, std::max(frame.width_m(), frame.height_m()) / kLatticeSide)),
@@ -225,7 +252,9 @@ void RegionCoordinate::prepare_areas(const Plan& plan, double smoothing, const R
       levels_.push_back({levels_.back().field, levels_.back().offset_m + widths[static_cast<size_t>(i)]});
     }
   }
-  dome_ = dome_per_depth(fields_[static_cast<size_t>(levels_[0].field)], levels_[0].offset_m, run);
+  const double cell = std::max(2.0 * lattice_.cell_m, std::max(lattice_.width_m(), lattice_.height_m()) / kDomeSide);
+  const ScalarField& innermost = fields_[static_cast<size_t>(levels_[0].field)];
+  dome_ = make_dome(geom::resample(innermost, geom::coarser_frame(lattice_, cell), run), levels_[0].offset_m, run);
 }
 
 void RegionCoordinate::row(double x0, double dx, double y, std::span<const float> shift_m, std::span<float> out) const {
@@ -252,11 +281,12 @@ void RegionCoordinate::area_row(double x0, double dx, double y, std::span<const 
   const auto count = static_cast<int>(out.size());
   std::vector<std::vector<float>> rows(fields_.size(), std::vector<float>(out.size()));
   for (size_t f = 0; f < fields_.size(); ++f) geom::LatticeRows(fields_[f]).read(x0, dx, y, rows[f]);
-  std::vector<float> dome(out.size());
-  geom::LatticeRows(dome_).read(x0, dx, y, dome);
+  std::vector<float> u(out.size()), slope(out.size());
+  geom::LatticeRows(dome_.u).read(x0, dx, y, u);
+  geom::LatticeRows(dome_.slope).read(x0, dx, y, slope);
   const auto field_row = [&](const Level& level) { return rows[static_cast<size_t>(level.field)].data(); };
-  dome_loop(field_row(levels_[0]), static_cast<float>(levels_[0].offset_m), dome.data(), shift_m.data(),
-            static_cast<float>(first_), count, out.data());
+  dome_loop(field_row(levels_[0]), static_cast<float>(levels_[0].offset_m), u.data(), slope.data(), shift_m.data(),
+            static_cast<float>(4.0 * dome_.u.cell_m()), static_cast<float>(first_), count, out.data());
   for (size_t k = 0; k + 1 < levels_.size(); ++k) {
     add_share(field_row(levels_[k]), static_cast<float>(levels_[k].offset_m), field_row(levels_[k + 1]),
               static_cast<float>(levels_[k + 1].offset_m), shift_m.data(), count, out.data());

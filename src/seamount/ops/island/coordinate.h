@@ -40,6 +40,13 @@ class RegionCoordinate {
     double offset_m = 0;
   };
 
+  /// x~ inside the innermost outline, as u with x~ = sqrt(1 - u).
+  struct Dome {
+    ScalarField u;      ///< 0 on the outline, 1 at the summit
+    ScalarField slope;  ///< u per metre of depth inside the outline, near it
+  };
+  static Dome make_dome(const ScalarField& distance, double offset_m, const RunContext& run);
+
   GridFrame lattice_;
   // Polar form: radii of the outlines per angle, one table after another.
   Vec2 centre_;
@@ -47,8 +54,8 @@ class RegionCoordinate {
   // General form.
   std::vector<ScalarField> fields_;
   std::vector<Level> levels_;  ///< outlines first_ .. 4
-  ScalarField dome_;           ///< (u / max u) per metre of depth inside the innermost outline
-  int first_ = 0;              ///< index of the innermost outline that encloses anything
+  Dome dome_;
+  int first_ = 0;  ///< index of the innermost outline that encloses anything
 };
 
 /// x~ of a label map alone, for terrain that was not made here: per region the distances to what lies inside and

@@ -158,7 +158,9 @@ Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint) const {
   water.footprint = footprint;
   const Vec3 floor = refracted_floor(place, direction);
   GroundSample s = ground_.sample(floor.x, floor.y, footprint);
-  water.depth = std::max(0.0F, -s.point.z) + kSeaSlope * out;
+  // Land that is cut off at the border falls into deep water there.
+  const float cliff = out > 0.0F ? 80.0F * ramp(-3.0F, 0.5F, s.point.z) : 0.0F;
+  water.depth = std::max(0.0F, -s.point.z) + cliff + kSeaSlope * out;
   s.point.z = -water.depth;
   const float fade = std::exp(-out / (0.008F * ground_.half_width_m()));
   water.sun = mix(1.0F, s.form.sun, fade);

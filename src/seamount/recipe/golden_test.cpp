@@ -1,0 +1,133 @@
+// Golden recipes: tests/golden/<name>/recipe.json against expected.json, which holds for every output of every step the
+// digest of its bytes (equal for both compilers and any number of threads) and statistics for people to compare.
+//
+// A change on purpose: SEAMOUNT_UPDATE_GOLDEN=1 recipe_tests --gtest_filter='Golden*' rewrites expected.json and
+// preview.png; look at the pictures, raise the operator's revision, and say why in the commit.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "seamount/io/atomic_file.h"
+#include "seamount/io/image_file.h"
+#include "seamount/ops/render/relief.h"
+#include "seamount/recipe/executor.h"
+#include "seamount/recipe/value_bytes.h"
+
+namespace seamount::recipe {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path golden_folder() { return fs::path(SEAMOUNT_SOURCE_DIR) / "tests/golden"; }
+
+std::vector<std::string> golden_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(golden_folder())) {
+    if (entry.is_directory()) names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string digest_of(const Value& value) {
+  std::ostringstream bytes;
+  write_values(bytes, {{"value", value}});
+  const std::string text = bytes.str();
+  return hash_bytes(std::as_bytes(std::span(text))).hex();
+}
+
+/// What a person compares: rounded, so that the text is short.
+Json statistics(const Value& value) {
+  const auto number = [](double v) { return fmt::format("{:.6g}", v); };
+  Json result = {{"kind", kind_name(value.kind())}};
+  if (const GridFrame* frame = value.frame()) result["size"] = fmt::format("{} x {}", frame->width, frame->height);
+  if (value.kind() == ValueKind::terrain || value.kind() == ValueKind::field) {
+    const auto& cells = value.scalars().cells();
+    double sum = 0;
+    for (const float z : cells) sum += static_cast<double>(z);
+    const auto [low, high] = std::minmax_element(cells.begin(), cells.end());
+    result["min"] = number(static_cast<double>(*low));
+    result["max"] = number(static_cast<double>(*high));
+    result["mean"] = number(sum / static_cast<double>(cells.size()));
+  } else if (value.kind() == ValueKind::labels) {
+    std::array<int, kRegionCount> counts{};
+    for (const Region region : value.regions().cells()) ++counts[static_cast<size_t>(region)];
+    for (const Region region : kRegions)
+      result["cells"][std::string(region_name(region))] = counts[static_cast<size_t>(region)];
+  } else if (value.kind() == ValueKind::drawing) {
+    for (const NamedArea& area : value.shapes().areas) {
+      size_t points = 0;
+      for (const Polygon& part : area.parts) points += part.outer.size();
+      result["areas"].push_back(fmt::format("{}: {} parts, {} points", area.name, area.parts.size(), points));
+    }
+  }
+  return result;
+}
+
+/// Every output of every step, and what is expected of it, by "step.port".
+struct Golden {
+  std::vector<Source> sources;
+  std::vector<Value> values;
+  Json expected = Json::object();
+};
+
+Golden compute(const std::string& name, int threads) {
+  const Recipe recipe = read_recipe((golden_folder() / name / "recipe.json").string());
+  Golden golden;
+  for (const Step& step : recipe.steps) {
+    for (const Port& port : step.op->out) golden.sources.push_back({step.id, port.name, ""});
+  }
+  RunContext run;
+  run.threads = threads;
+  golden.values = evaluate(recipe, golden.sources, {"", ""}, run);
+  for (size_t i = 0; i < golden.values.size(); ++i) {
+    Json entry = statistics(golden.values[i]);
+    entry["digest"] = digest_of(golden.values[i]);
+    golden.expected[golden.sources[i].step + "." + golden.sources[i].port] = entry;
+  }
+  return golden;
+}
+
+/// The last terrain from above.
+void write_preview(const std::string& name, const Golden& golden) {
+  const auto last = std::find_if(golden.values.rbegin(), golden.values.rend(),
+                                 [](const Value& value) { return value.kind() == ValueKind::terrain; });
+  if (last == golden.values.rend()) return;
+  render::ReliefParams params;
+  params.width_px = 256;
+  io::write_png(render::relief(last->heights(), params, {}), (golden_folder() / name / "preview.png").string());
+}
+
+class GoldenRecipe : public testing::TestWithParam<std::string> {};
+
+TEST_P(GoldenRecipe, GivesTheSameBytesAsEver) {
+  const Golden golden = compute(GetParam(), 0);
+  const fs::path file = golden_folder() / GetParam() / "expected.json";
+  if (const char* update = std::getenv("SEAMOUNT_UPDATE_GOLDEN"); update != nullptr && *update == '1') {
+    io::write_text(file.string(), golden.expected.dump(2) + "\n");
+    write_preview(GetParam(), golden);
+    GTEST_SKIP() << file << " rewritten";
+  }
+  std::ifstream stream(file);
+  ASSERT_TRUE(stream) << file << " is missing; SEAMOUNT_UPDATE_GOLDEN=1 writes it";
+  const Json expected = Json::parse(stream);
+  for (const auto& [port, entry] : golden.expected.items())
+    EXPECT_EQ(expected.value(port, Json()).dump(2), entry.dump(2)) << port;
+  EXPECT_EQ(expected.size(), golden.expected.size());
+}
+
+TEST_P(GoldenRecipe, GivesTheSameBytesOnOneThread) {
+  EXPECT_EQ(compute(GetParam(), 1).expected, compute(GetParam(), 0).expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Recipes, GoldenRecipe, testing::ValuesIn(golden_names()),
+                         [](const auto& name) { return name.param; });
+
+}  // namespace
+}  // namespace seamount::recipe
