@@ -137,7 +137,11 @@ class EdgeGrid {
   std::vector<size_t> members_;
 };
 
-std::string place(Vec2 p) { return "(" + format_number(p.x) + ", " + format_number(p.y) + ")"; }
+/// To the millimetre: what lies below it is rounding.
+std::string place(Vec2 p) {
+  const auto metres = [](double v) { return format_number(std::round(v * 1000.0) / 1000.0 + 0.0); };
+  return "(" + metres(p.x) + ", " + metres(p.y) + ")";
+}
 
 std::string ring_name(size_t ring) {
   return ring == 0 ? std::string("outer ring") : "hole " + std::to_string(ring - 1);

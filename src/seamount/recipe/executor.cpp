@@ -93,10 +93,12 @@ class StepRunner {
   }
 
   void run_all() {
-    tbb::task_group group;
+    std::vector<size_t> ready;  // found before the first one runs: from then on, steps start those that follow
     for (size_t i = 0; i < states_.size(); ++i) {
-      if (states_[i].needed && states_[i].waiting_for == 0) group.run([this, i, &group] { run_step(i, group); });
+      if (states_[i].needed && states_[i].waiting_for == 0) ready.push_back(i);
     }
+    tbb::task_group group;
+    for (const size_t i : ready) group.run([this, i, &group] { run_step(i, group); });
     group.wait();
     if (failure_) std::rethrow_exception(failure_);
   }

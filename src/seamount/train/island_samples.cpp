@@ -29,7 +29,8 @@ std::vector<PolarOutline> draw_outlines(double width_m, Rng& rng, Seed seed) {
   const std::array<double, 5> radii = {coast - beach, coast, coast + width_m * rng.uniform(0.015, 0.07), 0, 0};
   const double reef = radii[2] + width_m * rng.uniform(0.02, 0.06);
   const std::array<double, 5> mean = {radii[0], radii[1], radii[2], reef, reef + width_m * rng.uniform(0.05, 0.14)};
-  const double shared = coast * rng.uniform(0.05, 0.5);
+  const double shared = coast * rng.uniform(0.1, 0.8);
+  const double elongation = coast * rng.uniform(0.0, 0.3), bearing = rng.uniform(0.0, 2 * kPi);
   const double own = rng.uniform(0.1, 0.7);
   const double frequency = rng.uniform(1.5, 4.0);
   std::vector<PolarOutline> outlines(5);
@@ -38,8 +39,10 @@ std::vector<PolarOutline> draw_outlines(double width_m, Rng& rng, Seed seed) {
     double inner = 0;
     for (size_t i = 0; i < 5; ++i) {
       const double width = mean[i] - (i == 0 ? 0 : mean[i - 1]);
+      const double common = shared * geom::fbm_circle(seed.derive("outline.shared"), angle, frequency, 5) +
+                            elongation * std::cos(2 * angle - bearing);
       const double noise =
-          shared * geom::fbm_circle(seed.derive("outline.shared"), angle, frequency, 5) * (i == 4 ? 0.4 : 1.0) +
+          common * (i == 4 ? 0.6 : 1.0) +
           own * std::min(width, 0.3 * coast) * geom::fbm_circle(seed.derive("outline", i), angle, 2 * frequency, 4);
       const double gap = 0.35 * width;
       inner = std::max(mean[i] + noise, inner + std::max(gap, 1e-3 * width_m));
@@ -81,6 +84,10 @@ IslandDraw draw_island(const IslandSetParams& params, uint64_t index, Seed seed)
   for (const auto& [x, share] : {std::pair{4.3, 0.45}, {4.65, 0.85}, {5.0, 1.0}})
     profile.knots.push_back({x, std::min(share * floor, profile.knots.back().y - 1)});
   island.profile = times_noise(profile, 0.25, params.low_m, params.high_m, own.derive("profile"));
+  // The sea floor beyond the last outline is the lowest place: what lies around an island joins it without a step.
+  for (size_t i = 41; i < island.profile.knots.size(); ++i) {
+    island.profile.knots[i].y = std::min(island.profile.knots[i].y, island.profile.knots[i - 1].y);
+  }
   island.resistance = times_noise(island::WindParams().resistance, 0.5, 0.0, 1.0, own.derive("resistance"));
   island.strokes = draw_strokes(params.width_m, rng);
   if (rng.chance(0.7)) {
@@ -150,7 +157,7 @@ Curve times_noise(const Curve& curve, double amplitude, double low, double high,
   Curve out;
   for (int i = 0; i <= 50; ++i) {
     const double x = 0.1 * i;
-    const double y = base(x) * (1.0 + amplitude * geom::fbm1(seed, 1.3 * x, 4));
+    const double y = base(x) * (1.0 + amplitude * geom::fbm1(seed, 1.3 * x, 2));
     out.knots.push_back({x, std::round(std::clamp(y, low, high) * 1000) / 1000});
   }
   return out;

@@ -101,7 +101,8 @@ struct IslandPair {
 };
 
 /// A profile or resistance times noise around 1 (eq. 1.17, 1.18): f(x) (1 + amplitude eta(x)), clamped to [low, high],
-/// at every tenth of a region; values rounded to thousandths.
+/// at every tenth of a region; values rounded to thousandths. eta is broad (two octaves): finer noise would ring the
+/// island with terraces.
 Curve times_noise(const Curve& curve, double amplitude, double low, double high, Seed seed);
 
 /// Draws everything for sample `index` of a set. Throws InvalidArgument for params out of range.

@@ -37,7 +37,7 @@ TEST(TimesNoise, IsEquations1_17And1_18) {
   const Curve noisy = times_noise(profile, 0.25, -600, 950, Seed{4});
   ASSERT_EQ(noisy.knots.size(), 51U);
   for (const Knot& knot : noisy.knots) {
-    const double expected = base(knot.x) * (1.0 + 0.25 * geom::fbm1(Seed{4}, 1.3 * knot.x, 4));
+    const double expected = base(knot.x) * (1.0 + 0.25 * geom::fbm1(Seed{4}, 1.3 * knot.x, 2));
     EXPECT_NEAR(knot.y, std::clamp(expected, -600.0, 950.0), 0.0006) << knot.x;
   }
 }

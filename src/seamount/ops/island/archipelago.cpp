@@ -54,12 +54,11 @@ SEAMOUNT_VECTORISED void along_line(float start, float step, int count, float* _
 /// How a member joins the common sea floor.
 struct Joining {
   float last_column, last_row, margin;  ///< of its own frame, in cells
-  float stretch;  ///< of depths below kShallow_m, so that its sea floor comes to lie on the common one
-  float floor;    ///< the common floor before scaling
+  float shallow;                        ///< depth down to which it stays as it is: reefs and lagoons
+  float stretch;                        ///< of what lies deeper, so that its sea floor comes to lie on the common one
+  float floor;                          ///< the common floor before scaling
   float scale;
 };
-
-constexpr float kShallow_m = -150.0F;  // reefs and lagoons keep their depths
 
 /// Brings a member's heights to the common floor and scales them. What is under water fades to the floor along the
 /// frame's edge, so that no edge shows on the sea floor.
@@ -70,7 +69,7 @@ SEAMOUNT_VECTORISED void settle(const float* __restrict columns, const float* __
     const float along = rows[i] < join.last_row - rows[i] ? rows[i] : join.last_row - rows[i];
     const float share = geom::smoothstep((across < along ? across : along) / join.margin);
     const float z = heights[i];
-    const float deep = z < kShallow_m ? kShallow_m + (z - kShallow_m) * join.stretch : z;
+    const float deep = z < join.shallow ? join.shallow + (z - join.shallow) * join.stretch : z;
     heights[i] = join.scale * (z < 0.0F ? join.floor + share * (deep - join.floor) : z);
   }
 }
@@ -99,12 +98,12 @@ struct MemberRow {
     geom::sample_bicubic_rows(*p.member.terrain, {&columns[from], count}, {&rows[from], count},
                               {&heights[from], count});
     const float own_floor = floor / static_cast<float>(p.scale);
+    const float shallow = std::max(-150.0F, 0.5F * p.lowest);
     const Joining join{static_cast<float>(own.width - 1),
                        static_cast<float>(own.height - 1),
                        0.08F * static_cast<float>(std::min(own.width, own.height)),
-                       p.lowest < 2.0F * kShallow_m && own_floor < p.lowest
-                           ? (own_floor - kShallow_m) / (p.lowest - kShallow_m)
-                           : 1.0F,
+                       shallow,
+                       p.lowest < 0.0F ? (own_floor - shallow) / (p.lowest - shallow) : 1.0F,
                        own_floor,
                        static_cast<float>(p.scale)};
     settle(&columns[from], &rows[from], join, last - first, &heights[from]);

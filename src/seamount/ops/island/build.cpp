@@ -27,12 +27,15 @@ struct Making {
   Seed seed;
 };
 
-/// Noise fades out where the height is 0, so the coast stays where it is.
-SEAMOUNT_VECTORISED void add_noise(const float* __restrict noise, float noise_m, float* __restrict height, int count) {
+/// Noise fades out where the height is 0, so the coast stays where it is, and towards the sea floor, which is flat.
+SEAMOUNT_VECTORISED void add_noise(const float* __restrict noise, const float* __restrict coordinate, float noise_m,
+                                   float* __restrict height, int count) {
   for (int i = 0; i < count; ++i) {
     const float z = height[i];
     const float share = (z < 0 ? -z : z) * (1.0F / 12.0F);
-    height[i] = z + noise_m * noise[i] * (share < 1.0F ? share : 1.0F);
+    const float above_floor = 2.0F * (5.0F - coordinate[i]);
+    const float fade = share < above_floor ? share : above_floor;
+    height[i] = z + noise_m * noise[i] * (fade < 1.0F ? fade : 1.0F);
   }
 }
 
@@ -219,7 +222,8 @@ Island build(const Plan& plan, const BuildParams& params, const GridFrame& frame
     std::vector<float> noise(static_cast<size_t>(frame.width));
     for (int y = begin; y < end; ++y) {
       geom::fbm_row(seed.derive("island.noise"), making.noise, frame.x(0), frame.cell_m, frame.y(y), noise);
-      add_noise(noise.data(), making.noise_m, island.terrain.row(y).data(), frame.width);
+      add_noise(noise.data(), island.coordinate.row(y).data(), making.noise_m, island.terrain.row(y).data(),
+                frame.width);
       label_row(island.coordinate.row(y).data(), reinterpret_cast<uint8_t*>(island.labels.row(y).data()), frame.width);
     }
   });

@@ -134,6 +134,20 @@ TEST(Outlines, LeadBackToTheSameIsland) {
   EXPECT_GT(same, static_cast<int>(0.985 * static_cast<double>(isle.labels.size())));
 }
 
+TEST(Outlines, OfRegionsNarrowerThanACellStillLeadBack) {
+  // A beach of 30 m on cells of 160 m: the traced outlines of mountain and beach touch each other.
+  const GridFrame frame = GridFrame::centred(64, 64, 160);
+  const Plan plan = plan_from_polar({{{2400}}}, {}, {.beach_m = 30, .lagoon_m = 60, .reef_m = 700, .slope_m = 1200});
+  const Island isle = build(plan, plain(), frame, Seed{1}, {});
+  const Drawing drawn = outlines(isle.labels, {}, {});
+  const Island again = build(plan_from_areas(drawn, {}, "outlines"), plain(), frame, Seed{1}, {});
+  int same = 0;
+  for (size_t c = 0; c < isle.labels.size(); ++c) {
+    same += isle.labels.cells()[c] == again.labels.cells()[c] ? 1 : 0;
+  }
+  EXPECT_GT(same, static_cast<int>(0.95 * static_cast<double>(isle.labels.size())));
+}
+
 TEST(Archipelago, BlendsHeightsAndKeepsTheHigherLabel) {
   EXPECT_EQ(prior_label(Region::mountain, Region::beach), Region::mountain);
   EXPECT_EQ(prior_label(Region::abyss, Region::reef), Region::reef);
