@@ -93,7 +93,9 @@ class Reader {
   bool interlaced_ = false;
 };
 
-std::vector<uint8_t> encode(const uint8_t* samples, size_t row_bytes, int width, int height, int channels, int bits) {
+/// row(y) points to the samples of a row; it is asked for each once, in order.
+template <class Row>
+std::vector<uint8_t> encode(Row row, int width, int height, int channels, int bits) {
   std::vector<uint8_t> file;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_error, on_warning);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
@@ -112,7 +114,7 @@ std::vector<uint8_t> encode(const uint8_t* samples, size_t row_bytes, int width,
     png_set_filter(png, 0, bits == 16 ? PNG_FILTER_SUB : PNG_FILTER_SUB | PNG_FILTER_UP);
     png_write_info(png, info);
     if (bits == 16) png_set_swap(png);
-    for (int y = 0; y < height; ++y) png_write_row(png, samples + static_cast<size_t>(y) * row_bytes);
+    for (int y = 0; y < height; ++y) png_write_row(png, row(y));
     png_write_end(png, nullptr);
   } catch (...) {
     png_destroy_write_struct(&png, &info);
@@ -153,11 +155,25 @@ PngSamples decode_png_samples(std::span<const uint8_t> file, const std::string& 
 }
 
 std::vector<uint8_t> encode_png8(std::span<const uint8_t> samples, int width, int height, int channels) {
-  return encode(samples.data(), static_cast<size_t>(width) * static_cast<size_t>(channels), width, height, channels, 8);
+  const size_t row_bytes = static_cast<size_t>(width) * static_cast<size_t>(channels);
+  return encode([&](int y) { return samples.data() + static_cast<size_t>(y) * row_bytes; }, width, height, channels, 8);
 }
 
 std::vector<uint8_t> encode_png16(std::span<const uint16_t> samples, int width, int height) {
-  return encode(reinterpret_cast<const uint8_t*>(samples.data()), static_cast<size_t>(width) * 2, width, height, 1, 16);
+  const auto row = [&](int y) {
+    return reinterpret_cast<const uint8_t*>(samples.data() + static_cast<size_t>(y) * static_cast<size_t>(width));
+  };
+  return encode(row, width, height, 1, 16);
+}
+
+std::vector<uint8_t> encode_png_rows(int width, int height, int channels,
+                                     const std::function<void(int y, std::span<uint8_t> row)>& fill) {
+  std::vector<uint8_t> line(static_cast<size_t>(width) * static_cast<size_t>(channels));
+  const auto row = [&](int y) {
+    fill(y, line);
+    return line.data();
+  };
+  return encode(row, width, height, channels, 8);
 }
 
 }  // namespace seamount::io

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,10 @@ PngSamples png_header(std::span<const uint8_t> file, const std::string& name);
 
 std::vector<uint8_t> encode_png8(std::span<const uint8_t> samples, int width, int height, int channels);
 std::vector<uint8_t> encode_png16(std::span<const uint16_t> samples, int width, int height);
+
+/// 8 bits a channel, rows made one at a time: for pictures that need not be in memory.
+std::vector<uint8_t> encode_png_rows(int width, int height, int channels,
+                                     const std::function<void(int y, std::span<uint8_t> row)>& fill);
 
 bool is_png(std::span<const uint8_t> file);
 

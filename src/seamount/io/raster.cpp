@@ -3,6 +3,7 @@
 #include <gdal_alg.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -182,6 +183,21 @@ void write(const Grid<float>& grid, const std::string& path, const WriteOptions&
   finish_sidecar(sidecar, path, options);
 }
 
+/// encode_labels() row by row: the picture of a large map is never in memory.
+std::vector<uint8_t> encode_label_rows(const LabelMap& labels) {
+  std::array<Colour, kRegionCount> colours;
+  for (const Region region : kRegions) colours[static_cast<size_t>(region)] = region_colour(region);
+  return encode_png_rows(labels.width(), labels.height(), 3, [&](int y, std::span<uint8_t> row) {
+    for (int x = 0; x < labels.width(); ++x) {
+      const Colour colour = colours[static_cast<size_t>(labels(x, y))];
+      const auto i = 3 * static_cast<size_t>(x);
+      row[i] = colour.r;
+      row[i + 1] = colour.g;
+      row[i + 2] = colour.b;
+    }
+  });
+}
+
 }  // namespace
 
 const std::vector<std::string>& readable_raster_extensions() {
@@ -287,7 +303,7 @@ void write_labels(const LabelMap& labels, const std::string& path, const WriteOp
   if (labels.empty()) throw InvalidArgument("labels", "there are no cells");
   const std::string extension = extension_of(path);
   if (extension == ".png") {
-    write_png(encode_labels(labels), path);
+    write_bytes(path, encode_label_rows(labels));
     Sidecar sidecar;
     sidecar.frame = labels.frame();
     sidecar.max_m = kRegionCount - 1;
