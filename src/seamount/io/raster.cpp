@@ -124,7 +124,7 @@ void treat_voids(Grid<float>& grid, const std::string& name, Voids voids) {
   if (voids == Voids::refuse)
     throw IoError(name, std::to_string(count) + " of " + all + " cells have no value, the first is (column " +
                             std::to_string(first % grid.width()) + ", row " + std::to_string(first / grid.width()) +
-                            "); ask for voids to be filled");
+                            "); terrain.import and convert fill voids");
   fill_voids(grid, name);
 }
 

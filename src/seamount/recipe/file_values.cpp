@@ -29,7 +29,7 @@ Value read_value_file(const std::string& path, ValueKind kind, const GridFrame& 
   run.check_cancelled();
   switch (kind) {
     case ValueKind::terrain:
-      return Value::terrain(io::read_heights(path, {.voids = io::Voids::fill}));
+      return Value::terrain(io::read_heights(path));
     case ValueKind::field:
       return Value::field(io::read_field(path));
     case ValueKind::labels:

@@ -73,7 +73,7 @@ IslandDraw draw_island(const IslandSetParams& params, uint64_t index, Seed seed)
   IslandDraw island;
   island.index = static_cast<double>(index);
   island.outlines = draw_outlines(params.width_m, rng, own);
-  const double peak = rng.uniform(0.25, 0.85) * params.high_m;
+  const double peak = rng.uniform(0.2, 0.5) * params.high_m;
   const double floor = rng.uniform(0.35, 0.85) * params.low_m;
   const double bow = rng.uniform(0.7, 1.5);
   Curve profile;

@@ -102,6 +102,17 @@ TEST(MakeIslandPair, SeveralIslandsOverlapByATenthAtMost) {
   EXPECT_GT(with_several, 8);
 }
 
+TEST(MakeIslandPair, HeightsFitTheRangeOfTheImagesUncut) {
+  for (uint64_t index = 0; index < 60; ++index) {
+    IslandSample sample = draw_island_sample(small(), index, Seed{8});
+    const IslandPair pair = make_island_pair(small(), sample, Seed{8}, {});
+    for (const float z : pair.terrain.cells()) {
+      ASSERT_TRUE(z > static_cast<float>(small().low_m) && z < static_cast<float>(small().high_m))
+          << index << ": " << z;
+    }
+  }
+}
+
 TEST(MakeIslandPair, WrappingMovesCellsAndLosesNone) {
   IslandSample sample = draw_island_sample(small(), 3, Seed{7});
   sample.augmentation.shift_x = 0;

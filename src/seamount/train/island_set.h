@@ -32,7 +32,8 @@ struct IslandSetReport {
 /// another seed, IoError if it cannot be written, Cancelled (what is finished stays). Parallel over samples.
 IslandSetReport make_island_set(const IslandSetParams& params, const IslandSetOptions& options, const RunContext& run);
 
-/// Makes the files of one sample alone, in the set's folder or any other.
+/// Makes the files of one sample alone, in the set's folder or any other. Heights beyond [low_m, high_m], which samples
+/// of a set do not reach, are cut there. Throws IoError, Cancelled.
 void make_island_files(const IslandSetParams& params, IslandSample& sample, Seed seed, const std::string& folder,
                        const RunContext& run);
 

@@ -49,9 +49,10 @@ struct Archipelago {
 /// The label that wins where islands overlap.
 Region prior_label(Region a, Region b);
 
-/// Blends islands on a frame. Beyond a member's own frame lies its lowest height. Throws InvalidArgument for params out
-/// of range or a number of places that fits neither one island nor all of them. Parallel; about 50 ns per cell and
-/// member.
+/// Blends islands on a frame. All come to lie on one sea floor, the lowest of theirs: what a member has below 150 m or
+/// half its depth is stretched down to it, reefs and lagoons keep their depths, and what is under water fades to the
+/// floor along the member's own edge. Throws InvalidArgument for params out of range or a number of places that fits
+/// neither one island nor all of them. Parallel; about 15 ns of CPU time per cell and member.
 Archipelago archipelago(const std::vector<Member>& members, const ArchipelagoParams& params, const GridFrame& frame,
                         const RunContext& run);
 

@@ -21,7 +21,7 @@ class RegionCoordinate {
  public:
   /// `smoothing` in [0, 1]: how much creases of distance fields are softened; 0 gives plain distances. For areas,
   /// fields are computed on a lattice of at most 1024 nodes a side, whatever the frame's size, so that a preview shows
-  /// the same island. Time: about one millisecond per 50 000 lattice nodes.
+  /// the same island. About 80 ns of CPU time per node.
   RegionCoordinate(const Plan& plan, const GridFrame& frame, double smoothing, const RunContext& run);
 
   /// out[i] = x~ at (x0 + i dx, y). `shift_m` (empty: none) is added to the distance from the coast: its irregular

@@ -27,6 +27,11 @@ Port optional_port(Port port, const std::string& help) {
   return port;
 }
 
+Port described(Port port, const std::string& help) {
+  port.help = help;
+  return port;
+}
+
 bool is_picture(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   return extension == ".png" || extension == ".PNG" || extension == ".jpg" || extension == ".jpeg";
@@ -138,7 +143,8 @@ void add_island_operators(Registry& registry) {
        .in = {kTerrainIn, optional_port(kLabelsIn, "regions, which move along"),
               optional_port(kCoordinateOut,
                             "region coordinate, as island.build makes it; derived from the labels if absent")},
-       .out = {kTerrainOut, kLabelsOut, kCoordinateOut}},
+       .out = {kTerrainOut, described(kLabelsOut, "its regions; all mountain if no labels were given"),
+               described(kCoordinateOut, "region coordinate; 0 everywhere if neither it nor labels were given")}},
       wind);
   registry.add<island::CoralParams>(
       {.name = "island.coral",
@@ -150,12 +156,13 @@ void add_island_operators(Registry& registry) {
                             "region coordinate, as island.build makes it; derived from the labels if absent")},
        .out = {kTerrainOut, kLabelsOut}},
       coral);
-  registry.add<island::ArchipelagoParams>({.name = "island.archipelago",
-                                           .summary = "Several islands, or copies of one, in one sea",
-                                           .source = "P0 sec. 1.5.1, eq. 1.15",
-                                           .in = archipelago_ports(),
-                                           .out = {kTerrainOut, kLabelsOut}},
-                                          archipelago);
+  registry.add<island::ArchipelagoParams>(
+      {.name = "island.archipelago",
+       .summary = "Several islands, or copies of one, in one sea",
+       .source = "P0 sec. 1.5.1, eq. 1.15",
+       .in = archipelago_ports(),
+       .out = {kTerrainOut, described(kLabelsOut, "its regions; all abyss unless every island has labels")}},
+      archipelago);
   registry.add<island::OutlinesParams>(
       {.name = "island.outlines",
        .summary = "Traces the outlines of a label map, as island.build reads them",
