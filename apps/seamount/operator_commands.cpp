@@ -48,6 +48,10 @@ std::string file_for(const recipe::Port& port) {
       return port.name + ".tif";
     case recipe::ValueKind::drawing:
       return port.name + ".geojson";
+    case recipe::ValueKind::contours:
+      return port.name + ".gpkg";
+    case recipe::ValueKind::tin:
+      return port.name + ".ply";
     default:
       return port.name + ".png";
   }

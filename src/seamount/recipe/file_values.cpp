@@ -40,6 +40,9 @@ Value read_value_file(const std::string& path, ValueKind kind, const GridFrame& 
       return Value::image(io::read_image(path));
     case ValueKind::drawing:
       return Value::drawing(io::read_drawing(path));
+    case ValueKind::tin:
+    case ValueKind::contours:
+      throw IoError(path, "networks and contours are not read from files yet");
   }
   throw Error("unknown kind of value");
 }

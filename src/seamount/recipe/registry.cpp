@@ -40,6 +40,8 @@ const Registry& operators() {
     Registry all;
     add_terrain_operators(all);
     add_island_operators(all);
+    add_contour_operators(all);
+    add_reef_operators(all);
     add_render_operators(all);
     return all;
   }();

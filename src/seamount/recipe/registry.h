@@ -38,6 +38,10 @@ struct Call {
     const Value* value = input(port);
     return value == nullptr ? nullptr : &value->regions();
   }
+  const Drawing* shapes(std::string_view port) const {
+    const Value* value = input(port);
+    return value == nullptr ? nullptr : &value->shapes();
+  }
   const ScalarField* scalars(std::string_view port) const {
     const Value* value = input(port);
     return value == nullptr ? nullptr : &value->scalars();
@@ -96,6 +100,8 @@ const Registry& operators();
 // One function per family, each in operators/<family>.cpp.
 void add_terrain_operators(Registry& registry);
 void add_island_operators(Registry& registry);
+void add_contour_operators(Registry& registry);
+void add_reef_operators(Registry& registry);
 void add_render_operators(Registry& registry);
 
 }  // namespace seamount::recipe

@@ -7,6 +7,8 @@ std::string_view kind_name(ValueKind kind) { return Choices<ValueKind>::names[st
 const GridFrame* Value::frame() const {
   if (const auto* grid = std::get_if<std::shared_ptr<const Grid<float>>>(&data_)) return &(*grid)->frame();
   if (const auto* grid = std::get_if<std::shared_ptr<const LabelMap>>(&data_)) return &(*grid)->frame();
+  if (const auto* network = std::get_if<std::shared_ptr<const Tin>>(&data_)) return &(*network)->frame;
+  if (const auto* set = std::get_if<std::shared_ptr<const ContourSet>>(&data_)) return &(*set)->frame;
   return nullptr;
 }
 
@@ -28,6 +30,16 @@ size_t Value::bytes() const {
         }
       }
       for (const ValuedLine& line : shapes().lines) points += line.points.size();
+      return points * sizeof(Vec2);
+    }
+    case ValueKind::tin: {
+      const Tin& tin = network();
+      return tin.nodes.size() * sizeof(Vec2) + tin.triangles.size() * sizeof(tin.triangles[0]) +
+             (tin.region.size() + tin.rank.size() + tin.height_m.size()) * sizeof(float);
+    }
+    case ValueKind::contours: {
+      size_t points = 0;
+      for (const Contour& contour : contour_set().contours) points += contour.ring.size();
       return points * sizeof(Vec2);
     }
   }

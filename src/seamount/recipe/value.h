@@ -9,15 +9,17 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/model/areas.h"
+#include "seamount/model/contour_set.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
+#include "seamount/model/tin.h"
 
 namespace seamount::recipe {
 
-/// terrain: heights in metres; labels: regions; field: any other scalar per cell; image: a picture; drawing: areas,
-/// lines.
-enum class ValueKind { terrain, labels, field, image, drawing };
+/// terrain: heights in metres; labels: regions; field: any other scalar per cell; image: a picture; drawing: areas and
+/// lines; tin: a triangulated network; contours: nested closed contours.
+enum class ValueKind { terrain, labels, field, image, drawing, tin, contours };
 
 /// A value and its kind. terrain and field are both rasters of float and differ in what they may be connected to.
 class Value {
@@ -34,6 +36,10 @@ class Value {
   static Value drawing(Drawing shapes) {
     return {ValueKind::drawing, std::make_shared<const Drawing>(std::move(shapes))};
   }
+  static Value tin(Tin network) { return {ValueKind::tin, std::make_shared<const Tin>(std::move(network))}; }
+  static Value contours(ContourSet set) {
+    return {ValueKind::contours, std::make_shared<const ContourSet>(std::move(set))};
+  }
 
   ValueKind kind() const { return kind_; }
   /// REQUIRES: kind() holds that type.
@@ -42,15 +48,18 @@ class Value {
   const LabelMap& regions() const { return get<LabelMap>(); }
   const Image& picture() const { return get<Image>(); }
   const Drawing& shapes() const { return get<Drawing>(); }
+  const Tin& network() const { return get<Tin>(); }
+  const ContourSet& contour_set() const { return get<ContourSet>(); }
 
-  /// Where a raster lies; nullptr for pictures and drawings.
+  /// Where the value lies; nullptr for pictures and drawings.
   const GridFrame* frame() const;
   /// Bytes of the payload.
   size_t bytes() const;
 
  private:
-  using Data = std::variant<std::shared_ptr<const Grid<float>>, std::shared_ptr<const LabelMap>,
-                            std::shared_ptr<const Image>, std::shared_ptr<const Drawing>>;
+  using Data =
+      std::variant<std::shared_ptr<const Grid<float>>, std::shared_ptr<const LabelMap>, std::shared_ptr<const Image>,
+                   std::shared_ptr<const Drawing>, std::shared_ptr<const Tin>, std::shared_ptr<const ContourSet>>;
   Value(ValueKind kind, Data data) : kind_(kind), data_(std::move(data)) {}
   template <class T>
   const T& get() const {
@@ -69,5 +78,6 @@ std::string_view kind_name(ValueKind kind);
 
 template <>
 struct seamount::Choices<seamount::recipe::ValueKind> {
-  static constexpr std::array<std::string_view, 5> names = {"terrain", "labels", "field", "image", "drawing"};
+  static constexpr std::array<std::string_view, 7> names = {"terrain", "labels", "field",   "image",
+                                                            "drawing", "tin",    "contours"};
 };

@@ -1,5 +1,6 @@
 #include "seamount/recipe/value_bytes.h"
 
+#include <array>
 #include <cstring>
 #include <istream>
 #include <ostream>
@@ -94,20 +95,16 @@ class Reader {
   uint64_t left_ = 0;
 };
 
-template <class T>
-void write_grid(Writer& writer, const Grid<T>& grid) {
-  const GridFrame& frame = grid.frame();
+void write_frame(Writer& writer, const GridFrame& frame) {
   writer.plain(frame.width);
   writer.plain(frame.height);
   writer.plain(frame.cell_m);
   writer.plain(frame.west_m);
   writer.plain(frame.north_m);
   writer.text(frame.crs);
-  writer.raw(grid.data(), grid.size() * sizeof(T));
 }
 
-template <class T>
-Grid<T> read_grid(Reader& reader) {
+GridFrame read_frame(Reader& reader) {
   GridFrame frame;
   frame.width = reader.plain<int>();
   frame.height = reader.plain<int>();
@@ -115,6 +112,18 @@ Grid<T> read_grid(Reader& reader) {
   frame.west_m = reader.plain<double>();
   frame.north_m = reader.plain<double>();
   frame.crs = reader.text();
+  return frame;
+}
+
+template <class T>
+void write_grid(Writer& writer, const Grid<T>& grid) {
+  write_frame(writer, grid.frame());
+  writer.raw(grid.data(), grid.size() * sizeof(T));
+}
+
+template <class T>
+Grid<T> read_grid(Reader& reader) {
+  const GridFrame frame = read_frame(reader);
   if (frame.width < 0 || frame.height < 0 || static_cast<uint64_t>(frame.cells()) * sizeof(T) > reader.left())
     throw Damaged();
   Grid<T> grid(frame);
@@ -164,6 +173,65 @@ Drawing read_drawing(Reader& reader) {
   return drawing;
 }
 
+void write_tin(Writer& writer, const Tin& tin) {
+  write_frame(writer, tin.frame);
+  writer.list(tin.nodes);
+  writer.list(tin.triangles);
+  writer.plain(static_cast<uint64_t>(tin.regions.size()));
+  for (const TinRegion& region : tin.regions) {
+    writer.text(region.name);
+    writer.plain(region.parent);
+    writer.plain(static_cast<uint8_t>(region.height_m.has_value()));
+    writer.plain(region.height_m.value_or(0.0));
+    writer.plain(static_cast<uint8_t>(region.basin));
+  }
+  writer.list(tin.region);
+  writer.list(tin.rank);
+  writer.list(tin.height_m);
+}
+
+Tin read_tin(Reader& reader) {
+  Tin tin;
+  tin.frame = read_frame(reader);
+  tin.nodes = reader.list<Vec2>();
+  tin.triangles = reader.list<std::array<int32_t, 3>>();
+  tin.regions.resize(reader.count(8));
+  for (TinRegion& region : tin.regions) {
+    region.name = reader.text();
+    region.parent = reader.plain<int>();
+    const bool has_height = reader.plain<uint8_t>() != 0;
+    const auto height = reader.plain<double>();
+    if (has_height) region.height_m = height;
+    region.basin = reader.plain<uint8_t>() != 0;
+  }
+  tin.region = reader.list<int32_t>();
+  tin.rank = reader.list<float>();
+  tin.height_m = reader.list<float>();
+  return tin;
+}
+
+void write_contours(Writer& writer, const ContourSet& set) {
+  write_frame(writer, set.frame);
+  writer.plain(static_cast<uint64_t>(set.contours.size()));
+  for (const Contour& contour : set.contours) {
+    writer.plain(contour.height_m);
+    writer.list(contour.ring);
+    writer.plain(contour.parent);
+  }
+}
+
+ContourSet read_contours(Reader& reader) {
+  ContourSet set;
+  set.frame = read_frame(reader);
+  set.contours.resize(reader.count(8));
+  for (Contour& contour : set.contours) {
+    contour.height_m = reader.plain<double>();
+    contour.ring = reader.list<Vec2>();
+    contour.parent = reader.plain<int>();
+  }
+  return set;
+}
+
 void write_value(Writer& writer, const Value& value) {
   writer.plain(static_cast<uint8_t>(value.kind()));
   switch (value.kind()) {
@@ -178,6 +246,10 @@ void write_value(Writer& writer, const Value& value) {
       return writer.list(value.picture().rgb);
     case ValueKind::drawing:
       return write_drawing(writer, value.shapes());
+    case ValueKind::tin:
+      return write_tin(writer, value.network());
+    case ValueKind::contours:
+      return write_contours(writer, value.contour_set());
   }
 }
 
@@ -198,6 +270,10 @@ Value read_value(Reader& reader) {
     }
     case ValueKind::drawing:
       return Value::drawing(read_drawing(reader));
+    case ValueKind::tin:
+      return Value::tin(read_tin(reader));
+    case ValueKind::contours:
+      return Value::contours(read_contours(reader));
   }
   throw Damaged();
 }
