@@ -42,6 +42,10 @@ const Registry& operators() {
     add_island_operators(all);
     add_contour_operators(all);
     add_reef_operators(all);
+    add_hydrology_operators(all);
+    add_erosion_operators(all);
+    add_sketch_operators(all);
+    add_classify_operators(all);
     add_render_operators(all);
     return all;
   }();

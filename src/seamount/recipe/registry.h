@@ -102,6 +102,10 @@ void add_terrain_operators(Registry& registry);
 void add_island_operators(Registry& registry);
 void add_contour_operators(Registry& registry);
 void add_reef_operators(Registry& registry);
+void add_hydrology_operators(Registry& registry);
+void add_erosion_operators(Registry& registry);
+void add_sketch_operators(Registry& registry);
+void add_classify_operators(Registry& registry);
 void add_render_operators(Registry& registry);
 
 }  // namespace seamount::recipe
