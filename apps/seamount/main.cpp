@@ -8,6 +8,7 @@
 #include <new>
 
 #include "app.h"
+#include "seamount/base/large_block.h"
 #include "seamount/base/text.h"
 #include "seamount/base/version.h"
 #include "seamount/recipe/registry.h"
@@ -83,6 +84,7 @@ int run_program(int argc, char** argv) {
 }  // namespace seamount::app
 
 int main(int argc, char** argv) {
+  seamount::keep_freed_memory();
   using namespace seamount;
   // The first signal asks the work to stop and interrupts a read that waits for a pipe; the second one ends the
   // program.

@@ -16,13 +16,13 @@ void check_knots(const Curve& curve, std::string_view name) {
   if (curve.knots.empty()) throw InvalidArgument(field, "has no knot; give at least one");
   for (size_t i = 0; i < curve.knots.size(); ++i) {
     const Knot& knot = curve.knots[i];
+    const bool finite = std::isfinite(knot.x) && std::isfinite(knot.y);
+    if (finite && (i == 0 || knot.x > curve.knots[i - 1].x)) continue;
     const std::string label =
         "knot " + std::to_string(i) + " (" + format_number(knot.x) + ", " + format_number(knot.y) + ")";
-    if (!std::isfinite(knot.x) || !std::isfinite(knot.y)) throw InvalidArgument(field, label + " is not finite");
-    if (i > 0 && knot.x <= curve.knots[i - 1].x) {
-      throw InvalidArgument(field, label + " does not lie right of the knot before it at x = " +
-                                       format_number(curve.knots[i - 1].x) + "; x must ascend");
-    }
+    if (!finite) throw InvalidArgument(field, label + " is not finite");
+    throw InvalidArgument(field, label + " does not lie right of the knot before it at x = " +
+                                     format_number(curve.knots[i - 1].x) + "; x must ascend");
   }
 }
 

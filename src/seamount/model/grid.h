@@ -9,11 +9,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "seamount/base/large_block.h"
 
 namespace seamount {
 
@@ -46,7 +50,8 @@ struct GridFrame {
 };
 
 namespace detail {
-/// Leaves new elements uninitialised, so that the threads that compute a large grid also touch its pages first.
+/// Large blocks (base/large_block.h) whose elements stay uninitialised, so that the threads that compute a grid also
+/// touch its pages first.
 template <class T>
 struct UninitialisedAllocator : std::allocator<T> {
   template <class U>
@@ -54,6 +59,11 @@ struct UninitialisedAllocator : std::allocator<T> {
     using other = UninitialisedAllocator<U>;
   };
   using std::allocator<T>::allocator;
+  T* allocate(size_t n) {
+    if (n > std::numeric_limits<size_t>::max() / sizeof(T)) throw std::bad_array_new_length();
+    return static_cast<T*>(allocate_block(n * sizeof(T)));
+  }
+  void deallocate(T* p, size_t n) noexcept { free_block(p, n * sizeof(T)); }
   template <class U>
   void construct(U* p) noexcept {
     ::new (static_cast<void*>(p)) U;

@@ -100,10 +100,16 @@ IslandDraw draw_island(const IslandSetParams& params, uint64_t index, Seed seed)
   return island;
 }
 
-IslandPair make_island(const IslandSetParams& params, const IslandDraw& draw, double subsidence, Seed seed,
-                       const RunContext& run) {
+/// An island that will be scaled down is made with as few cells as it is going to cover.
+GridFrame island_frame(const IslandSetParams& params, double scale) {
+  const int size = std::clamp(static_cast<int>(std::ceil(scale * params.size)), 1, params.size);
+  return GridFrame::centred(size, size, params.width_m / size);
+}
+
+IslandPair make_island(const IslandSetParams& params, const IslandDraw& draw, double subsidence, double scale,
+                       Seed seed, const RunContext& run) {
   const Seed own = seed.derive("train.island.noise", static_cast<uint64_t>(draw.index));
-  const GridFrame frame = sample_frame(params);
+  const GridFrame frame = island_frame(params, scale);
   const island::Plan plan = island::plan_from_polar(draw.outlines, {}, {});
   island::BuildParams build;
   build.profile = draw.profile;
@@ -195,8 +201,9 @@ IslandSample draw_island_sample(const IslandSetParams& params, uint64_t index, S
 IslandPair make_island_pair(const IslandSetParams& params, IslandSample& sample, Seed seed, const RunContext& run) {
   const GridFrame frame = sample_frame(params);
   std::vector<IslandPair> islands;
-  for (const IslandDraw& draw : sample.islands) {
-    islands.push_back(make_island(params, draw, sample.subsidence, seed, run));
+  for (size_t i = 0; i < sample.islands.size(); ++i) {
+    islands.push_back(
+        make_island(params, sample.islands[i], sample.subsidence, sample.augmentation.scales[i], seed, run));
     if (sample.augmentation.flip) {
       mirror(islands.back().terrain);
       mirror(islands.back().labels);
