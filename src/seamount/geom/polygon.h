@@ -48,6 +48,9 @@ std::optional<std::string> find_defect(const Polygon& polygon);
 /// A place where two rings cross or touch, if there is one. REQUIRES: finite coordinates. About n log n.
 std::optional<Vec2> find_crossing(const Ring& a, const Ring& b);
 
+/// "(1200, -35.25)": a place for a message, to the millimetre.
+std::string format_place(Vec2 p);
+
 /// 1 where a cell's centre lies inside any of the polygons (each by the even-odd rule), else 0. Linear in cells covered
 /// and edges.
 Grid<uint8_t> rasterise(const std::vector<Polygon>& polygons, const GridFrame& frame);

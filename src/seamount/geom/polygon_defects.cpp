@@ -9,12 +9,6 @@
 namespace seamount::geom {
 namespace {
 
-/// To the millimetre: what lies below it is rounding.
-std::string place(Vec2 p) {
-  const auto metres = [](double v) { return format_number(std::round(v * 1000.0) / 1000.0 + 0.0); };
-  return "(" + metres(p.x) + ", " + metres(p.y) + ")";
-}
-
 std::string ring_name(size_t ring) {
   return ring == 0 ? std::string("outer ring") : "hole " + std::to_string(ring - 1);
 }
@@ -24,7 +18,7 @@ std::optional<std::string> ring_defect(const Ring& ring, size_t number) {
   if (ring.size() < 3) return name + " has " + std::to_string(ring.size()) + " points; it needs at least 3";
   for (size_t i = 0; i < ring.size(); ++i) {
     if (!std::isfinite(ring[i].x) || !std::isfinite(ring[i].y)) {
-      return name + ": point " + std::to_string(i) + " " + place(ring[i]) + " is not finite";
+      return name + ": point " + std::to_string(i) + " " + format_place(ring[i]) + " is not finite";
     }
   }
   const Box box = bounding_box(ring);
@@ -39,6 +33,12 @@ std::string describe(const RingEdge& e) { return "edge " + std::to_string(e.inde
 
 }  // namespace
 
+std::string format_place(Vec2 p) {
+  // To the millimetre: what lies below it is rounding.
+  const auto metres = [](double v) { return format_number(std::round(v * 1000.0) / 1000.0 + 0.0); };
+  return "(" + metres(p.x) + ", " + metres(p.y) + ")";
+}
+
 std::optional<std::string> find_defect(const Polygon& polygon) {
   std::vector<RingEdge> edges;
   for (size_t r = 0; r <= polygon.holes.size(); ++r) {
@@ -49,7 +49,7 @@ std::optional<std::string> find_defect(const Polygon& polygon) {
   const EdgeGrid grid(edges);
   if (const auto meeting = grid.find_meeting([](const RingEdge&, const RingEdge&) { return true; })) {
     return describe(edges[meeting->first]) + " and " + describe(edges[meeting->second]) + " cross or touch at " +
-           place(meeting->at);
+           format_place(meeting->at);
   }
   for (size_t h = 0; h < polygon.holes.size(); ++h) {
     if (!contains(polygon.outer, polygon.holes[h][0]))

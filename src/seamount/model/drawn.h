@@ -2,6 +2,7 @@
 // north).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +68,24 @@ struct Stroke {
 struct PolarOutline {
   std::vector<double> radii_m;
   bool operator==(const PolarOutline&) const = default;
+};
+
+/// An area that contours grow in (P2 sec. 4.5), as its author draws it.
+struct RegionOutline {
+  std::string name;                ///< how messages call it; empty: its number
+  Ring ring;                       ///< simple, in either direction; a repeated first point at the end is let go
+  std::optional<double> height_m;  ///< of the outline; absent: what the distribution of heights gives
+  bool basin = false;              ///< its inside lies lower than its outline
+  bool operator==(const RegionOutline&) const = default;
+};
+
+/// A river as its author draws it (P2 sec. 6.6), from its source to its mouth.
+struct RiverLine {
+  Polyline points;              ///< at least two
+  std::vector<double> bed_m;    ///< bed elevation at every point, or at source and mouth; empty: follows from the land
+  double source_width_m = 0.0;  ///< of the flat valley floor, at the source, >= 0
+  double mouth_width_m = 0.0;   ///< and at the mouth, >= 0
+  bool operator==(const RiverLine&) const = default;
 };
 
 /// A file named in parameters; relative names are relative to the recipe.

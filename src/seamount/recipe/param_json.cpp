@@ -158,6 +158,42 @@ void read_json(const Json& json, Polygon& value, const ReadPlace& place) {
   if (json.contains("holes")) read_json(json["holes"], value.holes, place.at("holes"));
 }
 
+void read_json(const Json& json, RegionOutline& value, const ReadPlace& place) {
+  if (json.is_array()) return read_json(json, value.ring, place);
+  if (!json.is_object()) {
+    return place.expected(R"(a ring [[x, y], ...] or {"name", "ring", "height_m", "basin"})", json);
+  }
+  refuse_unknown_keys(json, {"name", "ring", "height_m", "basin"}, "member", place);
+  if (json.contains("name")) read_json(json["name"], value.name, place.at("name"));
+  if (json.contains("ring")) {
+    read_json(json["ring"], value.ring, place.at("ring"));
+  } else {
+    place.fail("a region needs \"ring\"");
+  }
+  if (json.contains("height_m")) read_json(json["height_m"], value.height_m, place.at("height_m"));
+  if (json.contains("basin")) read_json(json["basin"], value.basin, place.at("basin"));
+}
+
+void read_json(const Json& json, RiverLine& value, const ReadPlace& place) {
+  if (json.is_array()) return read_json(json, value.points, place);
+  if (!json.is_object()) {
+    return place.expected(R"(points [[x, y], ...] or {"points", "bed_m", "source_width_m", "mouth_width_m"})", json);
+  }
+  refuse_unknown_keys(json, {"points", "bed_m", "source_width_m", "mouth_width_m"}, "member", place);
+  if (json.contains("points")) {
+    read_json(json["points"], value.points, place.at("points"));
+  } else {
+    place.fail("a river needs \"points\"");
+  }
+  if (json.contains("bed_m")) read_json(json["bed_m"], value.bed_m, place.at("bed_m"));
+  for (const auto& [name, width] :
+       {std::pair{"source_width_m", &value.source_width_m}, {"mouth_width_m", &value.mouth_width_m}}) {
+    if (!json.contains(name)) continue;
+    read_json(json[name], *width, place.at(name));
+    if (*width < 0) place.at(name).fail(format_number(*width) + " is below 0");
+  }
+}
+
 // Whole numbers are written as such, so that 5 and 5.0 give the same canonical text.
 Json write_json(double value) {
   constexpr double kLargestExact = 9007199254740992.0;
@@ -189,6 +225,20 @@ Json write_json(const Polygon& value) {
   return {{"outer", write_json(value.outer)}, {"holes", write_json(value.holes)}};
 }
 
+Json write_json(const RegionOutline& value) {
+  return {{"name", value.name},
+          {"ring", write_json(value.ring)},
+          {"height_m", write_json(value.height_m)},
+          {"basin", value.basin}};
+}
+
+Json write_json(const RiverLine& value) {
+  return {{"points", write_json(value.points)},
+          {"bed_m", write_json(value.bed_m)},
+          {"source_width_m", write_json(value.source_width_m)},
+          {"mouth_width_m", write_json(value.mouth_width_m)}};
+}
+
 void refuse_unknown_keys(const Json& object, const std::vector<std::string>& names, const std::string& what,
                          const ReadPlace& place) {
   for (const auto& [key, value] : object.items()) {
@@ -209,6 +259,21 @@ Json param_schema(const ParamInfo& info) {
                         {"properties", {{"outer", pairs}, {"holes", {{"type", "array"}, {"items", pairs}}}}},
                         {"required", {"outer"}},
                         {"additionalProperties", false}};
+  const Json numbers = {{"type", "array"}, {"items", number}};
+  const Json region = {{"type", "object"},
+                       {"properties",
+                        {{"name", {{"type", "string"}}},
+                         {"ring", pairs},
+                         {"height_m", {{"type", {"number", "null"}}}},
+                         {"basin", {{"type", "boolean"}}}}},
+                       {"required", {"ring"}},
+                       {"additionalProperties", false}};
+  const Json width = {{"type", "number"}, {"minimum", 0}};
+  const Json river = {
+      {"type", "object"},
+      {"properties", {{"points", pairs}, {"bed_m", numbers}, {"source_width_m", width}, {"mouth_width_m", width}}},
+      {"required", {"points"}},
+      {"additionalProperties", false}};
   static const std::map<std::string, std::string> kScalars = {
       {"number", "number"}, {"integer", "integer"}, {"switch", "boolean"}, {"choice", "string"},
       {"text", "string"},   {"file", "string"},     {"colour", "string"}};
@@ -221,7 +286,7 @@ Json param_schema(const ParamInfo& info) {
     if (!info.choices.empty()) schema["enum"] = info.choices;
     if (info.kind == "colour") schema["pattern"] = "^#[0-9a-fA-F]{6}$";
   } else if (info.kind == "numbers") {
-    schema = {{"type", "array"}, {"items", number}};
+    schema = numbers;
   } else if (info.kind == "point") {
     schema = pair;
   } else if (info.kind == "curve" || info.kind == "points") {
@@ -233,6 +298,10 @@ Json param_schema(const ParamInfo& info) {
               {"items", {{"anyOf", {number, {{"type", "array"}, {"items", number}, {"minItems", 1}}}}}}};
   } else if (info.kind == "polygons") {
     schema = {{"type", "array"}, {"items", {{"anyOf", {pairs, polygon}}}}};
+  } else if (info.kind == "regions") {
+    schema = {{"type", "array"}, {"items", {{"anyOf", {pairs, region}}}}};
+  } else if (info.kind == "rivers") {
+    schema = {{"type", "array"}, {"items", {{"anyOf", {pairs, river}}}}};
   }
   schema["description"] = info.help + (info.unit.empty() ? "" : " [" + info.unit + "]");
   schema["default"] = info.default_value;

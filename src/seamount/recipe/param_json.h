@@ -41,6 +41,8 @@ void read_json(const Json& json, Curve& value, const ReadPlace& place);
 void read_json(const Json& json, Stroke& value, const ReadPlace& place);
 void read_json(const Json& json, PolarOutline& value, const ReadPlace& place);
 void read_json(const Json& json, Polygon& value, const ReadPlace& place);
+void read_json(const Json& json, RegionOutline& value, const ReadPlace& place);
+void read_json(const Json& json, RiverLine& value, const ReadPlace& place);
 
 Json write_json(double value);
 Json write_json(int value);
@@ -55,6 +57,8 @@ Json write_json(const Curve& value);
 Json write_json(const Stroke& value);
 Json write_json(const PolarOutline& value);
 Json write_json(const Polygon& value);
+Json write_json(const RegionOutline& value);
+Json write_json(const RiverLine& value);
 
 template <class T>
 void read_json(const Json& json, std::vector<T>& value, const ReadPlace& place) {
@@ -126,6 +130,10 @@ constexpr std::string_view param_kind() {
     return "outlines";
   else if constexpr (std::is_same_v<T, std::vector<Polygon>>)
     return "polygons";
+  else if constexpr (std::is_same_v<T, std::vector<RegionOutline>>)
+    return "regions";
+  else if constexpr (std::is_same_v<T, std::vector<RiverLine>>)
+    return "rivers";
   else {
     static_assert(Choice<T>, "give the type a kind, a read_json and a write_json");
     return "choice";

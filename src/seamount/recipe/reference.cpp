@@ -91,7 +91,12 @@ std::string reference_markdown() {
       "Lengths are metres, z is up, sea level is 0. A *curve* is a list of knots `[x, y]`, *strokes* are\n"
       "`{\"points\": [[x, y], ...], \"width_m\": w, \"strength_m\": s}`, *outlines* are radii (one number: a circle) "
       "at equal steps of\n"
-      "the angle, *polygons* are rings of points. *Derived* defaults follow from the input.\n\n"
+      "the angle, *polygons* are rings of points, *regions* are rings or\n"
+      "`{\"name\": n, \"ring\": [[x, y], ...], \"height_m\": h, \"basin\": false}`, *rivers* are lines from source to "
+      "mouth "
+      "or\n`{\"points\": [[x, y], ...], \"bed_m\": [...], \"source_width_m\": w, \"mouth_width_m\": w}`. *Derived* "
+      "defaults "
+      "follow from the\ninput.\n\n"
       "P0: *Automatic generation of coral reef islands* (sections and equations as printed there).\n\n";
   for (const Operator& op : operators().all()) {
     text += fmt::format("## {}\n\n{}.\n\n", op.name, op.summary);

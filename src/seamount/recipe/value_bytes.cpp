@@ -181,12 +181,14 @@ void write_tin(Writer& writer, const Tin& tin) {
   for (const TinRegion& region : tin.regions) {
     writer.text(region.name);
     writer.plain(region.parent);
+    writer.list(region.outline);
     writer.plain(static_cast<uint8_t>(region.height_m.has_value()));
     writer.plain(region.height_m.value_or(0.0));
     writer.plain(static_cast<uint8_t>(region.basin));
   }
   writer.list(tin.region);
   writer.list(tin.rank);
+  writer.list(tin.bed_m);
   writer.list(tin.height_m);
 }
 
@@ -199,6 +201,7 @@ Tin read_tin(Reader& reader) {
   for (TinRegion& region : tin.regions) {
     region.name = reader.text();
     region.parent = reader.plain<int>();
+    region.outline = reader.list<Vec2>();
     const bool has_height = reader.plain<uint8_t>() != 0;
     const auto height = reader.plain<double>();
     if (has_height) region.height_m = height;
@@ -206,6 +209,7 @@ Tin read_tin(Reader& reader) {
   }
   tin.region = reader.list<int32_t>();
   tin.rank = reader.list<float>();
+  tin.bed_m = reader.list<float>();
   tin.height_m = reader.list<float>();
   return tin;
 }
