@@ -7,6 +7,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
+#include "seamount/geom/resample.h"
 
 namespace seamount::geom {
 namespace {
@@ -14,12 +15,13 @@ namespace {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr float kDegreesF = static_cast<float>(kDegrees);
 
-/// Height of a cell or of one beyond the edge, where heights go on linearly.
-double height_at(const HeightField& terrain, int x, int y) {
+/// Height of a cell or of one beyond the edge, where heights are those within, turned about the edge cell:
+/// z(-i) = 2 z(0) - z(i).
+double turned_height(const HeightField& terrain, int x, int y) {
   const int inner_x = std::clamp(x, 0, terrain.width() - 1), inner_y = std::clamp(y, 0, terrain.height() - 1);
   if (x != inner_x) {
     const int mirrored = std::clamp(2 * inner_x - x, 0, terrain.width() - 1);
-    return 2.0 * height_at(terrain, inner_x, y) - height_at(terrain, mirrored, y);
+    return 2.0 * turned_height(terrain, inner_x, y) - turned_height(terrain, mirrored, y);
   }
   if (y != inner_y) {
     const int mirrored = std::clamp(2 * inner_y - y, 0, terrain.height() - 1);
@@ -154,7 +156,7 @@ ScalarField measure(const HeightField& terrain, void (*row)(Stencil, float*), co
 }  // namespace
 
 SurfaceFit fit_surface(const HeightField& terrain, int x, int y) {
-  const auto z = [&](int dx, int dy) { return height_at(terrain, x + dx, y - dy); };  // dy: to the north
+  const auto z = [&](int dx, int dy) { return turned_height(terrain, x + dx, y - dy); };  // dy: to the north
   const double cell = terrain.cell_m();
   const double west = z(-1, 1) + z(-1, 0) + z(-1, -1), east = z(1, 1) + z(1, 0) + z(1, -1);
   const double north = z(-1, 1) + z(0, 1) + z(1, 1), south = z(-1, -1) + z(0, -1) + z(1, -1);
@@ -187,6 +189,39 @@ double SurfaceFit::plan_curvature() const {
   const double g = p * p + q * q;
   if (g <= 1e-20) return mean_curvature();
   return -(q * q * r - 2.0 * p * q * s + p * p * t) / (g * std::sqrt(1.0 + g));
+}
+
+HeightField at_scale(const HeightField& terrain, double scale_m, const RunContext& run) {
+  const double cell = terrain.cell_m();
+  if (!(scale_m >= cell)) return terrain;
+  // Heights beyond the edge are those within, turned by half a turn about the edge cell; the same for scales larger
+  // than the terrain, whose margin ends where there is nothing left to turn.
+  const auto margin = [&](int size) {
+    return std::min(static_cast<int>(std::ceil(1.6 * scale_m / cell)), std::max(0, size - 1));
+  };
+  const int left = margin(terrain.width()), top = margin(terrain.height());
+  GridFrame wide = terrain.frame();
+  wide.width += 2 * left;
+  wide.height += 2 * top;
+  HeightField padded(wide);
+  parallel_rows(run, wide.width, wide.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < wide.width; ++x) {
+        const int column = x - left, row = y - top;
+        padded(x, y) = terrain.contains(column, row) ? terrain(column, row)
+                                                     : static_cast<float>(turned_height(terrain, column, row));
+      }
+    }
+  });
+  gaussian_blur(padded, 0.5 * scale_m, run);
+  HeightField out(terrain.frame());
+  parallel_rows(run, out.width(), out.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const auto row = padded.row(y + top).subspan(static_cast<size_t>(left), static_cast<size_t>(out.width()));
+      std::copy(row.begin(), row.end(), out.row(y).begin());
+    }
+  });
+  return out;
 }
 
 ScalarField slope_deg(const HeightField& terrain, const RunContext& run) { return measure(terrain, slope_row, run); }

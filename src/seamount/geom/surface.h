@@ -9,7 +9,7 @@
 //   plan     along the contour        -(q^2 r - 2 p q s + p^2 t) / (g (1 + g)^(1/2))
 //   mean     of any two at right angles, half the sum of both; where the ground is level (g = 0) all three are this one
 //
-// For a scale in metres blur the terrain first (geom/resample.h: gaussian_blur).
+// For forms of a given size in metres take the terrain at_scale() first.
 #pragma once
 
 #include "seamount/base/run_context.h"
@@ -35,6 +35,11 @@ struct SurfaceFit {
 
 /// One cell, in double: the plain form of the functions below. REQUIRES: a cell of the terrain.
 SurfaceFit fit_surface(const HeightField& terrain, int x, int y);
+
+/// The terrain without forms smaller than about `scale_m`: a Gaussian blur of deviation scale_m / 2 that takes heights
+/// to go on linearly beyond the edge, so that slopes there stay. A copy for scales below one cell. Parallel; two more
+/// grids.
+HeightField at_scale(const HeightField& terrain, double scale_m, const RunContext& run);
 
 enum class Curvature { profile, plan, mean };
 

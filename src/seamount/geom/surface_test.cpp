@@ -98,6 +98,22 @@ TEST(Surface, FieldsAgreeWithThePlainFormOnEveryCell) {
   }
 }
 
+TEST(Surface, AScaleTakesSmallFormsAwayAndLeavesPlanesAlone) {
+  const GridFrame frame = GridFrame::centred(80, 60, 10.0);
+  const HeightField plane = terrain_of(frame, [](double x, double y) { return 0.2 * x + 0.1 * y; });
+  const HeightField rough =
+      terrain_of(frame, [](double x, double y) { return 0.2 * x + 0.1 * y + std::sin(x / 4.0) * std::sin(y / 4.0); });
+  const HeightField smooth = at_scale(rough, 100.0, {}), still = at_scale(plane, 100.0, {});
+  for (size_t i = 0; i < plane.size(); ++i) {
+    ASSERT_NEAR(still.cells()[i], plane.cells()[i], 0.02);
+    const int x = static_cast<int>(i) % 80, y = static_cast<int>(i) / 80;
+    const bool edge = x < 10 || y < 10 || x >= 70 || y >= 50;  // the outermost cells keep their heights
+    ASSERT_NEAR(smooth.cells()[i], plane.cells()[i], edge ? 2.0 : 0.02);
+  }
+  EXPECT_EQ(at_scale(rough, 5.0, {}), rough);
+  EXPECT_EQ(at_scale(HeightField(GridFrame::centred(1, 1, 10.0), 3.0F), 1e5, {})(0, 0), 3.0F);
+}
+
 TEST(Surface, MeanIsHalfTheSumAndLevelGroundHasNoDirection) {
   const HeightField terrain = terrain_of(GridFrame::centred(5, 5, 10.0), [](double x, double y) {
     return 0.002 * x * x - 0.001 * y * y + 0.1 * x + 0.05 * y;

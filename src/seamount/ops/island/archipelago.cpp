@@ -9,6 +9,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
 #include "seamount/geom/blend.h"
+#include "seamount/geom/placed_rows.h"
 #include "seamount/geom/sample_rows.h"
 
 namespace seamount::island {
@@ -17,17 +18,8 @@ namespace {
 /// A member with the similarity that carries it to its place.
 struct Placed {
   Member member;
-  Vec2 place;
-  double cosine = 1.0;
-  double sine = 0.0;
-  double scale = 1.0;
+  geom::Similarity at;
   float lowest = 0.0F;
-
-  /// The point of the member's own frame that comes to lie at p.
-  Vec2 source(Vec2 p) const {
-    const Vec2 d = (1.0 / scale) * (p - place);
-    return {cosine * d.x + sine * d.y, -sine * d.x + cosine * d.y};
-  }
 };
 
 std::vector<Placed> place_members(const std::vector<Member>& members, const ArchipelagoParams& params) {
@@ -40,15 +32,14 @@ std::vector<Placed> place_members(const std::vector<Member>& members, const Arch
   for (size_t i = 0; i < count; ++i) {
     const Member& member = members[members.size() == 1 ? 0 : i];
     const double turn = i < params.turns_deg.size() ? params.turns_deg[i] * std::numbers::pi / 180.0 : 0.0;
-    placed.push_back({member, params.places.empty() ? Vec2{} : params.places[i], std::cos(turn), std::sin(turn),
-                      i < params.scales.size() ? params.scales[i] : 1.0,
+    placed.push_back({member,
+                      {.place = params.places.empty() ? Vec2{} : params.places[i],
+                       .cosine = std::cos(turn),
+                       .sine = std::sin(turn),
+                       .scale = i < params.scales.size() ? params.scales[i] : 1.0},
                       *std::min_element(member.terrain->cells().begin(), member.terrain->cells().end())});
   }
   return placed;
-}
-
-SEAMOUNT_VECTORISED void along_line(float start, float step, int count, float* __restrict out) {
-  for (int i = 0; i < count; ++i) out[i] = start + static_cast<float>(i) * step;
 }
 
 /// How a member joins the common sea floor.
@@ -74,30 +65,19 @@ SEAMOUNT_VECTORISED void settle(const float* __restrict columns, const float* __
   }
 }
 
-/// One row of the sea as one member fills it: cells [first, last) lie on the member's own frame.
-struct MemberRow {
-  explicit MemberRow(int width) : columns(static_cast<size_t>(width)), rows(columns.size()), heights(columns.size()) {}
+/// One row of the sea as one member fills it.
+struct MemberRow : geom::PlacedRow {
+  explicit MemberRow(int width) : PlacedRow(width), heights(columns.size()) {}
 
   void read(const Placed& p, const GridFrame& frame, float floor, int y) {
     const GridFrame& own = p.member.terrain->frame();
-    const Vec2 start = p.source({frame.x(0), frame.y(y)});
-    const Vec2 next = p.source({frame.x(1), frame.y(y)});
-    const double column = own.column(start.x), row = own.row(start.y);
-    const double column_step = own.column(next.x) - column, row_step = own.row(next.y) - row;
-    double low = 0, high = frame.width - 1;
-    clip(column, column_step, own.width, low, high);
-    clip(row, row_step, own.height, low, high);
-    first = static_cast<int>(std::ceil(low));
-    last = std::max(first, static_cast<int>(std::floor(high)) + 1);
+    locate(p.at, own, frame, y);
     if (first >= last) return;
     const auto count = static_cast<size_t>(last - first);
     const auto from = static_cast<size_t>(first);
-    along_line(static_cast<float>(column + first * column_step), static_cast<float>(column_step), last - first,
-               &columns[from]);
-    along_line(static_cast<float>(row + first * row_step), static_cast<float>(row_step), last - first, &rows[from]);
     geom::sample_bicubic_rows(*p.member.terrain, {&columns[from], count}, {&rows[from], count},
                               {&heights[from], count});
-    const float own_floor = floor / static_cast<float>(p.scale);
+    const float own_floor = floor / static_cast<float>(p.at.scale);
     const float shallow = std::max(-150.0F, 0.5F * p.lowest);
     const Joining join{static_cast<float>(own.width - 1),
                        static_cast<float>(own.height - 1),
@@ -105,23 +85,11 @@ struct MemberRow {
                        shallow,
                        p.lowest < 0.0F ? (own_floor - shallow) / (p.lowest - shallow) : 1.0F,
                        own_floor,
-                       static_cast<float>(p.scale)};
+                       static_cast<float>(p.at.scale)};
     settle(&columns[from], &rows[from], join, last - first, &heights[from]);
   }
 
-  /// Keeps the i in [low, high] with -1/2 <= start + i step <= size - 1/2.
-  static void clip(double start, double step, int size, double& low, double& high) {
-    if (std::abs(step) < 1e-12) {
-      if (start < -0.5 || start > size - 0.5) high = low - 1;
-      return;
-    }
-    const double a = (-0.5 - start) / step, b = (size - 0.5 - start) / step;
-    low = std::max(low, std::min(a, b));
-    high = std::min(high, std::max(a, b));
-  }
-
-  std::vector<float> columns, rows, heights;
-  int first = 0, last = 0;
+  std::vector<float> heights;
 };
 
 /// The sea floor does not rise where two floors meet: only what stands above them both is blended.
@@ -144,8 +112,8 @@ Archipelago archipelago(const std::vector<Member>& members, const ArchipelagoPar
   const std::vector<Placed> placed = place_members(members, params);
   const bool labelled =
       std::all_of(members.begin(), members.end(), [](const Member& m) { return m.labels != nullptr; });
-  float floor = placed.front().lowest * static_cast<float>(placed.front().scale);
-  for (const Placed& p : placed) floor = std::min(floor, p.lowest * static_cast<float>(p.scale));
+  float floor = placed.front().lowest * static_cast<float>(placed.front().at.scale);
+  for (const Placed& p : placed) floor = std::min(floor, p.lowest * static_cast<float>(p.at.scale));
   const auto k = static_cast<float>(0.5 / params.blend_m);
   Archipelago out{HeightField(frame), labelled ? LabelMap(frame) : LabelMap()};
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {

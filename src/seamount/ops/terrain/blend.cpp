@@ -1,0 +1,78 @@
+#include "seamount/ops/terrain/blend.h"
+
+#include <cmath>
+
+#include "seamount/base/parallel.h"
+#include "seamount/base/simd.h"
+#include "seamount/geom/blend.h"
+
+namespace seamount::terrain {
+namespace {
+
+/// What the first terrain would be with a weight of 1, into `out`.
+SEAMOUNT_VECTORISED void operate_row(BlendMode mode, int count, const float* __restrict a, const float* __restrict b,
+                                     float* __restrict out) {
+  if (mode == BlendMode::max) {
+    for (int i = 0; i < count; ++i) out[i] = a[i] > b[i] ? a[i] : b[i];
+  } else if (mode == BlendMode::min) {
+    for (int i = 0; i < count; ++i) out[i] = a[i] < b[i] ? a[i] : b[i];
+  } else if (mode == BlendMode::add) {
+    for (int i = 0; i < count; ++i) out[i] = a[i] + b[i];
+  } else if (mode == BlendMode::subtract) {
+    for (int i = 0; i < count; ++i) out[i] = a[i] - b[i];
+  } else {
+    for (int i = 0; i < count; ++i) out[i] = b[i];
+  }
+}
+
+/// out = a + w (out - a). Written so that w = 0 gives a and w = 1 gives out, exactly.
+SEAMOUNT_VECTORISED void weigh_row(float strength, int count, const float* __restrict a, const float* __restrict mask,
+                                   float* __restrict out) {
+  for (int i = 0; i < count; ++i) {
+    const float m = mask == nullptr ? 1.0F : (mask[i] > 0.0F ? (mask[i] < 1.0F ? mask[i] : 1.0F) : 0.0F);
+    const float w = strength * m;
+    out[i] = w < 1.0F ? a[i] + w * (out[i] - a[i]) : out[i];
+  }
+}
+
+void check_fits(const char* name, const GridFrame& other, const GridFrame& frame) {
+  if (other.width != frame.width || other.height != frame.height) {
+    throw IncompatibleInputs(std::string(name) + ": " + std::to_string(other.width) + " x " +
+                             std::to_string(other.height) + " cells do not match the first terrain's " +
+                             std::to_string(frame.width) + " x " + std::to_string(frame.height) +
+                             "; terrain.resample brings terrains to one size");
+  }
+  if (std::abs(other.cell_m - frame.cell_m) > 1e-6 * frame.cell_m) {
+    throw IncompatibleInputs(std::string(name) + ": cells of " + format_number(other.cell_m) +
+                             " m do not match the first terrain's " + format_number(frame.cell_m) +
+                             " m; terrain.resample brings terrains to one cell size");
+  }
+}
+
+}  // namespace
+
+HeightField blend(const HeightField& a, const HeightField& b, const Mask* mask, const BlendParams& params,
+                  const RunContext& run) {
+  check_params(params);
+  check_fits("with", b.frame(), a.frame());
+  if (mask != nullptr) check_fits("mask", mask->frame(), a.frame());
+  const bool smooth = params.smooth_m > 0.0 && (params.mode == BlendMode::max || params.mode == BlendMode::min);
+  const float k = smooth ? static_cast<float>(0.5 / params.smooth_m) : 1.0F;
+  HeightField out(a.frame());
+  parallel_rows(run, a.width(), a.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      if (smooth && params.mode == BlendMode::max) {
+        geom::smax_rows(a.row(y), b.row(y), k, out.row(y));
+      } else if (smooth) {
+        geom::smin_rows(a.row(y), b.row(y), k, out.row(y));
+      } else {
+        operate_row(params.mode, a.width(), a.row(y).data(), b.row(y).data(), out.row(y).data());
+      }
+      weigh_row(static_cast<float>(params.strength), a.width(), a.row(y).data(),
+                mask == nullptr ? nullptr : mask->row(y).data(), out.row(y).data());
+    }
+  });
+  return out;
+}
+
+}  // namespace seamount::terrain

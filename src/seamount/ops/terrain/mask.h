@@ -1,0 +1,68 @@
+// terrain.mask: where something is to happen: soft selections in [0, 1] by what the ground is like and by what is drawn
+// on it, combined. Every operator that takes a mask takes one of these; written as an image it is a mask for other
+// tools.
+//
+// A criterion measures one thing at every cell and lets a soft range of it through: 1 from `low` to `high` (either may
+// be absent: no limit), falling smoothly to 0 over `falloff` beyond. Slopes, aspects and curvatures are those of the
+// terrain at a scale in metres (geom/surface.h), so that a mask depends on the cell size only in detail.
+#pragma once
+
+#include <optional>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "seamount/base/rng.h"
+#include "seamount/base/run_context.h"
+#include "seamount/model/areas.h"
+#include "seamount/model/grid.h"
+#include "seamount/model/label_map.h"
+#include "seamount/ops/terrain/criteria_ground.h"
+#include "seamount/ops/terrain/criteria_place.h"
+
+namespace seamount::terrain {
+
+/// In a recipe a criterion is written {"tool": "slope", "low_deg": 30}.
+using Criterion =
+    std::variant<ByHeight, ByDepth, BySlope, ByAspect, ByCurvature, ByRegion, ByArea, ByLine, ByNoise, ByValue>;
+
+/// How criteria become one mask: all must hold (product is softer than min where several are in doubt), or any (max).
+enum class Combine { product, min, max };
+
+struct MaskParams {
+  std::vector<Criterion> criteria;
+  Combine combine = Combine::product;
+  bool invert = false;
+
+  static constexpr auto fields() {
+    using P = MaskParams;
+    return std::tuple(
+        field(&P::criteria, "criteria", "what is selected; none: everything"),
+        field(&P::combine, "combine", "how criteria are combined: product or min where all must hold, max where any"),
+        field(&P::invert, "invert", "select what would not be"));
+  }
+};
+
+/// What criteria may look at.
+struct MaskInputs {
+  const HeightField& terrain;
+  const LabelMap* labels = nullptr;     ///< for `region`
+  const Drawing* drawing = nullptr;     ///< for `area` and `line`
+  const ScalarField* values = nullptr;  ///< for `value`: any field
+  const Mask* mask = nullptr;           ///< one more mask, combined like a criterion
+};
+
+/// 1 in [low, high], falling by a smoothstep to 0 at `falloff` beyond; a limit that is absent does not limit.
+double soft_range(double x, std::optional<double> low, std::optional<double> high, double falloff);
+
+/// The mask, on the terrain's frame. Throws InvalidArgument for params out of range, low above high, and criteria whose
+/// input is missing; IncompatibleInputs for inputs of another size. Parallel; about 10 ns per cell and criterion, more
+/// for scales, distances and noise; at most five grids of memory.
+Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunContext& run);
+
+}  // namespace seamount::terrain
+
+template <>
+struct seamount::Choices<seamount::terrain::Combine> {
+  static constexpr std::array<std::string_view, 3> names = {"product", "min", "max"};
+};
