@@ -3,6 +3,8 @@
 #include <filesystem>
 
 namespace seamount::recipe {
+
+std::string numbered(const std::string& name, int i) { return i == 0 ? name : name + "_" + std::to_string(i + 1); }
 namespace {
 
 const Port* find_port(const std::vector<Port>& ports, std::string_view name) {

@@ -21,6 +21,9 @@ struct Port {
   bool required = true;  ///< inputs only: optional inputs may be left open
 };
 
+/// Names of ports of one kind: "terrain", "terrain_2", "terrain_3".
+std::string numbered(const std::string& name, int i);
+
 /// What a running operator is given besides its parameters.
 struct Call {
   const GridFrame& domain;    ///< the document's frame, for operators that make a raster from nothing

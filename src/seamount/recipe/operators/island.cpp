@@ -94,8 +94,6 @@ Values coral(const island::CoralParams& params, const Call& call) {
 
 constexpr int kMostIslands = 8;
 
-std::string numbered(const std::string& name, int i) { return i == 0 ? name : name + "_" + std::to_string(i + 1); }
-
 std::vector<Port> archipelago_ports() {
   std::vector<Port> ports;
   for (int i = 0; i < kMostIslands; ++i) {

@@ -1,7 +1,9 @@
 // Registration of the terrain family.
-#include "seamount/ops/terrain/noise.h"
-
 #include "seamount/io/raster.h"
+#include "seamount/ops/terrain/blend.h"
+#include "seamount/ops/terrain/compose.h"
+#include "seamount/ops/terrain/noise.h"
+#include "seamount/ops/terrain/resample.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
@@ -48,6 +50,35 @@ Values noise(const terrain::NoiseParams& params, const Call& call) {
   return {{"terrain", Value::terrain(terrain::noise(params, call.domain, call.seed, call.run))}};
 }
 
+Values blend(const terrain::BlendParams& params, const Call& call) {
+  return {{"terrain", Value::terrain(terrain::blend(call.in.at("terrain").heights(), call.in.at("with").heights(),
+                                                    call.scalars("mask"), params, call.run))}};
+}
+
+Values resample(const terrain::ResampleParams& params, const Call& call) {
+  return {
+      {"terrain", Value::terrain(terrain::resample(call.in.at("terrain").heights(), params, call.domain, call.run))}};
+}
+
+constexpr int kMostTerrains = 8;
+
+Values compose(const terrain::ComposeParams& params, const Call& call) {
+  std::vector<const HeightField*> terrains;
+  for (int i = 0; i < kMostTerrains; ++i) {
+    if (const Value* terrain = call.input(numbered("terrain", i))) terrains.push_back(&terrain->heights());
+  }
+  return {{"terrain", Value::terrain(terrain::compose(terrains, params, call.domain, call.run))}};
+}
+
+std::vector<Port> compose_ports() {
+  std::vector<Port> ports;
+  for (int i = 0; i < kMostTerrains; ++i) {
+    ports.push_back({numbered("terrain", i), ValueKind::terrain,
+                     i == 0 ? "the lowest terrain" : "a terrain over those before it", i == 0});
+  }
+  return ports;
+}
+
 }  // namespace
 
 void add_terrain_operators(Registry& registry) {
@@ -65,6 +96,29 @@ void add_terrain_operators(Registry& registry) {
                                       .in = {},
                                       .out = out},
                                      noise);
+  const Port in{"terrain", ValueKind::terrain, "heights in metres"};
+  registry.add<terrain::ResampleParams>({.name = "terrain.resample",
+                                         .summary = "A terrain at another cell size, or on the document's domain",
+                                         .source = "",
+                                         .in = {in},
+                                         .out = out},
+                                        resample);
+  registry.add<terrain::BlendParams>(
+      {.name = "terrain.blend",
+       .summary = "Two terrains become one: mixed, the higher, the lower, added or subtracted, all over or by a mask",
+       .source = "P0 sec. 1.4.2, eq. 1.15 for the smooth maximum",
+       .in = {in,
+              {"with", ValueKind::terrain, "the second terrain, of the same size"},
+              {"mask", ValueKind::field, "where it is done, 0 to 1; everywhere if open", false}},
+       .out = out},
+      blend);
+  registry.add<terrain::ComposeParams>(
+      {.name = "terrain.compose",
+       .summary = "Several terrains in one domain, moved, turned and scaled, with feathered seams",
+       .source = "Porter and Duff 1984",
+       .in = compose_ports(),
+       .out = out},
+      compose);
 }
 
 }  // namespace seamount::recipe
