@@ -46,6 +46,7 @@ void check_alone(const GrowthRegion& region, const std::string& field) {
 
 std::vector<Contour> outlines_of(const std::vector<GrowthRegion>& regions) {
   std::vector<Contour> outlines;
+  outlines.reserve(regions.size());
   for (const GrowthRegion& region : regions) outlines.push_back({0.0, region.outline, -1});
   return outlines;
 }
@@ -143,6 +144,7 @@ RegionTree nest_regions(std::vector<GrowthRegion> regions, const GridFrame& doma
 RegionTree regions_from_outlines(const std::vector<RegionOutline>& outlines, const GridFrame& domain,
                                  const std::string& field) {
   std::vector<GrowthRegion> regions;
+  regions.reserve(outlines.size());
   for (const RegionOutline& drawn : outlines) {
     regions.push_back({drawn.name, drawn.ring, -1, drawn.height_m, drawn.basin});
   }
