@@ -1,0 +1,47 @@
+// Water: fill, D8 and accumulation on a mountain island of 40 km, the same at every size.
+#include <benchmark/benchmark.h>
+
+#include "seamount/geom/flow.h"
+#include "seamount/ops/terrain/noise.h"
+
+namespace {
+
+using namespace seamount;
+
+constexpr double kWidth_m = 40960;
+
+HeightField mountains(int size) {
+  terrain::NoiseParams params;
+  params.height_m = 1500;
+  params.wavelength_m = 12000;
+  params.octaves = 10;
+  params.base_m = 300;
+  return terrain::noise(params, GridFrame::centred(size, size, kWidth_m / size), Seed{7}, {});
+}
+
+void flow(benchmark::State& state) {
+  const HeightField terrain = mountains(static_cast<int>(state.range(0)));
+  for (auto _ : state) {
+    const HeightField filled = geom::fill_depressions(terrain, 0.0F, {});
+    const geom::FlowDirections directions = geom::flow_directions(filled, 0.0F, {});
+    benchmark::DoNotOptimize(geom::flow_accumulation(directions, {}));
+  }
+  state.SetComplexityN(terrain.frame().cells());
+  state.SetItemsProcessed(state.iterations() * terrain.frame().cells());
+}
+
+BENCHMARK(flow)
+    ->Name("hydrology/flow")
+    ->RangeMultiplier(2)
+    ->Range(1024, 16384)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Complexity(benchmark::oN);
+
+void fill(benchmark::State& state) {
+  const HeightField terrain = mountains(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(geom::fill_depressions(terrain, 0.0F, {}));
+}
+BENCHMARK(fill)->Name("hydrology/fill")->Arg(4096)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
