@@ -17,19 +17,16 @@ struct Pass {
   bool same_pair(const Pass& other) const { return a == other.a && b == other.b; }
 };
 
-bool by_pair(const Pass& p, const Pass& q) {
-  if (p.a != q.a) return p.a < q.a;
-  if (p.b != q.b) return p.b < q.b;
-  return p.height < q.height;
-}
-
-bool by_height(const Pass& p, const Pass& q) {
-  if (p.height != q.height) return p.height < q.height;
-  return p.a != q.a ? p.a < q.a : p.b < q.b;
+/// In 64 bits, for sorting by pair first.
+uint64_t pair_key(const Pass& pass) {
+  return static_cast<uint64_t>(pass.a) << 32 | static_cast<uint64_t>(static_cast<uint32_t>(pass.b));
 }
 
 void keep_lowest_of_each_pair(std::vector<Pass>& passes) {
-  std::sort(passes.begin(), passes.end(), by_pair);
+  std::sort(passes.begin(), passes.end(), [](const Pass& p, const Pass& q) {
+    const uint64_t first = pair_key(p), second = pair_key(q);
+    return first != second ? first < second : p.height < q.height;
+  });
   passes.erase(std::unique(passes.begin(), passes.end(), [](const Pass& p, const Pass& q) { return p.same_pair(q); }),
                passes.end());
 }
@@ -52,7 +49,11 @@ std::vector<Pass> passes_of_rows(const HeightField& terrain, const Grid<int32_t>
   const int32_t* basin = basins.data();
   const auto meet = [&](int64_t i, int64_t j) {
     if (basin[i] == basin[j]) return;
-    passes.push_back({std::max(z[i], z[j]), std::min(basin[i], basin[j]), std::max(basin[i], basin[j])});
+    const Pass pass{std::max(z[i], z[j]), std::min(basin[i], basin[j]), std::max(basin[i], basin[j])};
+    if (!passes.empty() && passes.back().same_pair(pass))
+      passes.back().height = std::min(passes.back().height, pass.height);
+    else
+      passes.push_back(pass);
   };
   for (int y = begin; y < end; ++y) {
     const bool south = y + 1 < terrain.height();
@@ -119,7 +120,9 @@ class BasinGroups {
 
 /// Kruskal: when a group of basins first meets the outside, the pass where it does is the water level of all of them.
 std::vector<float> water_levels(std::vector<Pass> passes, int32_t count, const RunContext& run) {
-  std::sort(passes.begin(), passes.end(), by_height);
+  std::sort(passes.begin(), passes.end(), [](const Pass& p, const Pass& q) {
+    return p.height != q.height ? p.height < q.height : pair_key(p) < pair_key(q);
+  });
   run.check_cancelled();
   std::vector<float> levels(static_cast<size_t>(count), kNoSea);
   BasinGroups groups(count);

@@ -1,4 +1,4 @@
-// Areas and lines from and to GIS files. In: GeoJSON, GeoPackage, Shapefile. Out: GeoJSON, GeoPackage, SVG.
+// Areas, lines and places from and to GIS files. In: GeoJSON, GeoPackage, Shapefile. Out: GeoJSON, GeoPackage, SVG.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,15 @@ namespace seamount::io {
 
 struct VectorOptions {
   std::string feature;  ///< only the features of this name (any letter case); empty: all
-  std::string layer;    ///< of a file with several; empty: the first with areas or lines
+  std::string layer;    ///< of a file with several; empty: the first with areas or lines, else with points
 };
 
 /// Areas and lines in metres. Longitude and latitude become a local transverse Mercator (projection.h) centred on what
 /// was selected; a metric system is kept; a file without a system is taken as metres. Names come from an attribute
-/// called "name" (any case), else the first text attribute; line values from "value", "elevation", "elev" or "height".
+/// called "name" (any case), else the first text attribute; values of lines and points from "value", "elevation",
+/// "elev" or "height"; other numbers become attributes.
 /// Shapes across the 180th meridian are joined. Self-intersections are the caller's to find.
-/// Throws IoError{path}: missing, truncated, no areas or lines, unknown feature (with the nearest name), more than 20
+/// Throws IoError{path}: missing, truncated, nothing drawn, unknown feature (with the nearest name), more than 20
 /// degrees of longitude at once.
 Drawing read_drawing(const std::string& path, const VectorOptions& options = {});
 /// The same from the bytes of a GeoJSON file; `name` stands in messages.
@@ -32,8 +33,8 @@ Drawing read_areas(const std::string& path, const VectorOptions& options = {});
 std::vector<std::string> feature_names(const std::string& path);
 
 /// By extension: .geojson/.json (longitude and latitude as RFC 7946 wants where a CRS is known, else metres and a
-/// "crs" member that says so), .gpkg (layers "areas" and "lines" in the drawing's CRS), .svg (one unit a metre, north
-/// up). Areas carry "name", lines "value".
+/// "crs" member that says so), .gpkg (layers "areas", "lines" and "points" in the drawing's CRS), .svg (one unit a
+/// metre, north up). Areas carry "name", lines and points "value", all of them their attributes.
 void write_drawing(const Drawing& drawing, const std::string& path);
 
 }  // namespace seamount::io

@@ -47,38 +47,66 @@ std::string field_text(OGRFeature& feature, int field) {
   return field >= 0 && feature.IsFieldSetAndNotNull(field) != 0 ? feature.GetFieldAsString(field) : "";
 }
 
+/// The numbers of a feature but for the one at `value_at`, which is its value.
+Attributes field_numbers(OGRFeature& feature, int value_at) {
+  Attributes attributes;
+  for (int i = 0; i < feature.GetFieldCount(); ++i) {
+    const OGRFieldDefn& field = *feature.GetFieldDefnRef(i);
+    const OGRFieldType type = field.GetType();
+    if (i == value_at || (type != OFTReal && type != OFTInteger && type != OFTInteger64)) continue;
+    if (feature.IsFieldSetAndNotNull(i) == 0 || !std::isfinite(feature.GetFieldAsDouble(i))) continue;
+    attributes.push_back({field.GetNameRef(), feature.GetFieldAsDouble(i)});
+  }
+  return attributes;
+}
+
 /// Gathers the shapes of features in the file's own coordinates.
 class Collector {
  public:
   explicit Collector(const GdalCall& call) : call_(call) {}
 
-  void add(const OGRGeometry& geometry, NamedArea& area, double value, int depth = 0) {
+  /// Of the feature whose shapes are added from now on.
+  void begin(double value, Attributes attributes) {
+    value_ = value;
+    attributes_ = std::move(attributes);
+  }
+
+  void add(const OGRGeometry& geometry, NamedArea& area, int depth = 0) {
     constexpr int kDeepest = 16;
     if (depth > kDeepest) call_.fail("its collections are nested too deeply");
     const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
     if (type == wkbPolygon) {
       add_polygon(*geometry.toPolygon(), area);
     } else if (type == wkbLineString) {
-      add_line(*geometry.toLineString(), value);
+      add_line(*geometry.toLineString());
+    } else if (type == wkbPoint) {
+      add_point(*geometry.toPoint());
     } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0) {
-      for (const OGRGeometry* part : *geometry.toGeometryCollection()) add(*part, area, value, depth + 1);
+      for (const OGRGeometry* part : *geometry.toGeometryCollection()) add(*part, area, depth + 1);
     } else if (OGR_GT_IsNonLinear(type) != 0) {
       const std::unique_ptr<OGRGeometry> linear(geometry.getLinearGeometry());
-      if (linear && OGR_GT_IsNonLinear(wkbFlatten(linear->getGeometryType())) == 0)
-        add(*linear, area, value, depth + 1);
+      if (linear && OGR_GT_IsNonLinear(wkbFlatten(linear->getGeometryType())) == 0) add(*linear, area, depth + 1);
     }
   }
 
   Drawing& drawing() { return drawing_; }
 
  private:
+  void count(int points) {
+    total_ += static_cast<size_t>(points);
+    if (total_ > kMostPoints) call_.fail("has more than " + std::to_string(kMostPoints) + " points");
+  }
+
+  Vec2 finite(Vec2 point) const {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y)) call_.fail("has a coordinate that is not finite");
+    return point;
+  }
+
   std::vector<Vec2> points_of(const OGRSimpleCurve& curve) {
     std::vector<Vec2> points;
-    total_ += static_cast<size_t>(curve.getNumPoints());
-    if (total_ > kMostPoints) call_.fail("has more than " + std::to_string(kMostPoints) + " points");
+    count(curve.getNumPoints());
     for (int i = 0; i < curve.getNumPoints(); ++i) {
-      const Vec2 point{curve.getX(i), curve.getY(i)};
-      if (!std::isfinite(point.x) || !std::isfinite(point.y)) call_.fail("has a coordinate that is not finite");
+      const Vec2 point = finite({curve.getX(i), curve.getY(i)});
       if (points.empty() || !(points.back() == point)) points.push_back(point);
     }
     return points;
@@ -102,21 +130,30 @@ class Collector {
     area.parts.push_back(std::move(polygon));
   }
 
-  void add_line(const OGRLineString& from, double value) {
+  void add_point(const OGRPoint& from) {
+    if (from.IsEmpty() != 0) return;
+    count(1);
+    drawing_.points.push_back({finite({from.getX(), from.getY()}), value_, attributes_});
+  }
+
+  void add_line(const OGRLineString& from) {
     Polyline points = points_of(from);
     const bool closed = points.size() > 3 && points.front() == points.back();
     if (closed) points.pop_back();
-    if (points.size() >= 2) drawing_.lines.push_back({std::move(points), value, closed});
+    if (points.size() >= 2) drawing_.lines.push_back({std::move(points), value_, closed, attributes_});
   }
 
   const GdalCall& call_;
   Drawing drawing_;
+  double value_ = 0.0;
+  Attributes attributes_;
   size_t total_ = 0;
 };
 
 OGRLayer& choose_layer(GDALDataset& dataset, const std::string& wanted, const GdalCall& call) {
   std::vector<std::string> names;
   OGRLayer* first = nullptr;
+  OGRLayer* places = nullptr;
   for (int i = 0; i < dataset.GetLayerCount(); ++i) {
     OGRLayer* layer = dataset.GetLayer(i);
     if (layer == nullptr) continue;
@@ -124,9 +161,11 @@ OGRLayer& choose_layer(GDALDataset& dataset, const std::string& wanted, const Gd
     if (names.back() == wanted) return *layer;
     const OGRwkbGeometryType type = wkbFlatten(layer->GetGeomType());
     if (first == nullptr && type != wkbPoint && type != wkbNone) first = layer;
+    if (places == nullptr && type == wkbPoint) places = layer;
   }
   if (!wanted.empty()) call.fail("has no layer '" + wanted + "'" + suggestion(wanted, names));
-  if (first == nullptr) call.fail("has no layer of areas or lines");
+  if (first == nullptr) first = places;
+  if (first == nullptr) call.fail("has no layer of areas, lines or points");
   return *first;
 }
 
@@ -142,6 +181,7 @@ void for_each_point(Drawing& drawing, const Visit& visit) {
   }
   for (ValuedLine& line : drawing.lines)
     for (Vec2& p : line.points) visit(p);
+  for (ValuedPoint& point : drawing.points) visit(point.place);
 }
 
 struct Box {
@@ -177,7 +217,7 @@ void join_parts(NamedArea& area, const GdalCall& call) {
   if (!whole) return;  // not valid shapes: the caller's check of outlines will say so
   Collector collector(call);
   area.parts.clear();
-  collector.add(*whole, area, 0.0);
+  collector.add(*whole, area);
 }
 
 /// Longitude and latitude to a local metric system.
@@ -234,16 +274,18 @@ Drawing read_layer(const std::string& place, const GdalCall& call, const VectorO
     if (!name.empty() && names.size() < kMostNames) names.push_back(name);
     if (!options.feature.empty() && lower(name) != lower(options.feature)) continue;
     found = true;
-    NamedArea area{name, {}};
-    if (const OGRGeometry* geometry = feature->GetGeometryRef())
-      collector.add(*geometry, area, value_at >= 0 ? feature->GetFieldAsDouble(value_at) : 0.0);
+    const Attributes numbers = field_numbers(*feature, value_at);
+    NamedArea area{name, {}, numbers};
+    collector.begin(value_at >= 0 ? feature->GetFieldAsDouble(value_at) : 0.0, numbers);
+    if (const OGRGeometry* geometry = feature->GetGeometryRef()) collector.add(*geometry, area);
     if (!area.parts.empty()) collector.drawing().areas.push_back(std::move(area));
   }
   call.check("is damaged");
   if (!found && !options.feature.empty())
     call.fail("has no feature '" + options.feature + "'" + suggestion(options.feature, names));
   Drawing drawing = std::move(collector.drawing());
-  if (drawing.areas.empty() && drawing.lines.empty()) call.fail("has no areas or lines in it");
+  if (drawing.areas.empty() && drawing.lines.empty() && drawing.points.empty())
+    call.fail("has no areas, lines or points in it");
   to_metres(drawing, layer.GetSpatialRef(), call);
   return drawing;
 }
@@ -273,7 +315,7 @@ Drawing read_geojson(std::span<const uint8_t> bytes, const std::string& name, co
 
 Drawing read_areas(const std::string& path, const VectorOptions& options) {
   Drawing drawing = read_drawing(path, options);
-  if (drawing.areas.empty()) throw IoError(path, "has lines but no areas in it");
+  if (drawing.areas.empty()) throw IoError(path, "has no areas in it");
   return drawing;
 }
 

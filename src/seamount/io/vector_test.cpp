@@ -71,7 +71,7 @@ TEST(ReadAreas, SaysWhatIsWrong) {
   EXPECT_THAT(message(kIslands, {.feature = "kawai"}), HasSubstr("no feature 'kawai', did you mean 'Kauai'?"));
   EXPECT_THAT(message(kIslands, {.layer = "nope"}), HasSubstr("no layer 'nope'"));
   EXPECT_THAT(message(""), HasSubstr("is not a"));
-  EXPECT_THAT(message("{\"type\":\"FeatureCollection\",\"features\":[]}"), HasSubstr("no areas or lines"));
+  EXPECT_THAT(message("{\"type\":\"FeatureCollection\",\"features\":[]}"), HasSubstr("no areas, lines or points"));
   EXPECT_THAT(message(R"({"type":"Point","coordinates":[1,2]})"), HasSubstr("x.geojson: has no"));
   EXPECT_THAT(message(R"({"type":"LineString","coordinates":[[1,2],[3,4]]})"), HasSubstr("no areas in it"));
   EXPECT_THAT(message(R"({"type":"LineString","coordinates":[[1,2000],[3,4000]]})"), HasSubstr("not longitude and"));
@@ -95,8 +95,10 @@ Drawing sample(const std::string& crs) {
       {"isle \"A\" <&>", {{{{0, 0}, {1000, 0}, {1000, 500.25}, {0, 500}}, {{{100, 100}, {100, 200}, {200, 150}}}}}});
   drawing.areas.push_back(
       {"rock", {{{{2000, 0}, {2100, 0}, {2050, 80}}, {}}, {{{3000, 0}, {3100, 0}, {3050, 80}}, {}}}});
-  drawing.lines.push_back({{{0, 0}, {10.5, 20}, {30, 10}}, 12.5, false});
+  drawing.areas[1].attributes = {{"depth_m", 3.5}};
+  drawing.lines.push_back({{{0, 0}, {10.5, 20}, {30, 10}}, 12.5, false, {{"order", 2}, {"width_m", 4.25}}});
   drawing.lines.push_back({{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, -5, true});
+  drawing.points.push_back({{40, 50}, 1234.5, {{"prominence_m", 321}}});
   return drawing;
 }
 
@@ -111,6 +113,7 @@ void expect_same(const Drawing& a, const Drawing& b, double tolerance) {
   };
   for (size_t i = 0; i < a.areas.size(); ++i) {
     EXPECT_EQ(a.areas[i].name, b.areas[i].name);
+    EXPECT_EQ(a.areas[i].attributes, b.areas[i].attributes);
     ASSERT_EQ(a.areas[i].parts.size(), b.areas[i].parts.size());
     for (size_t k = 0; k < a.areas[i].parts.size(); ++k) {
       near(a.areas[i].parts[k].outer, b.areas[i].parts[k].outer);
@@ -124,6 +127,13 @@ void expect_same(const Drawing& a, const Drawing& b, double tolerance) {
     EXPECT_EQ(a.lines[i].value, b.lines[i].value);
     EXPECT_EQ(a.lines[i].closed, b.lines[i].closed);
     near(a.lines[i].points, b.lines[i].points);
+    EXPECT_EQ(a.lines[i].attributes, b.lines[i].attributes);
+  }
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (size_t i = 0; i < a.points.size(); ++i) {
+    EXPECT_EQ(a.points[i].value, b.points[i].value);
+    EXPECT_EQ(a.points[i].attributes, b.points[i].attributes);
+    near({a.points[i].place}, {b.points[i].place});
   }
 }
 
@@ -137,6 +147,11 @@ Drawing in_system(Drawing drawing, const std::string& crs) {
     }
   }
   for (ValuedLine& line : drawing.lines) move(line.points);
+  for (ValuedPoint& point : drawing.points) {
+    std::vector<Vec2> place{point.place};
+    move(place);
+    point.place = place.front();
+  }
   return drawing;
 }
 
@@ -157,6 +172,7 @@ TEST(WriteDrawing, GeoPackageComesBackAndIsTheSameEveryTime) {
     write_drawing(sample(crs), folder("a.gpkg"));
     Drawing back = read_drawing(folder("a.gpkg"), {.layer = "areas"});
     back.lines = read_drawing(folder("a.gpkg"), {.layer = "lines"}).lines;
+    back.points = read_drawing(folder("a.gpkg"), {.layer = "points"}).points;
     expect_same(back, sample(crs), 1e-9);
     EXPECT_EQ(crs_name(back.crs), crs_name(crs));
     if (!crs.empty()) expect_same(in_system(back, crs), sample(crs), 1e-6);
@@ -174,7 +190,7 @@ TEST(WriteDrawing, SvgHasNorthUp) {
   const std::string text(bytes.begin(), bytes.end());
   EXPECT_THAT(text, HasSubstr("M0 0L1000 0L1000 -500.25L0 -500Z"));
   EXPECT_THAT(text, HasSubstr("data-name=\"isle &quot;A&quot; &lt;&amp;&gt;\""));
-  EXPECT_THAT(text, HasSubstr("data-value=\"12.5\" d=\"M0 0L10.5 -20L30 -10\""));
+  EXPECT_THAT(text, HasSubstr("data-value=\"12.5\" data-order=\"2\" data-width-m=\"4.25\" d=\"M0 0L10.5 -20L30 -10\""));
 }
 
 TEST(WriteDrawing, FullDiskLeavesNothing) {

@@ -60,10 +60,21 @@ void for_each_chain(AnyDrawing& drawing, const Visit& visit) {
   for (auto& line : drawing.lines) visit(line.points);
 }
 
+/// Names of the attributes of a kind of feature, in order of appearance.
+template <class Feature>
+std::vector<std::string> attribute_names(const std::vector<Feature>& features) {
+  std::vector<std::string> names;
+  for (const Feature& feature : features)
+    for (const Attribute& attribute : feature.attributes)
+      if (std::find(names.begin(), names.end(), attribute.name) == names.end()) names.push_back(attribute.name);
+  return names;
+}
+
 /// The same drawing in longitude and latitude, all points at once because a transformation is dear to set up.
 Drawing in_degrees(Drawing drawing) {
   std::vector<Vec2> all;
   for_each_chain(drawing, [&](const std::vector<Vec2>& chain) { all.insert(all.end(), chain.begin(), chain.end()); });
+  for (const ValuedPoint& point : drawing.points) all.push_back(point.place);
   all = to_lonlat(all, drawing.crs);
   auto next = all.begin();
   for_each_chain(drawing, [&](std::vector<Vec2>& chain) {
@@ -74,19 +85,24 @@ Drawing in_degrees(Drawing drawing) {
       p.x -= 360.0 * std::round((p.x - first) / 360.0);
     }
   });
+  for (ValuedPoint& point : drawing.points) point.place = *next++;
   return drawing;
+}
+
+void append_point(std::string& text, Vec2 p, int digits) {
+  text += '[';
+  append_decimal(text, p.x, digits);
+  text += ',';
+  append_decimal(text, p.y, digits);
+  text += ']';
 }
 
 /// "[[x,y],...]".
 void append_points(std::string& text, const std::vector<Vec2>& points, bool close, int digits) {
   text += '[';
   for (size_t i = 0; i < points.size() + (close ? 1 : 0); ++i) {
-    const Vec2& p = points[i % points.size()];
-    text += i == 0 ? "[" : ",[";
-    append_decimal(text, p.x, digits);
-    text += ',';
-    append_decimal(text, p.y, digits);
-    text += ']';
+    if (i > 0) text += ',';
+    append_point(text, points[i % points.size()], digits);
   }
   text += ']';
 }
@@ -99,14 +115,16 @@ std::string to_geojson(const Drawing& metres) {
   if (!placed) text += "\"crs\":{\"type\":\"name\",\"properties\":{\"name\":" + quoted(kLocalMetres) + "}},";
   text += "\"features\":[";
   const char* separator = "\n";
-  const auto begin = [&](const std::string& properties, const char* type) {
+  const auto begin = [&](std::string properties, const Attributes& attributes, const char* type) {
+    for (const Attribute& attribute : attributes)
+      properties += "," + quoted(attribute.name) + ":" + format_number(attribute.value);
     text += separator;
     separator = ",\n";
     text += "{\"type\":\"Feature\",\"properties\":{" + properties + "},\"geometry\":{\"type\":\"" + type +
             "\",\"coordinates\":";
   };
   for (const NamedArea& area : drawing.areas) {
-    begin("\"name\":" + quoted(area.name), "MultiPolygon");
+    begin("\"name\":" + quoted(area.name), area.attributes, "MultiPolygon");
     text += '[';
     for (size_t i = 0; i < area.parts.size(); ++i) {
       text += i == 0 ? "[" : ",[";
@@ -120,8 +138,13 @@ std::string to_geojson(const Drawing& metres) {
     text += "]}}";
   }
   for (const ValuedLine& line : drawing.lines) {
-    begin("\"value\":" + format_number(line.value), "LineString");
+    begin("\"value\":" + format_number(line.value), line.attributes, "LineString");
     append_points(text, line.points, line.closed, digits);
+    text += "}}";
+  }
+  for (const ValuedPoint& point : drawing.points) {
+    begin("\"value\":" + format_number(point.value), point.attributes, "Point");
+    append_point(text, point.place, digits);
     text += "}}";
   }
   return text + "\n]}\n";
@@ -154,14 +177,29 @@ std::string xml_escaped(const std::string& text) {
   return escaped;
 }
 
+/// " data-width-m=\"12.5\"" for each attribute; letters that XML names cannot have become hyphens.
+std::string svg_data(const Attributes& attributes) {
+  std::string text;
+  for (const Attribute& attribute : attributes) {
+    text += " data-";
+    for (const char c : attribute.name) {
+      const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+      text += plain ? c : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : '-';
+    }
+    text += "=\"" + format_number(attribute.value) + '"';
+  }
+  return text;
+}
+
 std::string to_svg(const Drawing& drawing) {
   double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
-  for_each_chain(drawing, [&](const std::vector<Vec2>& points) {
-    for (const Vec2& p : points) {
-      x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
-      y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
-    }
-  });
+  const auto include = [&](Vec2 p) {
+    x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
+    y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+  };
+  for_each_chain(drawing,
+                 [&](const std::vector<Vec2>& points) { std::for_each(points.begin(), points.end(), include); });
+  for (const ValuedPoint& point : drawing.points) include(point.place);
   if (!(x1 >= x0)) x0 = x1 = y0 = y1 = 0;
   const double margin = 0.01 * std::max({x1 - x0, y1 - y0, 1.0});
   std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
@@ -172,7 +210,8 @@ std::string to_svg(const Drawing& drawing) {
   text.back() = '"';
   text += ">\n<g fill=\"#d8cfb8\" fill-rule=\"evenodd\" stroke=\"#333\" stroke-width=\"1\">\n";
   for (const NamedArea& area : drawing.areas) {
-    text += "<path vector-effect=\"non-scaling-stroke\" data-name=\"" + xml_escaped(area.name) + "\" d=\"";
+    text += "<path vector-effect=\"non-scaling-stroke\" data-name=\"" + xml_escaped(area.name) + '"' +
+            svg_data(area.attributes) + " d=\"";
     for (const Polygon& polygon : area.parts) {
       append_path(text, polygon.outer, true);
       for (const Ring& hole : polygon.holes) append_path(text, hole, true);
@@ -181,8 +220,16 @@ std::string to_svg(const Drawing& drawing) {
   }
   text += "</g>\n<g fill=\"none\" stroke=\"#7a4a1e\" stroke-width=\"1\">\n";
   for (const ValuedLine& line : drawing.lines) {
-    text += "<path vector-effect=\"non-scaling-stroke\" data-value=\"" + format_number(line.value) + "\" d=\"";
+    text += "<path vector-effect=\"non-scaling-stroke\" data-value=\"" + format_number(line.value) + '"' +
+            svg_data(line.attributes) + " d=\"";
     append_path(text, line.points, line.closed);
+    text += "\"/>\n";
+  }
+  // A line without length and with a round end is a dot of the same size at any scale.
+  for (const ValuedPoint& point : drawing.points) {
+    text += "<path vector-effect=\"non-scaling-stroke\" stroke-width=\"4\" stroke-linecap=\"round\" data-value=\"" +
+            format_number(point.value) + '"' + svg_data(point.attributes) + " d=\"";
+    append_path(text, {point.place, point.place}, false);
     text += "\"/>\n";
   }
   return text + "</g>\n</svg>\n";
@@ -194,20 +241,29 @@ void add_points(OGRSimpleCurve& curve, const std::vector<Vec2>& points, bool clo
 }
 
 OGRLayer& add_layer(GDALDataset& dataset, const char* name, OGRwkbGeometryType type, const char* field,
-                    OGRFieldType field_type, OGRSpatialReference* system, const GdalCall& call) {
+                    OGRFieldType field_type, const std::vector<std::string>& numbers, OGRSpatialReference* system,
+                    const GdalCall& call) {
   OGRLayer* layer = dataset.CreateLayer(name, system, type, nullptr);
-  OGRFieldDefn definition(field, field_type);
-  if (layer == nullptr || layer->CreateField(&definition) != OGRERR_NONE) call.fail("cannot be written");
+  if (layer == nullptr) call.fail("cannot be written");
+  const auto create = [&](const char* column, OGRFieldType column_type) {
+    OGRFieldDefn definition(column, column_type);
+    if (layer->CreateField(&definition) != OGRERR_NONE) call.fail("cannot be written");
+  };
+  create(field, field_type);
+  for (const std::string& number : numbers) create(number.c_str(), OFTReal);
   return *layer;
 }
 
-void add_feature(OGRLayer& layer, OGRFeature& feature, const OGRGeometry& geometry, const GdalCall& call) {
+void add_feature(OGRLayer& layer, OGRFeature& feature, const Attributes& attributes, const OGRGeometry& geometry,
+                 const GdalCall& call) {
+  for (const Attribute& attribute : attributes) feature.SetField(attribute.name.c_str(), attribute.value);
   feature.SetGeometry(&geometry);
   if (layer.CreateFeature(&feature) != OGRERR_NONE) call.fail("cannot be written");
 }
 
 void add_areas(GDALDataset& dataset, const Drawing& drawing, OGRSpatialReference* system, const GdalCall& call) {
-  OGRLayer& layer = add_layer(dataset, "areas", wkbMultiPolygon, "name", OFTString, system, call);
+  OGRLayer& layer =
+      add_layer(dataset, "areas", wkbMultiPolygon, "name", OFTString, attribute_names(drawing.areas), system, call);
   for (const NamedArea& area : drawing.areas) {
     OGRFeature feature(layer.GetLayerDefn());
     feature.SetField("name", area.name.c_str());
@@ -224,18 +280,55 @@ void add_areas(GDALDataset& dataset, const Drawing& drawing, OGRSpatialReference
       }
       geometry.addGeometry(&part);
     }
-    add_feature(layer, feature, geometry, call);
+    add_feature(layer, feature, area.attributes, geometry, call);
   }
 }
 
 void add_lines(GDALDataset& dataset, const Drawing& drawing, OGRSpatialReference* system, const GdalCall& call) {
-  OGRLayer& layer = add_layer(dataset, "lines", wkbLineString, "value", OFTReal, system, call);
+  OGRLayer& layer =
+      add_layer(dataset, "lines", wkbLineString, "value", OFTReal, attribute_names(drawing.lines), system, call);
   for (const ValuedLine& line : drawing.lines) {
     OGRFeature feature(layer.GetLayerDefn());
     feature.SetField("value", line.value);
     OGRLineString geometry;
     add_points(geometry, line.points, line.closed);
-    add_feature(layer, feature, geometry, call);
+    add_feature(layer, feature, line.attributes, geometry, call);
+  }
+}
+
+void add_places(GDALDataset& dataset, const Drawing& drawing, OGRSpatialReference* system, const GdalCall& call) {
+  OGRLayer& layer =
+      add_layer(dataset, "points", wkbPoint, "value", OFTReal, attribute_names(drawing.points), system, call);
+  for (const ValuedPoint& point : drawing.points) {
+    OGRFeature feature(layer.GetLayerDefn());
+    feature.SetField("value", point.value);
+    add_feature(layer, feature, point.attributes, OGRPoint(point.place.x, point.place.y), call);
+  }
+}
+
+/// Every number of a drawing is finite and every chain has points.
+void check_drawing(const Drawing& drawing) {
+  const auto check_place = [](Vec2 p) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw InvalidArgument("drawing", "has a place that is not finite");
+  };
+  const auto check_numbers = [](const Attributes& attributes) {
+    for (const Attribute& attribute : attributes)
+      if (!std::isfinite(attribute.value))
+        throw InvalidArgument("drawing", "has an attribute '" + attribute.name + "' that is not finite");
+  };
+  for_each_chain(drawing, [&](const std::vector<Vec2>& chain) {
+    if (chain.empty()) throw InvalidArgument("drawing", "has a line or a ring without points");
+    std::for_each(chain.begin(), chain.end(), check_place);
+  });
+  for (const NamedArea& area : drawing.areas) check_numbers(area.attributes);
+  for (const ValuedLine& line : drawing.lines) {
+    if (!std::isfinite(line.value)) throw InvalidArgument("drawing", "has a line whose value is not finite");
+    check_numbers(line.attributes);
+  }
+  for (const ValuedPoint& point : drawing.points) {
+    check_place(point.place);
+    if (!std::isfinite(point.value)) throw InvalidArgument("drawing", "has a point whose value is not finite");
+    check_numbers(point.attributes);
   }
 }
 
@@ -251,6 +344,7 @@ void write_geopackage(const Drawing& drawing, const std::string& path) {
     if (!dataset || dataset->StartTransaction() != OGRERR_NONE) call.fail("cannot be written");
     if (!drawing.areas.empty()) add_areas(*dataset, drawing, system.get(), call);
     if (!drawing.lines.empty()) add_lines(*dataset, drawing, system.get(), call);
+    if (!drawing.points.empty()) add_places(*dataset, drawing, system.get(), call);
     if (dataset->CommitTransaction() != OGRERR_NONE) call.fail("cannot be written");
     dataset.reset();
     CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr);
@@ -261,14 +355,7 @@ void write_geopackage(const Drawing& drawing, const std::string& path) {
 }  // namespace
 
 void write_drawing(const Drawing& drawing, const std::string& path) {
-  for_each_chain(drawing, [](const std::vector<Vec2>& chain) {
-    if (chain.empty()) throw InvalidArgument("drawing", "has a line or a ring without points");
-    for (const Vec2& p : chain)
-      if (!std::isfinite(p.x) || !std::isfinite(p.y))
-        throw InvalidArgument("drawing", "has a place that is not finite");
-  });
-  for (const ValuedLine& line : drawing.lines)
-    if (!std::isfinite(line.value)) throw InvalidArgument("drawing", "has a line whose value is not finite");
+  check_drawing(drawing);
   const std::string extension = extension_of(path);
   if (extension == ".geojson" || extension == ".json") return write_text(path, to_geojson(drawing));
   if (extension == ".svg") return write_text(path, to_svg(drawing));

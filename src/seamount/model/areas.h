@@ -1,4 +1,5 @@
-// Named areas and lines in the plane: what GIS files hold and what outlines are traced to.
+// Areas, lines and places in the plane with what is known about them: what GIS files hold and what outlines, rivers and
+// summits are traced to.
 #pragma once
 
 #include <string>
@@ -8,10 +9,19 @@
 
 namespace seamount {
 
+/// One more number that a feature carries, by name with its unit: {"width_m", 12.5}.
+struct Attribute {
+  std::string name;
+  double value = 0.0;
+  bool operator==(const Attribute&) const = default;
+};
+using Attributes = std::vector<Attribute>;
+
 /// One feature: an area of one or more parts under a name ("kauai", "reef").
 struct NamedArea {
   std::string name;
   std::vector<Polygon> parts;
+  Attributes attributes = {};
   bool operator==(const NamedArea&) const = default;
 };
 
@@ -20,7 +30,16 @@ struct ValuedLine {
   Polyline points;
   double value = 0.0;
   bool closed = false;
+  Attributes attributes = {};
   bool operator==(const ValuedLine&) const = default;
+};
+
+/// One place with the number that it carries: a summit's height, say.
+struct ValuedPoint {
+  Vec2 place;
+  double value = 0.0;
+  Attributes attributes = {};
+  bool operator==(const ValuedPoint&) const = default;
 };
 
 /// A drawing in one metric coordinate system; `crs` as in GridFrame.
@@ -28,6 +47,7 @@ struct Drawing {
   std::vector<NamedArea> areas;
   std::vector<ValuedLine> lines;
   std::string crs;
+  std::vector<ValuedPoint> points = {};
   bool operator==(const Drawing&) const = default;
 };
 

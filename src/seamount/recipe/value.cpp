@@ -30,7 +30,7 @@ size_t Value::bytes() const {
         }
       }
       for (const ValuedLine& line : shapes().lines) points += line.points.size();
-      return points * sizeof(Vec2);
+      return (points + shapes().points.size()) * sizeof(Vec2);
     }
     case ValueKind::tin: {
       const Tin& tin = network();

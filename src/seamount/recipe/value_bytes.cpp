@@ -131,6 +131,23 @@ Grid<T> read_grid(Reader& reader) {
   return grid;
 }
 
+void write_attributes(Writer& writer, const Attributes& attributes) {
+  writer.plain(static_cast<uint64_t>(attributes.size()));
+  for (const Attribute& attribute : attributes) {
+    writer.text(attribute.name);
+    writer.plain(attribute.value);
+  }
+}
+
+Attributes read_attributes(Reader& reader) {
+  Attributes attributes(reader.count(16));
+  for (Attribute& attribute : attributes) {
+    attribute.name = reader.text();
+    attribute.value = reader.plain<double>();
+  }
+  return attributes;
+}
+
 void write_drawing(Writer& writer, const Drawing& drawing) {
   writer.text(drawing.crs);
   writer.plain(static_cast<uint64_t>(drawing.areas.size()));
@@ -142,12 +159,20 @@ void write_drawing(Writer& writer, const Drawing& drawing) {
       writer.plain(static_cast<uint64_t>(part.holes.size()));
       for (const Ring& hole : part.holes) writer.list(hole);
     }
+    write_attributes(writer, area.attributes);
   }
   writer.plain(static_cast<uint64_t>(drawing.lines.size()));
   for (const ValuedLine& line : drawing.lines) {
     writer.list(line.points);
     writer.plain(line.value);
     writer.plain(static_cast<uint8_t>(line.closed));
+    write_attributes(writer, line.attributes);
+  }
+  writer.plain(static_cast<uint64_t>(drawing.points.size()));
+  for (const ValuedPoint& point : drawing.points) {
+    writer.plain(point.place);
+    writer.plain(point.value);
+    write_attributes(writer, point.attributes);
   }
 }
 
@@ -163,12 +188,20 @@ Drawing read_drawing(Reader& reader) {
       part.holes.resize(reader.count(8));
       for (Ring& hole : part.holes) hole = reader.list<Vec2>();
     }
+    area.attributes = read_attributes(reader);
   }
   drawing.lines.resize(reader.count(8));
   for (ValuedLine& line : drawing.lines) {
     line.points = reader.list<Vec2>();
     line.value = reader.plain<double>();
     line.closed = reader.plain<uint8_t>() != 0;
+    line.attributes = read_attributes(reader);
+  }
+  drawing.points.resize(reader.count(8));
+  for (ValuedPoint& point : drawing.points) {
+    point.place = reader.plain<Vec2>();
+    point.value = reader.plain<double>();
+    point.attributes = read_attributes(reader);
   }
   return drawing;
 }
