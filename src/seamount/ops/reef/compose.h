@@ -1,0 +1,58 @@
+// From lifts to heights, row by row (grow.h has the equations).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "seamount/base/rng.h"
+#include "seamount/geom/curve.h"
+#include "seamount/geom/lattice_rows.h"
+#include "seamount/geom/noise.h"
+#include "seamount/model/grid.h"
+#include "seamount/ops/reef/grow_params.h"
+#include "seamount/ops/reef/kernels.h"
+
+namespace seamount::reef {
+
+/// The kernels as tables: N over t = 1 - D / R and E over k1 D / R.
+struct KernelTables {
+  explicit KernelTables(const GrowParams& params);
+  geom::CurveTable normal;
+  geom::CurveTable edge;
+};
+
+/// What grow() knows about a reef besides its terrain; fields lie on a lattice of their own.
+struct Form {
+  ScalarField distance;  ///< to the outline, metres, positive inside
+  ScalarField crowding;  ///< share of reef in the surroundings
+  ScalarField exposure;  ///< 1 windward, -1 in the lee
+  ScalarField cays;      ///< 0 ... 1: islets; empty: none
+  const KernelTables* tables = nullptr;
+  std::optional<KernelSums> sums;  ///< of P4's kernels; absent: union
+};
+
+/// Computes rows of the result. Keeps scratch: one per thread. `form` must outlive it.
+class RowComposer {
+ public:
+  RowComposer(const Form& form, const GrowParams& params, double radius_m, const GridFrame& frame, Seed seed);
+
+  /// base -> height and aggregate of row y.
+  void row(int y, std::span<const float> base, std::span<float> height, std::span<float> aggregate);
+
+ private:
+  bool read_lifts(int y);
+  void add_grooves(int y);
+
+  const Form& form_;
+  const GrowParams& params_;
+  GridFrame frame_;
+  Seed seed_;
+  double radius_m_;
+  geom::Fbm fine_, relief_;
+  geom::LatticeRows distance_rows_, crowding_rows_, exposure_rows_, cay_rows_, above_rows_, below_rows_;
+  std::vector<float> distance_, crowding_, exposure_, cay_, above_, below_, fine_noise_, relief_noise_, normal_lift_,
+      edge_lift_;
+};
+
+}  // namespace seamount::reef

@@ -1,0 +1,255 @@
+#include "seamount/ops/reef/nursery.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "seamount/geom/contour.h"
+#include "seamount/geom/polygon.h"
+#include "seamount/geom/resample.h"
+#include "seamount/geom/spline.h"
+
+namespace seamount::reef {
+namespace {
+
+constexpr int kMostCells = 4096;
+
+std::string place_text(Vec2 p) {
+  return "(" + format_number(std::round(p.x)) + ", " + format_number(std::round(p.y)) + ")";
+}
+
+/// "heights from -40 m to 0 m".
+std::string window_text(const GrowParams& p) {
+  const std::string low = p.habitat_low_m ? format_number(*p.habitat_low_m) + " m" : "any";
+  const std::string high = p.habitat_high_m ? format_number(*p.habitat_high_m) + " m" : "any";
+  return "habitat_low_m " + low + ", habitat_high_m " + high;
+}
+
+void check_size(const ScalarField* field, const HeightField& terrain, const char* name) {
+  if (field != nullptr && (field->width() != terrain.width() || field->height() != terrain.height()))
+    throw IncompatibleInputs(std::string(name) + " and terrain differ in size");
+}
+
+ScalarField on_lattice(const ScalarField& field, const HeightField& terrain, const GridFrame& lattice,
+                       const RunContext& run) {
+  if (field.frame() == terrain.frame()) return geom::resample(field, lattice, run);
+  ScalarField placed = field;
+  placed.set_frame(terrain.frame());
+  return geom::resample(placed, lattice, run);
+}
+
+/// Collects kernels, each once and in the habitat.
+class Kernels {
+ public:
+  explicit Kernels(const Grid<uint8_t>& habitat) : habitat_(habitat), taken_(habitat.frame(), 0) {}
+
+  bool within(Vec2 p) const {
+    const GridFrame& f = habitat_.frame();
+    return p.x >= f.west_m && p.x <= f.east_m() && p.y >= f.south_m() && p.y <= f.north_m;
+  }
+  Site site_at(Vec2 p) const {
+    const GridFrame& f = habitat_.frame();
+    return {std::clamp(static_cast<int>(std::lround(f.column(p.x))), 0, f.width - 1),
+            std::clamp(static_cast<int>(std::lround(f.row(p.y))), 0, f.height - 1)};
+  }
+  /// False where the place is outside or no habitat.
+  bool add(Vec2 p) { return within(p) && add(site_at(p)); }
+  bool add(Site s) {
+    if (habitat_(s.x, s.y) == 0) return false;
+    if (taken_(s.x, s.y) == 0) {
+      taken_(s.x, s.y) = 1;
+      sites_.push_back(s);
+    }
+    return true;
+  }
+  const std::vector<Site>& sites() const { return sites_; }
+
+ private:
+  const Grid<uint8_t>& habitat_;
+  Grid<uint8_t> taken_;
+  std::vector<Site> sites_;
+};
+
+void add_points(const GrowParams& p, const HeightField& ground, Kernels& kernels) {
+  for (size_t i = 0; i < p.kernels.size(); ++i) {
+    const Vec2 place = p.kernels[i];
+    const std::string which = "kernel " + std::to_string(i + 1) + " at " + place_text(place) + " m ";
+    const GridFrame& f = ground.frame();
+    if (!kernels.within(place))
+      throw InvalidArgument("kernels", which + "lies outside the terrain, which spans " +
+                                           place_text({f.west_m, f.south_m()}) + " to " +
+                                           place_text({f.east_m(), f.north_m}));
+    if (kernels.add(place)) continue;
+    const Site s = kernels.site_at(place);
+    throw InvalidArgument("kernels", which + "lies outside the habitat: the ground is at " +
+                                         format_number(std::round(ground(s.x, s.y) * 10.0F) / 10.0) + " m there (" +
+                                         window_text(p) +
+                                         "), or it is within margin_m of the edge; move it or widen the habitat");
+  }
+}
+
+/// Starts growth along the covered share of a line's segments; true if any place was in the habitat.
+bool add_line(const Polyline& line, const GrowParams& p, Rng rng, Kernels& kernels) {
+  const double step = 0.5 * p.lattice_m;
+  bool any = false;
+  double covered = -1.0, segment = 0.0;  // metres left of the covered part, and of the whole segment
+  for (size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec2 a = line[i], d = line[i + 1] - a;
+    const double length = std::sqrt(dot(d, d));
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / step)));
+    for (int j = 0; j < steps; ++j) {
+      if (segment <= 0.0) {
+        segment = p.segment_m * rng.uniform(0.5, 1.5);
+        covered = p.line_cover >= 1.0 ? segment : segment * std::min(1.0, p.line_cover * rng.uniform(0.8, 1.2));
+      }
+      if (covered > 0.0) any = kernels.add(a + (static_cast<double>(j) / steps) * d) || any;
+      segment -= length / steps;
+      covered -= length / steps;
+    }
+  }
+  return any;
+}
+
+void add_lines(const GrowParams& p, const Drawing* drawing, const HeightField& ground, Seed seed, Kernels& kernels) {
+  if (!p.line.empty()) {
+    if (p.line.size() < 2) throw InvalidArgument("line", "has one point; a line needs two");
+    const Polyline smooth = geom::sample_catmull_rom(p.line, 0.5 * p.lattice_m);
+    if (!add_line(smooth, p, Rng(seed.derive("reef.line")), kernels))
+      throw InvalidArgument("line", "no covered part of it lies in the habitat (" + window_text(p) + ")");
+  }
+  if (p.kernel_height_m) {
+    bool any = false;
+    uint64_t index = 0;
+    for (const Polyline& contour : geom::trace_lines(ground, *p.kernel_height_m)) {
+      if (geom::line_length(contour) < 6.0 * p.lattice_m) continue;
+      any = add_line(contour, p, Rng(seed.derive("reef.contour", index++)), kernels) || any;
+    }
+    if (!any)
+      throw InvalidArgument("kernel_height_m", "the terrain has no contour at " + format_number(*p.kernel_height_m) +
+                                                   " m in the habitat (" + window_text(p) + ")");
+  }
+  if (drawing == nullptr) return;
+  bool any = false;
+  uint64_t index = 0;
+  for (const ValuedLine& line : drawing->lines) {
+    Polyline points = line.points;
+    if (line.closed && !points.empty()) points.push_back(points.front());
+    any = add_line(points, p, Rng(seed.derive("reef.drawn_line", index++)), kernels) || any;
+  }
+  for (const NamedArea& area : drawing->areas) {
+    const Grid<uint8_t> cells = geom::rasterise(area.parts, ground.frame());
+    for (int y = 0; y < cells.height(); ++y) {
+      for (int x = 0; x < cells.width(); ++x) {
+        if (cells(x, y) != 0) any = kernels.add(Site{x, y}) || any;
+      }
+    }
+  }
+  if (!any) throw InvalidArgument("kernels", "nothing of the drawing lies in the habitat (" + window_text(p) + ")");
+}
+
+void add_random(int count, const Grid<uint8_t>& where, const std::string& name, Seed seed, Kernels& kernels) {
+  std::vector<Site> places;
+  for (int y = 0; y < where.height(); ++y) {
+    for (int x = 0; x < where.width(); ++x) {
+      if (where(x, y) != 0) places.push_back({x, y});
+    }
+  }
+  if (places.empty()) throw InvalidArgument(name, "no lattice cell of it lies in the habitat");
+  Rng rng(seed.derive("reef.random_kernels"));
+  for (int i = 0; i < count; ++i)
+    kernels.add(places[static_cast<size_t>(rng.integer(0, static_cast<int>(places.size()) - 1))]);
+}
+
+/// The habitat under water that lies nearest to the middle, or any habitat where there is no such.
+Site middle_of(const Grid<uint8_t>& habitat, const HeightField& ground) {
+  Site best;
+  double least = 1e300;
+  for (int y = 0; y < habitat.height(); ++y) {
+    for (int x = 0; x < habitat.width(); ++x) {
+      if (habitat(x, y) == 0) continue;
+      const double dx = x - 0.5 * (habitat.width() - 1), dy = y - 0.5 * (habitat.height() - 1);
+      const double cost = dx * dx + dy * dy + (ground(x, y) < 0 ? 0.0 : 1e12);
+      if (cost < least) {
+        least = cost;
+        best = {x, y};
+      }
+    }
+  }
+  return best;
+}
+
+Grid<uint8_t> find_habitat(const HeightField& ground, const ScalarField* share, double margin_m, const GrowParams& p) {
+  if (p.habitat_low_m && p.habitat_high_m && *p.habitat_low_m >= *p.habitat_high_m)
+    throw InvalidArgument("habitat_low_m", format_number(*p.habitat_low_m) + " is not below habitat_high_m");
+  Grid<uint8_t> habitat(ground.frame(), 0);
+  const int margin = static_cast<int>(std::min(margin_m / ground.cell_m(), 1e6));
+  int64_t free = 0, masked = 0, cells = 0;
+  for (int y = margin; y < ground.height() - margin; ++y) {
+    for (int x = margin; x < ground.width() - margin; ++x) {
+      ++free;
+      if (share != nullptr && (*share)(x, y) < 0.5F) continue;
+      ++masked;
+      const double z = ground(x, y);
+      if (z < p.habitat_low_m.value_or(-1e9) || z > p.habitat_high_m.value_or(1e9)) continue;
+      habitat(x, y) = 1;
+      ++cells;
+    }
+  }
+  if (free == 0)
+    throw InvalidArgument("margin_m", format_number(margin_m) + " m leaves nothing of a terrain of " +
+                                          format_number(ground.frame().width_m()) + " x " +
+                                          format_number(ground.frame().height_m()) + " m; give a smaller one");
+  if (masked == 0) throw InvalidArgument("habitat", "the mask has no lattice cell: it is nowhere 0.5 over lattice_m");
+  if (cells == 0)
+    throw InvalidArgument(p.habitat_low_m ? "habitat_low_m" : "habitat_high_m",
+                          "no ground lies between them (" + window_text(p) + ")");
+  return habitat;
+}
+
+}  // namespace
+
+GridFrame lattice_frame(const GridFrame& frame, double lattice_m) {
+  GridFrame lattice = frame;
+  const double columns = std::max(1.0, std::round(frame.width_m() / lattice_m));
+  const double rows = std::max(1.0, std::round(frame.height_m() / lattice_m));
+  if (columns > kMostCells || rows > kMostCells)
+    throw InvalidArgument(
+        "lattice_m", format_number(lattice_m) + " m gives " + format_number(std::max(columns, rows)) +
+                         " cells a side; at most 4096 are possible, so take at least " +
+                         format_number(std::ceil(std::max(frame.width_m(), frame.height_m()) / kMostCells)) + " m");
+  lattice.width = static_cast<int>(columns);
+  lattice.height = static_cast<int>(rows);
+  lattice.cell_m = lattice_m;
+  lattice.west_m = frame.west_m + 0.5 * (frame.width_m() - lattice.width_m());
+  lattice.north_m = frame.north_m - 0.5 * (frame.height_m() - lattice.height_m());
+  return lattice;
+}
+
+Nursery prepare_nursery(const HeightField& terrain, const ScalarField* habitat, const ScalarField* start,
+                        const Drawing* drawing, double margin_m, const GrowParams& params, Seed seed,
+                        const RunContext& run) {
+  check_size(habitat, terrain, "habitat");
+  check_size(start, terrain, "start");
+  Nursery out;
+  out.lattice = lattice_frame(terrain.frame(), params.lattice_m);
+  const HeightField ground = geom::resample(terrain, out.lattice, run);
+  ScalarField share;
+  if (habitat != nullptr) share = on_lattice(*habitat, terrain, out.lattice, run);
+  out.habitat = find_habitat(ground, habitat != nullptr ? &share : nullptr, margin_m, params);
+  Kernels kernels(out.habitat);
+  add_points(params, ground, kernels);
+  add_lines(params, drawing, ground, seed, kernels);
+  if (start != nullptr) {
+    const ScalarField where = on_lattice(*start, terrain, out.lattice, run);
+    Grid<uint8_t> cells = out.habitat;
+    for (size_t i = 0; i < cells.size(); ++i) cells.cells()[i] &= where.cells()[i] >= 0.5F ? 1 : 0;
+    add_random(std::max(1, params.random_kernels), cells, "start", seed, kernels);
+  } else if (params.random_kernels > 0) {
+    add_random(params.random_kernels, out.habitat, "random_kernels", seed, kernels);
+  }
+  if (kernels.sites().empty()) kernels.add(middle_of(out.habitat, ground));
+  out.kernels = kernels.sites();
+  return out;
+}
+
+}  // namespace seamount::reef
