@@ -23,7 +23,7 @@ enum class Lift { saturating, proportional };
 struct GrowParams {
   double lattice_m = 70.0;
   int particles = 0;
-  int max_steps = 1000000;
+  int max_steps = 200000;
   double stickiness = 1.0;
   Launch launch = Launch::anywhere;
   Polyline kernels;
@@ -94,7 +94,7 @@ struct GrowParams {
         field(&P::habitat_high_m, "habitat_high_m", "m", height,
               "no growth where the ground is higher; none if absent"),
         field(&P::margin_m, "margin_m", "m", between(0, 1e7),
-              "no growth this near to the terrain's edge; 3 kernel radii if absent"),
+              "no growth this near to the terrain's edge, in bays up to twice that; 3 kernel radii if absent"),
         field(&P::kernel_radius_m, "kernel_radius_m", "m", between(0.1, 1e6),
               "radius of the kernels around particles; 1.465 lattice_m if absent, as in P4"),
         field(&P::irregularity, "irregularity", "", share,

@@ -103,8 +103,8 @@ TEST(ReefGrow, UnionOfOneColonyHasTheKernelsThemselves) {
     for (int x = 0; x < 200; ++x) {
       const Vec2 v = Vec2{base.frame().x(x), base.frame().y(y)} - Vec2{50, 50};
       const double t = std::sqrt(dot(v, v)) / 146.484375;
-      double low = 1e9, high = -1e9;  // of the kernels within 3 % of the radius: what the form's lattice resolves
-      for (double u = std::max(0.0, t - 0.03); u <= t + 0.03; u += 0.002) {
+      double low = 1e9, high = -1e9;  // of the kernels within 5 % of the radius: what the form's lattice resolves
+      for (double u = std::max(0.0, t - 0.05); u <= t + 0.05; u += 0.002) {
         const double z = -250 + 210 * (0.5 + 0.2 * normal_kernel(u, 10) + 0.1 * edge_kernel(u, 5, 10));
         low = std::min(low, z), high = std::max(high, z);
       }

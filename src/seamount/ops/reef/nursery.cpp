@@ -5,6 +5,7 @@
 #include <string>
 
 #include "seamount/geom/contour.h"
+#include "seamount/geom/noise.h"
 #include "seamount/geom/polygon.h"
 #include "seamount/geom/resample.h"
 #include "seamount/geom/spline.h"
@@ -178,14 +179,39 @@ Site middle_of(const Grid<uint8_t>& habitat, const HeightField& ground) {
   return best;
 }
 
-Grid<uint8_t> find_habitat(const HeightField& ground, const ScalarField* share, double margin_m, const GrowParams& p) {
+/// The strip along the edge that stays free: at least margin_m wide, up to twice that with bays, so that no reef ends
+/// in a straight line.
+class Margin {
+ public:
+  Margin(const GridFrame& frame, double margin_m, Seed seed)
+      : frame_(frame), margin_m_(margin_m), seed_(seed.derive("reef.margin")) {}
+
+  bool holds(int x, int y) const {
+    if (margin_m_ <= 0) return false;
+    const double px = frame_.x(x), py = frame_.y(y);
+    const double inside =
+        std::min({px - frame_.west_m, frame_.east_m() - px, py - frame_.south_m(), frame_.north_m - py});
+    if (inside < margin_m_ || inside > 2.0 * margin_m_) return inside < margin_m_;
+    const geom::Fbm bays{.wavelength_m = 5.0 * margin_m_, .octaves = 3};
+    return inside < margin_m_ * std::clamp(1.5 + 1.4 * geom::fbm(seed_, bays, px, py), 1.0, 2.0);
+  }
+
+ private:
+  GridFrame frame_;
+  double margin_m_;
+  Seed seed_;
+};
+
+Grid<uint8_t> find_habitat(const HeightField& ground, const ScalarField* share, double margin_m, const GrowParams& p,
+                           Seed seed) {
   if (p.habitat_low_m && p.habitat_high_m && *p.habitat_low_m >= *p.habitat_high_m)
     throw InvalidArgument("habitat_low_m", format_number(*p.habitat_low_m) + " is not below habitat_high_m");
   Grid<uint8_t> habitat(ground.frame(), 0);
-  const int margin = static_cast<int>(std::min(margin_m / ground.cell_m(), 1e6));
+  const Margin margin(ground.frame(), margin_m, seed);
   int64_t free = 0, masked = 0, cells = 0;
-  for (int y = margin; y < ground.height() - margin; ++y) {
-    for (int x = margin; x < ground.width() - margin; ++x) {
+  for (int y = 0; y < ground.height(); ++y) {
+    for (int x = 0; x < ground.width(); ++x) {
+      if (margin.holds(x, y)) continue;
       ++free;
       if (share != nullptr && (*share)(x, y) < 0.5F) continue;
       ++masked;
@@ -235,7 +261,7 @@ Nursery prepare_nursery(const HeightField& terrain, const ScalarField* habitat, 
   const HeightField ground = geom::resample(terrain, out.lattice, run);
   ScalarField share;
   if (habitat != nullptr) share = on_lattice(*habitat, terrain, out.lattice, run);
-  out.habitat = find_habitat(ground, habitat != nullptr ? &share : nullptr, margin_m, params);
+  out.habitat = find_habitat(ground, habitat != nullptr ? &share : nullptr, margin_m, params, seed);
   Kernels kernels(out.habitat);
   add_points(params, ground, kernels);
   add_lines(params, drawing, ground, seed, kernels);
