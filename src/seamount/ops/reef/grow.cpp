@@ -161,7 +161,6 @@ Grown grow(const GrowInputs& in, const GrowParams& params, Seed seed, const RunC
   const GridFrame shape = shape_frame(frame, radius / 8.0);
   const Bend bend{0.3 * radius * irregular, 5.0 * radius};
   form.distance = outline_distance(colonies, reef.sites, nursery.lattice, shape, bend, seed, run.part(0.2, 0.4));
-  const ScalarField to_open_sea = open_sea(form, in.terrain, params, radius, run.part(0.4, 0.5));
   if (params.combine == Combine::sum) form.sums.emplace(colonies, params.k, params.k2);
   if (params.lift == Lift::saturating || params.combine == Combine::union_) {
     form.crowding = crowding(form.distance, 2.5 * radius, run);
@@ -178,6 +177,7 @@ Grown grow(const GrowInputs& in, const GrowParams& params, Seed seed, const RunC
   if (params.blur_m > 0) geom::gaussian_blur(out.terrain, params.blur_m, run);
   if (params.normalise) stretch(out.terrain, params, run);
   const auto lagoon_top = static_cast<float>(params.lift == Lift::saturating ? params.flat_m - kBackReefDepth_m : -1e9);
+  const ScalarField to_open_sea = open_sea(form, out.terrain, params, radius, run);
   out.labels = label_regions(out, in.labels, to_open_sea, lagoon_top, run.part(0.9, 1.0));
   return out;
 }
