@@ -1,0 +1,24 @@
+// The probability map of growth, per node (P2 sec. 4.2, fig. 11).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "seamount/base/rng.h"
+#include "seamount/base/run_context.h"
+#include "seamount/geom/noise.h"
+#include "seamount/model/drawn.h"
+#include "seamount/model/grid.h"
+
+namespace seamount::contour {
+
+/// Fractal noise about 1/2, clamped to [0, 1] and raised to a power. Parallel.
+std::vector<float> noise_probability(std::span<const Vec2> places, const geom::Fbm& shape, double exponent, Seed seed,
+                                     const RunContext& run);
+
+/// A field read bilinearly, clamped at its edge, raised to a power. Throws IncompatibleInputs{place, value} where it is
+/// not in [0, 1]. Parallel.
+std::vector<float> field_probability(std::span<const Vec2> places, const ScalarField& field, double exponent,
+                                     const RunContext& run);
+
+}  // namespace seamount::contour
