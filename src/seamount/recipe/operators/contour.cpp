@@ -1,8 +1,71 @@
-// Registration of the contour family.
+// Registration of the contour family: which files and inputs become regions, and which ports the operators have.
+#include <algorithm>
+#include <filesystem>
+
+#include "seamount/io/image_file.h"
+#include "seamount/io/vector.h"
+#include "seamount/ops/contour/grow.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
+namespace {
 
-void add_contour_operators(Registry& registry) { static_cast<void>(registry); }
+bool is_picture(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+}
+
+/// The one thing that growth starts from, of those that were given; a random land where nothing was. A drawing in a
+/// coordinate system of its own lends it to the frame.
+contour::RegionTree make_regions(const contour::GrowParams& p, const Call& call, GridFrame& frame) {
+  std::vector<std::string> given;
+  if (!p.outlines.empty()) given.emplace_back("outlines");
+  if (!p.regions.path.empty()) given.emplace_back("regions");
+  for (const char* input : {"regions", "contours", "mask"}) {
+    if (call.input(input) != nullptr) given.push_back("the input '" + std::string(input) + "'");
+  }
+  if (given.size() > 1)
+    throw InvalidArgument(given[0], "given together with " + given[1] + "; growth starts from one of them");
+  const contour::PaintedRegions painted{.darkest_is_land = p.darkest_is_land};
+  const auto from_drawing = [&](const Drawing& drawing) {
+    if (!drawing.crs.empty()) frame.crs = drawing.crs;
+    return contour::regions_from_drawing(drawing, frame, "regions");
+  };
+  if (!p.outlines.empty()) return contour::regions_from_outlines(p.outlines, frame, "outlines");
+  if (const Drawing* drawing = call.shapes("regions")) return from_drawing(*drawing);
+  if (const Value* contours = call.input("contours"))
+    return contour::regions_from_contours(contours->contour_set(), frame, "contours");
+  if (const ScalarField* mask = call.scalars("mask"))
+    return contour::regions_from_mask(*mask, frame, painted, "mask", call.run);
+  if (p.regions.path.empty()) return contour::random_region(frame, call.seed);
+  const std::string path = call.resolve(p.regions);
+  if (is_picture(path)) return contour::regions_from_image(io::read_image(path), frame, painted, "regions", call.run);
+  return from_drawing(io::read_drawing(path));
+}
+
+Values grow(const contour::GrowParams& params, const Call& call) {
+  GridFrame frame = call.domain;
+  const contour::RegionTree tree = make_regions(params, call, frame);
+  return {{"tin", Value::tin(contour::grow(tree, frame, call.scalars("probability"), params, call.seed, call.run))}};
+}
+
+}  // namespace
+
+void add_contour_operators(Registry& registry) {
+  registry.add<contour::GrowParams>(
+      {.name = "contour.grow",
+       .summary = "Grows nested regions into a network whose nodes know in which order they rise, without basins",
+       .source = "P2 sec. 4.2, 4.3, 4.5, Algorithm 1",
+       .stochastic = true,
+       .in = {{"regions", ValueKind::drawing, "nested areas or closed lines; a line's value is its height", false},
+              {"contours", ValueKind::contours, "contours whose insides are the regions", false},
+              {"mask", ValueKind::field, "a picture of nested regions, darker lower, laid over the domain", false},
+              {"probability", ValueKind::field, "in [0, 1]: where it is high growth runs ahead and cuts valleys",
+               false}},
+       .out = {{"tin", ValueKind::tin, "a network with a rank per node and no heights yet"}}},
+      grow);
+}
 
 }  // namespace seamount::recipe
