@@ -50,8 +50,15 @@ FlowDirections flow_directions(const HeightField& terrain, float sea_level_m, co
 
 /// The lowest surface over the terrain from which every cell drains without climbing: max(terrain, water level), so
 /// lakes are flat. Parallel but for flats and passes; linear in the cells and n log n in the passes; 9 bytes per cell
-/// and 12 per pass besides the terrain.
+/// and 16 per pass besides the terrain.
 HeightField fill_depressions(const HeightField& terrain, float sea_level_m, const RunContext& run);
+
+/// The other way out of a depression: the ground stays and water runs from the pit to the lowest pass as if there were
+/// a gorge. Turns the directions of the way from pass to pit round, so that flow may climb there and nowhere else. Only
+/// passes below `highest_pass_m` are ways; depressions that are joined without a way to an outlet keep the pit of the
+/// lowest. REQUIRES: directions of `terrain`. As fill_depressions().
+void route_through_pits(const HeightField& terrain, FlowDirections& directions, float highest_pass_m,
+                        const RunContext& run);
 
 /// Raises every cell that is not above its receiver by one step of float arithmetic above it, so that water descends
 /// strictly along `directions`, which must be of `filled` and without pits. Linear.

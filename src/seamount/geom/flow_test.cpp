@@ -124,6 +124,32 @@ TEST(Flow, DepressionsKeepOnePitEach) {
   EXPECT_EQ(drained, 63U);
 }
 
+TEST(Flow, RoutingThroughPitsReachesAnOutletWithoutRaisingTheGround) {
+  for (uint64_t seed = 0; seed < 100; ++seed) {
+    Rng rng(Seed{seed}.derive("size"));
+    const HeightField terrain = rough_terrain(rng.integer(1, 30), rng.integer(1, 30), seed);
+    FlowDirections directions = flow_directions(terrain, kNoSea, {});
+    route_through_pits(terrain, directions, 1e9F, {});
+    EXPECT_EQ(count_pits(directions), 0);
+    // The highest place on the way out is the one to which filling raises the cell.
+    const HeightField filled = fill_depressions(terrain, kNoSea, {});
+    const auto steps = flow_steps(terrain.width());
+    for (int64_t i = 0; i < terrain.frame().cells(); ++i) {
+      float highest = terrain.data()[i];
+      int64_t length = 0;
+      for (int64_t at = i; directions.data()[at] < 8; highest = std::max(highest, terrain.data()[at])) {
+        at += steps[directions.data()[at]];
+        ASSERT_LT(++length, terrain.frame().cells());
+      }
+      ASSERT_EQ(highest, filled.data()[i]) << "seed " << seed;
+    }
+    FlowDirections closed = flow_directions(terrain, kNoSea, {});
+    const int64_t pits = count_pits(closed);
+    route_through_pits(terrain, closed, -100.0F, {});
+    EXPECT_EQ(count_pits(closed), pits);
+  }
+}
+
 TEST(Flow, SteepestNeighbourWinsAndDiagonalsAreLonger) {
   HeightField terrain(GridFrame::centred(3, 3, 1), 10.0F);
   terrain(1, 1) = 5.0F;

@@ -1,0 +1,33 @@
+#include "seamount/ops/hydrology/fill.h"
+
+#include <algorithm>
+
+#include "seamount/base/parallel.h"
+#include "seamount/geom/flow.h"
+#include "seamount/ops/hydrology/breach.h"
+#include "seamount/ops/hydrology/lakes.h"
+
+namespace seamount::hydrology {
+
+Filled fill(const HeightField& terrain, const FillParams& params, const RunContext& run) {
+  check_params(params);
+  const float sea = params.sea ? 0.0F : geom::kNoSea;
+  HeightField cut = terrain;
+  if (params.depressions == Depressions::breach) {
+    const auto steps = static_cast<int>(std::min(1e9, params.max_length_m / terrain.cell_m()));
+    breach_depressions(cut, sea, steps, static_cast<float>(params.max_cut_m), run.part(0.0, 0.5));
+  }
+  Filled out{geom::fill_depressions(cut, sea, run.part(0.5, 0.8)), ScalarField(terrain.frame()), {}};
+  out.lakes = trace_lakes(cut, out.terrain, params.min_lake_m2, run.part(0.8, 0.9));
+  if (params.descend) {
+    geom::tilt_flats(out.terrain, geom::flow_directions(out.terrain, sea, run), run);
+  }
+  parallel_rows(run.part(0.9, 1.0), terrain.width(), terrain.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < terrain.width(); ++x) out.change_m(x, y) = out.terrain(x, y) - terrain(x, y);
+    }
+  });
+  return out;
+}
+
+}  // namespace seamount::hydrology

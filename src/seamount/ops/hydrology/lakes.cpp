@@ -1,0 +1,90 @@
+#include "seamount/ops/hydrology/lakes.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "seamount/geom/contour.h"
+
+namespace seamount::hydrology {
+namespace {
+
+struct Lake {
+  std::vector<int32_t> cells;
+  double level = 0.0, depth = 0.0, volume = 0.0;
+};
+
+/// The cells of one level that hang together, found by walking from `first`.
+Lake walk_lake(const HeightField& terrain, const HeightField& filled, int32_t first, Grid<uint8_t>& seen) {
+  Lake lake;
+  lake.level = filled.data()[first];
+  lake.cells.push_back(first);
+  seen.data()[first] = 1;
+  const int width = terrain.width();
+  for (size_t next = 0; next < lake.cells.size(); ++next) {
+    const int32_t cell = lake.cells[next];
+    const double depth = lake.level - static_cast<double>(terrain.data()[cell]);
+    lake.depth = std::max(lake.depth, depth);
+    lake.volume += depth;
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+      const int x = cell % width + dx, y = cell / width + dy;
+      if (!terrain.contains(x, y) || seen(x, y) != 0) continue;
+      if (filled(x, y) != filled.data()[first] || !(terrain(x, y) < filled(x, y))) continue;
+      seen(x, y) = 1;
+      lake.cells.push_back(y * width + x);
+    }
+  }
+  return lake;
+}
+
+/// The lake's shore on a window of the frame that just holds it.
+std::vector<Polygon> trace_shore(const Lake& lake, const GridFrame& frame) {
+  int x0 = frame.width, x1 = 0, y0 = frame.height, y1 = 0;
+  for (const int32_t cell : lake.cells) {
+    x0 = std::min(x0, cell % frame.width), x1 = std::max(x1, cell % frame.width);
+    y0 = std::min(y0, cell / frame.width), y1 = std::max(y1, cell / frame.width);
+  }
+  x0 = std::max(0, x0 - 1), y0 = std::max(0, y0 - 1);
+  x1 = std::min(frame.width - 1, x1 + 1), y1 = std::min(frame.height - 1, y1 + 1);
+  GridFrame window = frame;
+  window.width = x1 - x0 + 1;
+  window.height = y1 - y0 + 1;
+  window.west_m += x0 * frame.cell_m;
+  window.north_m -= y0 * frame.cell_m;
+  Grid<uint8_t> inside(window, 0);
+  for (const int32_t cell : lake.cells) inside(cell % frame.width - x0, cell / frame.width - y0) = 1;
+  return geom::trace_mask(inside);
+}
+
+}  // namespace
+
+Drawing trace_lakes(const HeightField& terrain, const HeightField& filled, double min_area_m2, const RunContext& run) {
+  const GridFrame& frame = terrain.frame();
+  const double cell_m2 = frame.cell_m * frame.cell_m;
+  Grid<uint8_t> seen(frame, 0);
+  std::vector<Lake> lakes;
+  for (int y = 0; y < frame.height; ++y) {
+    run.check_cancelled();
+    for (int x = 0; x < frame.width; ++x) {
+      if (seen(x, y) != 0 || !(terrain(x, y) < filled(x, y))) continue;
+      Lake lake = walk_lake(terrain, filled, y * frame.width + x, seen);
+      if (static_cast<double>(lake.cells.size()) * cell_m2 >= min_area_m2) lakes.push_back(std::move(lake));
+    }
+  }
+  std::stable_sort(lakes.begin(), lakes.end(),
+                   [](const Lake& a, const Lake& b) { return a.cells.size() > b.cells.size(); });
+  Drawing drawing;
+  drawing.crs = frame.crs;
+  for (const Lake& lake : lakes) {
+    run.check_cancelled();
+    drawing.areas.push_back({"lake " + std::to_string(drawing.areas.size() + 1),
+                             trace_shore(lake, frame),
+                             {{"level_m", lake.level},
+                              {"depth_m", lake.depth},
+                              {"area_m2", static_cast<double>(lake.cells.size()) * cell_m2},
+                              {"volume_m3", lake.volume * cell_m2}}});
+  }
+  return drawing;
+}
+
+}  // namespace seamount::hydrology

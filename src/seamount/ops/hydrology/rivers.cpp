@@ -1,0 +1,80 @@
+#include "seamount/ops/hydrology/rivers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "seamount/base/parallel.h"
+#include "seamount/geom/flow.h"
+#include "seamount/geom/polygon.h"
+#include "seamount/ops/hydrology/network.h"
+#include "seamount/ops/hydrology/ridge_flow.h"
+
+namespace seamount::hydrology {
+namespace {
+
+constexpr double kSecondsPerYear = 365.25 * 86400.0;
+
+/// Cells that a channel's catchment must have.
+double threshold(const std::optional<double>& min_area_m2, const GridFrame& frame) {
+  const double cells =
+      min_area_m2 ? *min_area_m2 / (frame.cell_m * frame.cell_m) : static_cast<double>(frame.cells()) / 500.0;
+  return std::max(2.0, cells);
+}
+
+ValuedLine describe_link(const Link& link, const GridFrame& frame) {
+  ValuedLine line{draw_link(link, frame), static_cast<double>(link.order), false};
+  line.attributes = {{"order", static_cast<double>(link.order)},
+                     {"length_m", geom::line_length(line.points)},
+                     {"area_m2", link.drained * frame.cell_m * frame.cell_m}};
+  return line;
+}
+
+/// How much higher the first cell of a link is than its last.
+double fall(const Link& link, const HeightField& terrain) {
+  return static_cast<double>(terrain.data()[link.cells.front()]) -
+         static_cast<double>(terrain.data()[link.cells.back()]);
+}
+
+}  // namespace
+
+Drawing rivers(const HeightField& terrain, const RiversParams& params, const RunContext& run) {
+  check_params(params);
+  const GridFrame& frame = terrain.frame();
+  const float sea = params.sea ? 0.0F : geom::kNoSea;
+  const HeightField filled = geom::fill_depressions(terrain, sea, run.part(0.0, 0.5));
+  const geom::FlowDirections directions = geom::flow_directions(filled, sea, run.part(0.5, 0.6));
+  ScalarField cells(frame);
+  {
+    const Grid<uint32_t> counts = geom::flow_accumulation(directions, run.part(0.6, 0.8));
+    std::transform(counts.cells().begin(), counts.cells().end(), cells.cells().begin(),
+                   [](uint32_t count) { return static_cast<float>(count); });
+  }
+  Drawing drawing;
+  drawing.crs = frame.crs;
+  for (const Link& link : find_links(directions, cells, threshold(params.min_area_m2, frame), nullptr, run)) {
+    ValuedLine line = describe_link(link, frame);
+    const double discharge = link.drained * frame.cell_m * frame.cell_m * 1e-3 * params.runoff_mm_yr / kSecondsPerYear;
+    line.attributes.push_back({"discharge_m3_s", discharge});
+    line.attributes.push_back({"width_m", params.width_factor * std::sqrt(discharge)});
+    line.attributes.push_back({"fall_m", fall(link, filled)});
+    drawing.lines.push_back(std::move(line));
+  }
+  return drawing;
+}
+
+Drawing ridges(const HeightField& terrain, const RidgesParams& params, const RunContext& run) {
+  check_params(params);
+  const GridFrame& frame = terrain.frame();
+  const RidgeFlow flow = ridge_flow(terrain, params.sea ? 0.0F : geom::kNoSea, run);
+  Drawing drawing;
+  drawing.crs = frame.crs;
+  for (const Link& link :
+       find_links(flow.directions, flow.cells, threshold(params.min_area_m2, frame), &flow.land, run)) {
+    ValuedLine line = describe_link(link, frame);
+    line.attributes.push_back({"rise_m", -fall(link, terrain)});
+    drawing.lines.push_back(std::move(line));
+  }
+  return drawing;
+}
+
+}  // namespace seamount::hydrology
