@@ -29,7 +29,7 @@ Ring circle(Vec2 centre, double radius) {
 /// Squared distance in lattice units from a place to the nearest sample, by buckets.
 class Nearest {
  public:
-  explicit Nearest(const DiscSampling& sampling) : sampling_(sampling) {
+  explicit Nearest(const DiscSampling& sampling) {
     for (const LatticePoint p : sampling.points) buckets_[{p.x / kSpacing, p.y / kSpacing}].push_back(p);
   }
 
@@ -48,7 +48,6 @@ class Nearest {
   }
 
  private:
-  const DiscSampling& sampling_;
   std::map<std::pair<int, int>, std::vector<LatticePoint>> buckets_;
 };
 
