@@ -22,6 +22,7 @@ reef::GrowParams paper_settings() {
   params.w0 = 0.5;
   params.w1 = 0.2;
   params.w2 = 0.1;
+  params.k2 = 10;
   return params;
 }
 

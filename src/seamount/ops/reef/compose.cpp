@@ -158,7 +158,7 @@ void RowComposer::add_grooves(int y) {
     const double n = geom::perlin(noise, px / kGrooveWavelength_m, py / kGrooveWavelength_m);
     const double along = static_cast<double>(d > 0 ? 1.0F - d / shallow : 1.0F - d / deep);
     const double windward = geom::smoothstep(0.5 + 0.8 * static_cast<double>(exposure_[i]));
-    distance_[i] += static_cast<float>(2.5 * params_.grooves_m * weight * along * windward * n);
+    distance_[i] += static_cast<float>(6.0 * params_.grooves_m * weight * along * windward * n);
   }
 }
 

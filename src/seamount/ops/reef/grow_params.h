@@ -47,7 +47,7 @@ struct GrowParams {
   double k = 10.0;
   double k1 = 5.0;
   double k1_jitter = 0.25;
-  double k2 = 10.0;
+  double k2 = 4.0;
   double lift_m = 60.0;
   double rim_m = 2.5;
   double flat_m = -1.8;
@@ -107,7 +107,8 @@ struct GrowParams {
         field(&P::k, "k", "", between(2, 40), "exponent of the normal kernel: steepness of the reef's sides"),
         field(&P::k1, "k1", "", between(1.1, 40), "the rim lies 1 / k1 of the radius inside the edge"),
         field(&P::k1_jitter, "k1_jitter", "", between(0, 0.9), "random share of k1, which makes the rim uneven"),
-        field(&P::k2, "k2", "", between(2, 40), "exponent of the log-normal kernel: how squarely the rim stands"),
+        field(&P::k2, "k2", "", between(2, 40),
+              "exponent of the log-normal kernel: how squarely the rim stands; 10 in P4"),
         field(&P::lift_m, "lift_m", "m", between(0, 5000),
               "height that the normal kernel lifts the ground (saturating)"),
         field(&P::rim_m, "rim_m", "m", between(0, 500), "height that the edge kernel lifts the rim (saturating)"),

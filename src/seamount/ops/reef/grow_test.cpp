@@ -39,6 +39,7 @@ GrowParams paper() {
   p.w0 = 0.5;
   p.w1 = 0.2;
   p.w2 = 0.1;
+  p.k2 = 10;
   p.cays = 0;
   return p;
 }
