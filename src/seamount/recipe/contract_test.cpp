@@ -20,16 +20,18 @@ const Values& example_values() {
   static const Values values = [] {
     const Recipe recipe =
         parse_recipe(R"({"seamount": 1, "domain": {"width_m": 9600, "height_m": 8000, "cell_m": 100}, "steps": [
-        {"id": "isle", "op": "island.build"}, {"id": "lines", "op": "island.outlines", "in": {"labels": "isle.labels"}}]})",
+        {"id": "isle", "op": "island.build"}, {"id": "lines", "op": "island.outlines", "in": {"labels": "isle.labels"}},
+        {"id": "grown", "op": "contour.grow", "params": {"particles": 900}},
+        {"id": "network", "op": "contour.heights", "in": {"tin": "grown.tin"}}]})",
                      "example", "");
-    const std::vector<Source> wanted = {
-        {"isle", "terrain", ""}, {"isle", "labels", ""}, {"isle", "coordinate", ""}, {"lines", "outlines", ""}};
+    const std::vector<Source> wanted = {{"isle", "terrain", ""},
+                                        {"isle", "labels", ""},
+                                        {"isle", "coordinate", ""},
+                                        {"lines", "outlines", ""},
+                                        {"network", "tin", ""}};
     const std::vector<Value> made = evaluate(recipe, wanted, {"", ""}, {});
-    return Values{{"terrain", made[0]},
-                  {"labels", made[1]},
-                  {"field", made[2]},
-                  {"drawing", made[3]},
-                  {"image", Value::image(Image(8, 8))}};
+    return Values{{"terrain", made[0]}, {"labels", made[1]}, {"field", made[2]},
+                  {"drawing", made[3]}, {"tin", made[4]},    {"image", Value::image(Image(8, 8))}};
   }();
   return values;
 }

@@ -136,6 +136,10 @@ RegionTree nest_regions(std::vector<GrowthRegion> regions, const GridFrame& doma
   for (size_t i = 0; i < regions.size(); ++i) {
     check_meets_domain(regions[i], domain, field);
     regions[i].parent = parents[i];
+    if (regions[i].basin && parents[i] < 0) {
+      throw InvalidArgument(field, fmt::format("the basin {} (near {}) lies in no region; draw the land around it",
+                                               quoted(regions[i]), geom::format_place(regions[i].outline[0])));
+    }
     check_height(regions, i, field);
   }
   return {std::move(regions)};

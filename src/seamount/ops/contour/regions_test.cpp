@@ -91,7 +91,10 @@ TEST(Regions, MessagesNameRegionsAndPlaces) {
               AllOf(HasSubstr("'high' at 200 m"), HasSubstr("not higher than 'low' at 300 m"), HasSubstr("basin")));
   EXPECT_THAT(message({{"a", square(10), std::nan(""), false}}), HasSubstr("is outside [-20000, 20000]"));
   EXPECT_EQ(message({{"rim", square(100), 300.0, false}, {"floor", square(50), 200.0, true}}), "");
-  EXPECT_THAT(message({{"a", square(100), 300.0, true}, {"b", square(50), 300.0, true}}), HasSubstr("not lower"));
+  EXPECT_THAT(
+      message({{"land", square(200), 0.0, false}, {"a", square(100), 300.0, true}, {"b", square(50), 300.0, true}}),
+      HasSubstr("not lower"));
+  EXPECT_THAT(message({{"pit", square(100), {}, true}}), HasSubstr("'pit' (near (-100, -100)) lies in no region"));
   // A region may reach beyond the domain, or hold all of it.
   EXPECT_EQ(message({{"a", square(2000), {}, false}, {"b", square(300, {400, 0}), {}, false}}), "");
 }

@@ -5,6 +5,7 @@
 #include "seamount/io/image_file.h"
 #include "seamount/io/vector.h"
 #include "seamount/ops/contour/grow.h"
+#include "seamount/ops/contour/heights.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
@@ -51,6 +52,12 @@ Values grow(const contour::GrowParams& params, const Call& call) {
   return {{"tin", Value::tin(contour::grow(tree, frame, call.scalars("probability"), params, call.seed, call.run))}};
 }
 
+Values heights(const contour::HeightsParams& params, const Call& call) {
+  const Value* terrain = call.input("terrain");
+  return {{"tin", Value::tin(contour::heights(call.in.at("tin").network(),
+                                              terrain == nullptr ? nullptr : &terrain->heights(), params, call.run))}};
+}
+
 }  // namespace
 
 void add_contour_operators(Registry& registry) {
@@ -66,6 +73,14 @@ void add_contour_operators(Registry& registry) {
                false}},
        .out = {{"tin", ValueKind::tin, "a network with a rank per node and no heights yet"}}},
       grow);
+  registry.add<contour::HeightsParams>(
+      {.name = "contour.heights",
+       .summary = "Heights for a grown network from a distribution of heights, through outlines of given height",
+       .source = "P2 sec. 3.3, 4.4, fig. 8, 23",
+       .in = {{"tin", ValueKind::tin, "a network as contour.grow makes it"},
+              {"terrain", ValueKind::terrain, "measured for its distribution of heights", false}},
+       .out = {{"tin", ValueKind::tin, "the same network with a height per node"}}},
+      heights);
 }
 
 }  // namespace seamount::recipe

@@ -1,0 +1,54 @@
+// The parts of contour.heights (heights.h) that work on nodes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "seamount/base/run_context.h"
+#include "seamount/geom/node_graph.h"
+#include "seamount/model/tin.h"
+#include "seamount/ops/contour/distribution.h"
+#include "seamount/ops/contour/height_bands.h"
+
+namespace seamount::contour {
+
+/// A node beside another region's.
+struct Shore {
+  int32_t node = 0;
+  int32_t outline = 0;  ///< the region whose outline lies between: the node's own, or one directly inside its region
+  bool inside = false;  ///< of that outline
+};
+
+/// Every node beside an outline, once per outline, by outline; nodes outside all regions as well.
+std::vector<Shore> find_shores(const Tin& tin, const geom::NodeGraph& graph);
+
+/// What outlines leave to a node. Rivers leave nothing.
+struct Limits {
+  std::vector<double> floor, cap;
+};
+Limits find_limits(const Tin& tin, const std::vector<RegionBand>& bands, const std::vector<Shore>& shores);
+
+/// Quantiles in the order of ranks: per group and level, or per region where outlines inside it have heights of their
+/// own. Nodes outside stay 0.
+std::vector<double> band_heights(const Tin& tin, const std::vector<RegionBand>& bands, const std::vector<Shore>& shores,
+                                 const HeightDistribution& distribution, const HeightsParams& params,
+                                 const RunContext& run);
+
+/// Lays nodes beside outlines at the heights that a plane through the outline has there, as steep as the ground is, so
+/// that the contour passes between them where the outline does. Sets nodes outside the regions too (`known`).
+void follow_outlines(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
+                     const std::vector<Shore>& shores, std::vector<double>& height, std::vector<uint8_t>& known,
+                     const RunContext& run);
+
+/// Lowers what would dam the water on its way down the ranks, then lifts what still lies below where it drains to, and
+/// rounds to floats that differ: afterwards each node's drain is lower than the node. Outside nodes count as outlets.
+std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
+                         const Limits& limits, std::vector<double> height, const RunContext& run);
+
+/// Nodes outside the regions fall from the outlines by `slope` (m/m) and the distance along sides.
+void fall_outside(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
+                  const std::vector<Shore>& shores, const std::vector<uint8_t>& known, double slope,
+                  std::vector<double>& height, const RunContext& run);
+
+}  // namespace seamount::contour
