@@ -51,8 +51,7 @@ void describe(const std::string& name, bool markdown) {
 std::vector<std::string> example_names() {
   std::vector<std::string> names;
   for (const Example& example : example_files()) {
-    const fs::path file(example.file);
-    if (file.extension() == ".json") names.push_back(file.stem().string());
+    if (example.file.ends_with(".json")) names.emplace_back(example.file.substr(0, example.file.size() - 5));
   }
   return names;
 }
@@ -76,14 +75,15 @@ void make_new(const std::string& name, const std::string& folder) {
   if (recipe == nullptr)
     throw InvalidArgument("example", "there is no '" + name + "'" + suggestion(name, example_names()));
   std::string text(recipe->content);
+  const std::string up = recipe->file.find('/') == std::string_view::npos ? "../" : "../../";
   for (const Example& data : example_files()) {
-    const std::string reference = "../data/" + std::string(data.file);
+    const std::string reference = up + "data/" + std::string(data.file);
     const size_t at = text.find(reference);
     if (at == std::string::npos) continue;
     text.replace(at, reference.size(), data.file);
     if (!fs::exists(fs::path(folder) / data.file)) write_new_file(fs::path(folder) / data.file, data.content);
   }
-  write_new_file(fs::path(folder) / recipe->file, text);
+  write_new_file(fs::path(folder) / fs::path(recipe->file).filename(), text);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace seamount::app {
 
 struct Example {
-  std::string_view file;  ///< "kauai.json"
+  std::string_view file;  ///< "kauai.json", "reef/platform.json"
   std::string_view content;
 };
 
