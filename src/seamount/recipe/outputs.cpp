@@ -12,6 +12,7 @@
 #include "seamount/io/raster.h"
 #include "seamount/io/splat.h"
 #include "seamount/io/tiles.h"
+#include "seamount/io/tin_file.h"
 #include "seamount/io/vector.h"
 #include "seamount/ops/render/map.h"
 #include "seamount/ops/render/perspective.h"
@@ -271,6 +272,9 @@ std::vector<OutputFormat> make_formats() {
       format<NoParams>(
           {"drawing", "areas and lines: GeoJSON, GeoPackage, SVG", drawings, drawings, {drawing}},
           [](const NoParams&, const OutputCall& call) { io::write_drawing(call.value.shapes(), call.path); }),
+      format<NoParams>(
+          {"network", "a network as PLY: x, y, z, and of each node its region and rank", {".ply"}, {".ply"}, {tin}},
+          [](const NoParams&, const OutputCall& call) { io::write_tin(call.value.network(), call.path); }),
       format<NoParams>({"image", "a picture", {".png"}, {".png"}, {image}},
                        [](const NoParams&, const OutputCall& call) { io::write_png(call.value.picture(), call.path); }),
   };

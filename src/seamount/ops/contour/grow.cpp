@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/text.h"
 #include "seamount/geom/delaunay.h"
+#include "seamount/geom/distance.h"
 #include "seamount/geom/noise.h"
 #include "seamount/geom/poisson_disc.h"
 #include "seamount/geom/polygon.h"
@@ -66,16 +68,18 @@ Measures measure(const RegionTree& tree, const GridFrame& domain) {
   return all;
 }
 
-/// Rounds to two digits, up or down: a number for people to type in.
-double two_digits(double value, bool up) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return (up ? std::ceil(value / unit) : std::floor(value / unit)) * unit;
-}
-
 std::string short_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);
   return format_number(std::stod(text));
+}
+
+/// Rounds to two digits, up or down: a number for people to type in.
+double two_digits(double value, bool up) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", (up ? std::ceil(value / unit) : std::floor(value / unit)) * unit);
+  return std::stod(text);
 }
 
 void check_size(const Measures& all, double spacing_m) {
@@ -109,29 +113,39 @@ std::vector<int32_t> regions_of_nodes(const RegionTree& tree, const GridFrame& d
   return regions_at(tree, places, run);
 }
 
-/// A region of area A and border P holds a disc of radius A / P, which a maximal sampling of that spacing never misses.
+/// Radius of a disc that fits into a region in the domain: a sampling of that spacing never misses the region. About
+/// the largest, and at least area / border; 0 if the region is all outside.
+double disc_in(const RegionTree& tree, size_t region, const GridFrame& domain, const RunContext& run) {
+  constexpr int kCells = 100;
+  Polygon polygon{clip(tree.regions[region].outline, box_of(domain, 0.0)), {}};
+  const geom::Box box = geom::bounding_box(polygon.outer);
+  for (const GrowthRegion& child : tree.regions) {
+    if (child.parent == static_cast<int>(region)) polygon.holes.push_back(child.outline);
+  }
+  const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
+  if (box.empty() || !(std::min(width, height) > 0.0)) return 0.0;
+  const double cell = std::min(width, height) / kCells;
+  const double least = std::max(0.0, geom::area(polygon) / geom::perimeter(polygon));
+  if (std::max(width, height) > 1e4 * cell) return least;
+  const auto cells = [&](double side) { return static_cast<int>(std::ceil(side / cell)); };
+  const GridFrame frame = {cells(width), cells(height), cell, box.low.x, box.high.y, {}};
+  const ScalarField distance = geom::signed_distance({polygon}, frame, run);
+  return std::max(least, -static_cast<double>(*std::min_element(distance.cells().begin(), distance.cells().end())));
+}
+
 void check_regions(const RegionTree& tree, const GridFrame& domain, double spacing_m,
-                   const std::vector<int32_t>& region) {
+                   const std::vector<int32_t>& region, const RunContext& run) {
   std::vector<bool> has_node(tree.regions.size(), false);
   for (const int32_t r : region) {
     if (r >= 0) has_node[static_cast<size_t>(r)] = true;
   }
   for (size_t i = 0; i < tree.regions.size(); ++i) {
     if (has_node[i]) continue;
-    double area = 0.0, border = 0.0;
-    for (size_t k = i; k < tree.regions.size(); ++k) {
-      if (k != i && tree.regions[k].parent != static_cast<int>(i)) continue;
-      const Ring ring = clip(tree.regions[k].outline, box_of(domain, 0.0));
-      area += (k == i ? 1.0 : -1.0) * std::abs(geom::signed_area(ring));
-      border += geom::ring_length(ring);
-    }
-    const std::string advice = area > 0.0 && border > 0.0
-                                   ? "; a spacing_m of " +
-                                         format_number(two_digits(std::min(area / border, 0.7 * spacing_m), false)) +
-                                         " would do"
-                                   : "; take it out";
+    const double disc = std::min(disc_in(tree, i, domain, run), 0.7 * spacing_m);
+    const std::string advice =
+        disc > 0.0 ? "; a spacing_m of " + format_number(two_digits(disc, false)) + " would do" : "; take it out";
     throw InvalidArgument("spacing_m", "no node falls into the region '" + tree.regions[i].name + "' at a spacing of " +
-                                           format_number(two_digits(spacing_m, true)) + " m" + advice);
+                                           short_number(spacing_m) + " m" + advice);
   }
 }
 
@@ -179,7 +193,7 @@ Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* pro
   tin.nodes.reserve(discs.points.size());
   for (const geom::LatticePoint p : discs.points) tin.nodes.push_back(discs.lattice.place(p));
   tin.region = regions_of_nodes(tree, domain, spacing, tin.nodes, run.part(0.65, 0.7));
-  check_regions(tree, domain, spacing, tin.region);
+  check_regions(tree, domain, spacing, tin.region, run.part(0.7, 0.7));
 
   std::vector<float> chance(tin.nodes.size(), 0.5F);
   if (probability != nullptr) {

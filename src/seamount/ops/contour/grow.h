@@ -34,10 +34,12 @@ namespace seamount::contour {
 struct GrowParams {
   std::vector<RegionOutline> outlines;
   FilePath regions;
+  std::string feature;
   bool darkest_is_land = false;
   std::optional<double> spacing_m;
   int particles = 50000;
   ProbabilityKind probability = ProbabilityKind::noise;
+  FilePath probability_picture;
   std::optional<double> feature_m;
   int octaves = 5;
   double exponent = 2.0;
@@ -51,6 +53,7 @@ struct GrowParams {
         field(&P::regions, "regions",
               "the regions instead as a GeoJSON, GeoPackage or Shapefile, or as a picture whose grey levels are nested "
               "regions"),
+        field(&P::feature, "feature", "only the areas of this name in the file `regions`"),
         field(&P::darkest_is_land, "darkest_is_land",
               "the darkest grey of a picture is the lowest region instead of the world outside"),
         field(&P::spacing_m, "spacing_m", "m", between(1e-3, 1e6),
@@ -60,6 +63,8 @@ struct GrowParams {
         field(&P::probability, "probability",
               "where growth runs ahead and cuts valleys: uniform: nowhere, rings that follow the outline; noise: along "
               "fractal noise; the input 'probability' replaces it"),
+        field(&P::probability_picture, "probability_picture",
+              "the probability as a picture laid over the domain, black 0 to white 1"),
         field(&P::feature_m, "feature_m", "m", between(1e-3, 1e7),
               "size of the noise's largest forms; absent: a third of the regions' size"),
         field(&P::octaves, "octaves", "", between(1, 16), "layers of detail of the noise, each of half the size"),

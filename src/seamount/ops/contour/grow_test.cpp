@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "seamount/geom/polygon.h"
+#include "seamount/ops/contour/probability.h"
 
 namespace seamount::contour {
 namespace {
@@ -316,6 +317,18 @@ TEST(Grow, AFewNodesAreEnough) {
     if (count >= 10) {
       EXPECT_EQ(endorheic(tin), 0);
     }
+  }
+}
+
+TEST(PaintedProbability, IsStretchedOverTheDomain) {
+  Image picture(4, 2, {0, 0, 0});
+  for (int x = 0; x < 4; ++x) picture.pixel(x, 1)[0] = picture.pixel(x, 1)[1] = picture.pixel(x, 1)[2] = 255;
+  for (const GridFrame& domain : {GridFrame::centred(100, 100, 10), GridFrame::centred(300, 20, 7)}) {
+    const ScalarField field = painted_probability(picture, domain);
+    EXPECT_NEAR(field.frame().width_m(), domain.width_m(), 1e-9);
+    EXPECT_EQ(field(0, 0), 0.0F);
+    EXPECT_EQ(field(field.width() - 1, field.height() - 1), 1.0F);
+    EXPECT_EQ(field(0, field.height() / 2), 1.0F);
   }
 }
 

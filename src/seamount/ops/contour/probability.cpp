@@ -64,4 +64,22 @@ std::vector<float> field_probability(std::span<const Vec2> places, const ScalarF
   return probability;
 }
 
+ScalarField painted_probability(const Image& picture, const GridFrame& domain) {
+  const double aspect = domain.height_m() / domain.width_m();
+  GridFrame frame = domain;  // square cells, as fine as the picture's pixels where they are finest
+  frame.width = std::max(picture.width, static_cast<int>(std::lround(picture.height / aspect)));
+  frame.cell_m = domain.width_m() / frame.width;
+  frame.height = std::max(1, static_cast<int>(std::lround(domain.height_m() / frame.cell_m)));
+  ScalarField field(frame);
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) {
+      const int column = static_cast<int>(int64_t{x} * picture.width / frame.width);
+      const int row = static_cast<int>(int64_t{y} * picture.height / frame.height);
+      const uint8_t* pixel = picture.pixel(column, row);
+      field(x, y) = static_cast<float>(pixel[0] + pixel[1] + pixel[2]) / (3.0F * 255.0F);
+    }
+  }
+  return field;
+}
+
 }  // namespace seamount::contour

@@ -9,6 +9,7 @@
 #include "seamount/geom/noise.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
+#include "seamount/model/image.h"
 
 namespace seamount::contour {
 
@@ -20,5 +21,8 @@ std::vector<float> noise_probability(std::span<const Vec2> places, const geom::F
 /// not in [0, 1]. Parallel.
 std::vector<float> field_probability(std::span<const Vec2> places, const ScalarField& field, double exponent,
                                      const RunContext& run);
+
+/// A picture stretched over the domain: black 0, white 1, colours by their mean. REQUIRES: not empty.
+ScalarField painted_probability(const Image& picture, const GridFrame& domain);
 
 }  // namespace seamount::contour

@@ -6,6 +6,7 @@
 #include "seamount/io/vector.h"
 #include "seamount/ops/contour/grow.h"
 #include "seamount/ops/contour/heights.h"
+#include "seamount/ops/contour/probability.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
@@ -43,13 +44,21 @@ contour::RegionTree make_regions(const contour::GrowParams& p, const Call& call,
   if (p.regions.path.empty()) return contour::random_region(frame, call.seed);
   const std::string path = call.resolve(p.regions);
   if (is_picture(path)) return contour::regions_from_image(io::read_image(path), frame, painted, "regions", call.run);
-  return from_drawing(io::read_drawing(path));
+  return from_drawing(io::read_drawing(path, {.feature = p.feature, .layer = {}}));
 }
 
 Values grow(const contour::GrowParams& params, const Call& call) {
   GridFrame frame = call.domain;
   const contour::RegionTree tree = make_regions(params, call, frame);
-  return {{"tin", Value::tin(contour::grow(tree, frame, call.scalars("probability"), params, call.seed, call.run))}};
+  const ScalarField* probability = call.scalars("probability");
+  ScalarField painted;
+  if (!params.probability_picture.path.empty()) {
+    if (probability != nullptr)
+      throw InvalidArgument("probability_picture", "given together with the input 'probability'; growth follows one");
+    painted = contour::painted_probability(io::read_image(call.resolve(params.probability_picture)), frame);
+    probability = &painted;
+  }
+  return {{"tin", Value::tin(contour::grow(tree, frame, probability, params, call.seed, call.run))}};
 }
 
 Values heights(const contour::HeightsParams& params, const Call& call) {

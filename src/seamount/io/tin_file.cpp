@@ -1,0 +1,71 @@
+#include "seamount/io/tin_file.h"
+
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+#include "seamount/io/atomic_file.h"
+
+namespace seamount::io {
+namespace {
+
+/// Bytes of plain values one after another.
+class Bytes {
+ public:
+  template <class T>
+  requires std::is_arithmetic_v<T>
+  void add(T value) {
+    const size_t size = bytes_.size();
+    bytes_.resize(size + sizeof(T));
+    std::memcpy(bytes_.data() + size, &value, sizeof(T));
+  }
+
+  /// Passes a full piece, or the last one, on to the file.
+  void pass(FileWriter& file, bool last = false) {
+    constexpr size_t kPiece = 1 << 20;
+    if (!last && bytes_.size() < kPiece) return;
+    file.write(bytes_);
+    bytes_.clear();
+  }
+
+ private:
+  std::vector<uint8_t> bytes_;
+};
+
+std::string header(const Tin& tin) {
+  std::string text = "ply\nformat binary_little_endian 1.0\ncomment metres, z up, sea level at z = 0\nelement vertex " +
+                     std::to_string(tin.nodes.size()) + "\nproperty double x\nproperty double y\nproperty float z\n";
+  if (!tin.region.empty()) text += "property int region\n";
+  if (!tin.rank.empty()) text += "property float rank\n";
+  return text + "element face " + std::to_string(tin.triangles.size()) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+}  // namespace
+
+void write_tin(const Tin& tin, const std::string& path) {
+  write_atomically(path, [&](const std::string& temporary) {
+    FileWriter file(temporary, path);
+    file.write_raw<char>(header(tin));
+    Bytes bytes;
+    for (size_t i = 0; i < tin.nodes.size(); ++i) {
+      bytes.add(tin.nodes[i].x);
+      bytes.add(tin.nodes[i].y);
+      bytes.add(tin.height_m.empty() ? 0.0F : tin.height_m[i]);
+      if (!tin.region.empty()) bytes.add(tin.region[i]);
+      if (!tin.rank.empty()) bytes.add(tin.rank[i]);
+      bytes.pass(file);
+    }
+    for (const auto& [a, b, c] : tin.triangles) {
+      bytes.add(uint8_t{3});
+      bytes.add(a);
+      bytes.add(b);
+      bytes.add(c);
+      bytes.pass(file);
+    }
+    bytes.pass(file, true);
+    file.close();
+  });
+}
+
+}  // namespace seamount::io
