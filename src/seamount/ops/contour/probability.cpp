@@ -65,9 +65,11 @@ std::vector<float> field_probability(std::span<const Vec2> places, const ScalarF
 }
 
 ScalarField painted_probability(const Image& picture, const GridFrame& domain) {
-  const double aspect = domain.height_m() / domain.width_m();
-  GridFrame frame = domain;  // square cells, as fine as the picture's pixels where they are finest
-  frame.width = std::max(picture.width, static_cast<int>(std::lround(picture.height / aspect)));
+  // Square cells as fine as the picture's pixels are where they are finest, but at most four to a pixel.
+  const double finest = std::min(domain.width_m() / picture.width, domain.height_m() / picture.height);
+  const double least = std::sqrt(domain.width_m() / picture.width * domain.height_m() / picture.height / 4.0);
+  GridFrame frame = domain;
+  frame.width = std::max(1, static_cast<int>(std::lround(domain.width_m() / std::max(finest, least))));
   frame.cell_m = domain.width_m() / frame.width;
   frame.height = std::max(1, static_cast<int>(std::lround(domain.height_m() / frame.cell_m)));
   ScalarField field(frame);
