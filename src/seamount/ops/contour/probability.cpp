@@ -65,11 +65,13 @@ std::vector<float> field_probability(std::span<const Vec2> places, const ScalarF
 }
 
 ScalarField painted_probability(const Image& picture, const GridFrame& domain) {
-  // Square cells as fine as the picture's pixels are where they are finest, but at most four to a pixel.
-  const double finest = std::min(domain.width_m() / picture.width, domain.height_m() / picture.height);
-  const double least = std::sqrt(domain.width_m() / picture.width * domain.height_m() / picture.height / 4.0);
+  // Square cells as fine as the picture's pixels are where they are finest, unless those would be far too many.
+  constexpr double kMostCells = 4e6;
+  const double wide = domain.width_m() / picture.width, high = domain.height_m() / picture.height;
+  const double pixels = static_cast<double>(picture.width) * picture.height;
+  const double least = std::sqrt(wide * high * pixels / std::max(kMostCells, pixels));
   GridFrame frame = domain;
-  frame.width = std::max(1, static_cast<int>(std::lround(domain.width_m() / std::max(finest, least))));
+  frame.width = std::max(1, static_cast<int>(std::lround(domain.width_m() / std::max(std::min(wide, high), least))));
   frame.cell_m = domain.width_m() / frame.width;
   frame.height = std::max(1, static_cast<int>(std::lround(domain.height_m() / frame.cell_m)));
   ScalarField field(frame);
