@@ -2,6 +2,9 @@
 #include <benchmark/benchmark.h>
 
 #include "seamount/geom/flow.h"
+#include "seamount/ops/hydrology/flow.h"
+#include "seamount/ops/hydrology/rivers.h"
+#include "seamount/ops/sketch/extract.h"
 #include "seamount/ops/terrain/noise.h"
 
 namespace {
@@ -43,5 +46,29 @@ void fill(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(geom::fill_depressions(terrain, 0.0F, {}));
 }
 BENCHMARK(fill)->Name("hydrology/fill")->Arg(4096)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void flow_dinf(benchmark::State& state) {
+  const HeightField terrain = mountains(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(hydrology::flow(terrain, {.method = hydrology::FlowMethod::dinf}, {}));
+}
+BENCHMARK(flow_dinf)->Name("hydrology/flow_dinf")->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void rivers(benchmark::State& state) {
+  const HeightField terrain = mountains(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(hydrology::rivers(terrain, {.min_area_m2 = 1e6}, {}));
+}
+BENCHMARK(rivers)->Name("hydrology/rivers")->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void ridges(benchmark::State& state) {
+  const HeightField terrain = mountains(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(hydrology::ridges(terrain, {.min_area_m2 = 1e6}, {}));
+}
+BENCHMARK(ridges)->Name("hydrology/ridges")->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void extract(benchmark::State& state) {
+  const HeightField terrain = mountains(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(sketch::extract(terrain, {}, Seed{1}, {}));
+}
+BENCHMARK(extract)->Name("sketch/extract")->Arg(256)->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

@@ -1,9 +1,6 @@
 #include "seamount/ops/hydrology/network.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "seamount/geom/polygon.h"
 
 namespace seamount::hydrology {
 namespace {
@@ -110,24 +107,6 @@ class NetworkBuilder {
 std::vector<Link> find_links(const geom::FlowDirections& directions, const ScalarField& accumulation, double threshold,
                              const Grid<uint8_t>* mask, const RunContext& run) {
   return NetworkBuilder(directions, accumulation, threshold, mask).build(run);
-}
-
-Polyline draw_link(const Link& link, const GridFrame& frame) {
-  constexpr int kRounds = 12;
-  constexpr double kReach = 0.4;  // of a cell, from its centre
-  Polyline centres;
-  for (const int32_t cell : link.cells) centres.push_back({frame.x(cell % frame.width), frame.y(cell / frame.width)});
-  Polyline line = centres, previous;
-  const double reach = kReach * frame.cell_m;
-  for (int round = 0; round < kRounds; ++round) {
-    previous = line;
-    for (size_t i = 1; i + 1 < line.size(); ++i) {
-      const Vec2 wanted = 0.25 * (previous[i - 1] + previous[i + 1]) + 0.5 * previous[i];
-      line[i].x = std::clamp(wanted.x, centres[i].x - reach, centres[i].x + reach);
-      line[i].y = std::clamp(wanted.y, centres[i].y - reach, centres[i].y + reach);
-    }
-  }
-  return geom::simplify_line(line, 0.05 * frame.cell_m);
 }
 
 std::vector<int> links_by_order(const std::vector<Link>& links) {

@@ -7,7 +7,6 @@
 
 #include "seamount/base/run_context.h"
 #include "seamount/geom/flow.h"
-#include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 
 namespace seamount::hydrology {
@@ -24,10 +23,6 @@ struct Link {
 /// outlets, at pits, and where `mask` (null: nowhere) is 0. Linear.
 std::vector<Link> find_links(const geom::FlowDirections& directions, const ScalarField& accumulation, double threshold,
                              const Grid<uint8_t>* mask, const RunContext& run);
-
-/// The middle of a link's cells as a smooth line: every point stays within its own cell (less a tenth of it), the ends
-/// where they are, so what holds for the cells, such as that water never climbs, holds for the line's points.
-Polyline draw_link(const Link& link, const GridFrame& frame);
 
 /// Number of links of each order, from order 1 on.
 std::vector<int> links_by_order(const std::vector<Link>& links);

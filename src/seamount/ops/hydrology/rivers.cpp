@@ -6,6 +6,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/geom/flow.h"
 #include "seamount/geom/polygon.h"
+#include "seamount/geom/skeleton.h"
 #include "seamount/ops/hydrology/network.h"
 #include "seamount/ops/hydrology/ridge_flow.h"
 
@@ -22,11 +23,21 @@ double threshold(const std::optional<double>& min_area_m2, const GridFrame& fram
 }
 
 ValuedLine describe_link(const Link& link, const GridFrame& frame) {
-  ValuedLine line{draw_link(link, frame), static_cast<double>(link.order), false};
+  ValuedLine line{geom::smooth_chain(link.cells, frame), static_cast<double>(link.order), false};
   line.attributes = {{"order", static_cast<double>(link.order)},
                      {"length_m", geom::line_length(line.points)},
                      {"area_m2", link.drained * frame.cell_m * frame.cell_m}};
   return line;
+}
+
+/// The edge cuts slopes in two and makes ridges of them that are none.
+void clear_edge(Grid<uint8_t>& mask) {
+  constexpr int kEdge = 2;
+  for (int y = 0; y < mask.height(); ++y) {
+    for (int x = 0; x < mask.width(); ++x) {
+      if (std::min({x, y, mask.width() - 1 - x, mask.height() - 1 - y}) < kEdge) mask(x, y) = 0;
+    }
+  }
 }
 
 /// How much higher the first cell of a link is than its last.
@@ -65,7 +76,8 @@ Drawing rivers(const HeightField& terrain, const RiversParams& params, const Run
 Drawing ridges(const HeightField& terrain, const RidgesParams& params, const RunContext& run) {
   check_params(params);
   const GridFrame& frame = terrain.frame();
-  const RidgeFlow flow = ridge_flow(terrain, params.sea ? 0.0F : geom::kNoSea, run);
+  RidgeFlow flow = ridge_flow(terrain, params.sea ? 0.0F : geom::kNoSea, run);
+  clear_edge(flow.land);
   Drawing drawing;
   drawing.crs = frame.crs;
   for (const Link& link :

@@ -1,0 +1,69 @@
+// sketch.extract: the sketch that somebody would have drawn of a terrain: rivers, ridges, and altitude cues.
+//
+// Source: P1 sec. 5.1, fig. 6 to 8. The terrain is blurred and down-sampled; drops of rain run from every cell by a
+// stochastic D8 (stochastic_flow.h); where many pass is a river; the rivers are up-sampled and thinned to one pixel.
+// Ridges are the rivers of the inverted terrain. Basins are where many drops disappear, peaks the same upside down;
+// both are altitude cues. Ours: what leaves a minimum runs over its lowest pass; minima no deeper than shallow_m
+// (survey noise, lake surfaces) hold no water; the threshold is applied before up-sampling, by a cubic B-spline, so
+// that thin diagonals hold together; twigs and pieces shorter than a few coarse cells are dropped.
+#pragma once
+
+#include <optional>
+#include <tuple>
+
+#include "seamount/base/fields.h"
+#include "seamount/base/rng.h"
+#include "seamount/base/run_context.h"
+#include "seamount/model/areas.h"
+#include "seamount/model/grid.h"
+#include "seamount/model/image.h"
+
+namespace seamount::sketch {
+
+struct ExtractParams {
+  std::optional<double> coarse_m;
+  std::optional<double> blur_m;
+  std::optional<double> min_area_m2;
+  std::optional<double> cue_area_m2;
+  double leave = 0.3;
+  std::optional<double> shallow_m;
+  double min_length = 4.0;
+  bool rivers = true;
+  bool ridges = true;
+  bool cues = true;
+
+  static constexpr auto fields() {
+    using P = ExtractParams;
+    return std::tuple(
+        field(&P::coarse_m, "coarse_m", "m", between(0.01, 1e6),
+              "cell size on which water runs; a 128th of the terrain's longer side if absent"),
+        field(&P::blur_m, "blur_m", "m", between(0, 1e6),
+              "deviation of the blur before it: how little of the detail is drawn; 0.7 coarse cells if absent"),
+        field(&P::min_area_m2, "min_area_m2", "m2", between(1, 1e13),
+              "ground whose rain makes a river, or a ridge; a 500th of the terrain's area if absent"),
+        field(&P::cue_area_m2, "cue_area_m2", "m2", between(1, 1e13),
+              "ground whose rain ends in one place and makes it a cue; a 150th of the terrain's area if absent"),
+        field(&P::leave, "leave", "", between(0, 1), "probability with which a drop leaves a local minimum"),
+        field(&P::shallow_m, "shallow_m", "m", between(0, 1000),
+              "minima that are no deeper hold no water; a 200th of the relief if absent"),
+        field(&P::min_length, "min_length", "", between(0, 100),
+              "shortest branch and piece that is kept, in coarse cells"),
+        field(&P::rivers, "rivers", "draw rivers"), field(&P::ridges, "ridges", "draw ridges"),
+        field(&P::cues, "cues", "draw peaks and basins with their heights"));
+  }
+};
+
+struct Sketch {
+  Mask river;              ///< 1 on the lines, else 0; one cell wide
+  Mask ridge;              ///< the same
+  ScalarField altitude_m;  ///< height at the cues, 0 elsewhere
+  Mask cue;                ///< 1 where altitude_m counts
+  Image image;             ///< ridges red, rivers blue, cues green by height (255 the highest); nothing: black
+  Drawing lines;           ///< value 0: river, 1: ridge; points: cues with height as value, and "basin" (1) or not (0)
+};
+
+/// Throws InvalidArgument for params out of range. Parallel; memory 20 bytes per cell of the terrain; time about linear
+/// in the cells, and in coarse cells times the length of a drop's way.
+Sketch extract(const HeightField& terrain, const ExtractParams& params, Seed seed, const RunContext& run);
+
+}  // namespace seamount::sketch

@@ -1,0 +1,44 @@
+#include "seamount/ops/sketch/levelset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "seamount/geom/contour.h"
+#include "seamount/geom/resample.h"
+
+namespace seamount::sketch {
+namespace {
+
+float percentile_of(const ScalarField& field, double percentile) {
+  std::vector<float> values(field.cells().begin(), field.cells().end());
+  const auto rank = static_cast<int64_t>(std::floor(percentile / 100.0 * static_cast<double>(values.size())));
+  const auto at = values.begin() + std::min(rank, static_cast<int64_t>(values.size()) - 1);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+Levelset levelset(const HeightField& terrain, const LevelsetParams& params, const RunContext& run) {
+  check_params(params);
+  const GridFrame& frame = terrain.frame();
+  constexpr double kBlurPart = 64.0;
+  HeightField blurred = terrain;
+  geom::gaussian_blur(blurred, params.blur_m.value_or(std::max(frame.width_m(), frame.height_m()) / kBlurPart), run);
+  run.check_cancelled();
+  const float level = percentile_of(blurred, params.percentile);
+  Levelset out{Mask(frame), Image(frame.width, frame.height), {}, level};
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) {
+      const bool inside = blurred(x, y) >= level;
+      out.mask(x, y) = inside ? 1.0F : 0.0F;
+      if (inside) std::fill_n(out.image.pixel(x, y), 3, uint8_t{255});
+    }
+  }
+  out.areas.crs = frame.crs;
+  out.areas.areas.push_back({"levelset", geom::trace_areas(blurred, level), {{"level_m", level}}});
+  return out;
+}
+
+}  // namespace seamount::sketch

@@ -1,0 +1,117 @@
+#include "seamount/ops/sketch/stochastic_flow.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+
+#include "seamount/base/parallel.h"
+
+namespace seamount::sketch {
+namespace {
+
+/// Sums of the falls to the neighbours 0 to k; the last is the sum of all.
+using Falls = std::array<float, 8>;
+
+class Rain {
+ public:
+  Rain(const HeightField& surface, float sea, float highest_pass, const StochasticFlow& params, const RunContext& run)
+      : surface_(surface),
+        sea_(sea),
+        params_(params),
+        codes_(geom::flow_directions(surface, sea, run)),
+        routes_(codes_),
+        falls_(surface.frame()),
+        steps_(geom::flow_steps(surface.width())),
+        water_{Grid<uint32_t>(surface.frame(), 0U), Grid<uint32_t>(surface.frame(), 0U)} {
+    geom::route_through_pits(surface, routes_, highest_pass, run);
+    parallel_rows(run, surface.width(), surface.height(), [&](int begin, int end) {
+      for (int64_t i = static_cast<int64_t>(begin) * surface.width(); i < static_cast<int64_t>(end) * surface.width();
+           ++i)
+        falls_.data()[i] = codes_.data()[i] == geom::kOutlet ? Falls{} : falls_of(i);
+    });
+  }
+
+  void run_drop(int64_t cell, Rng& rng) {
+    const uint8_t* code = codes_.data();
+    while (true) {
+      count(water_.passed, cell);
+      if (code[cell] == geom::kOutlet) return;
+      const Falls& falls = falls_.data()[cell];
+      if (falls[7] > 0.0F) {
+        cell += steps_[choose(falls, rng)];
+      } else if (code[cell] < 8) {
+        cell += steps_[code[cell]];
+      } else if (!leave(cell, rng)) {
+        count(water_.ended, cell);
+        return;
+      }
+    }
+  }
+
+  Water take() { return std::move(water_); }
+
+ private:
+  static void count(Grid<uint32_t>& counts, int64_t cell) {
+    std::atomic_ref(counts.data()[cell]).fetch_add(1, std::memory_order_relaxed);
+  }
+
+  Falls falls_of(int64_t cell) const {
+    Falls falls{};
+    float sum = 0.0F;
+    for (size_t k = 0; k < 8; ++k) {
+      sum += std::max(0.0F, surface_.data()[cell] - std::max(sea_, surface_.data()[cell + steps_[k]]));
+      falls[k] = sum;
+    }
+    return falls;
+  }
+
+  static size_t choose(const Falls& falls, Rng& rng) {
+    const float at = static_cast<float>(rng.bits() >> 40) * 0x1p-24F * falls[7];
+    size_t k = 0;
+    while (k < 7 && !(at < falls[k])) ++k;
+    return k;
+  }
+
+  /// Moves a drop from a pit over its lowest pass, if it is to leave and there is one.
+  bool leave(int64_t& cell, Rng& rng) {
+    const float floor = surface_.data()[cell];
+    float pass = floor;
+    int64_t end = cell;
+    do {
+      if (routes_.data()[end] >= 8) break;
+      end += steps_[routes_.data()[end]];
+      pass = std::max(pass, surface_.data()[end]);
+    } while (surface_.data()[end] >= floor);
+    if (surface_.data()[end] >= floor && routes_.data()[end] == geom::kPit) return false;
+    if (pass - floor > params_.shallow_m && !rng.chance(params_.leave)) return false;
+    for (cell += steps_[routes_.data()[cell]]; cell != end; cell += steps_[routes_.data()[cell]])
+      count(water_.passed, cell);
+    return true;
+  }
+
+  const HeightField& surface_;
+  float sea_;
+  StochasticFlow params_;
+  geom::FlowDirections codes_, routes_;
+  Grid<Falls> falls_;
+  std::array<int64_t, 8> steps_;
+  Water water_;
+};
+
+}  // namespace
+
+Water stochastic_flow(const HeightField& surface, const Grid<uint8_t>& starts, float sea_level_m, float highest_pass_m,
+                      const StochasticFlow& params, Seed seed, const RunContext& run) {
+  Rain rain(surface, sea_level_m, highest_pass_m, params, run.part(0.0, 0.2));
+  constexpr int64_t kCellsPerBlock = 1024;
+  parallel_blocks(run.part(0.2, 1.0), surface.frame().cells(), kCellsPerBlock, [&](int64_t begin, int64_t end) {
+    for (int64_t i = begin; i < end; ++i) {
+      if (starts.data()[i] == 0) continue;
+      Rng rng(seed.derive("drop", static_cast<uint64_t>(i)));
+      for (int drop = 0; drop < params.drops; ++drop) rain.run_drop(i, rng);
+    }
+  });
+  return rain.take();
+}
+
+}  // namespace seamount::sketch
