@@ -73,6 +73,7 @@ HeightDistribution HeightDistribution::from_density(const Curve& density, double
   }
   const geom::CurveFunction function(density, geom::CurveKind::monotone_cubic, field);
   std::vector<double> bins;
+  bins.reserve(kDensityBins);
   for (int i = 0; i < kDensityBins; ++i) bins.push_back(function((i + 0.5) / kDensityBins));
   return from_bins(bins, low_m, high_m, field);
 }

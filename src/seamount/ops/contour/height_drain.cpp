@@ -35,6 +35,7 @@ std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& b
     return std::tie(a.level, a.rank, a.node) < std::tie(b.level, b.rank, b.node);
   });
   std::vector<int32_t> order;
+  order.reserve(keys.size());
   for (const Key& key : keys) order.push_back(key.node);
   return order;
 }
