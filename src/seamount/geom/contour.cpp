@@ -1,205 +1,15 @@
-// Marching squares on the lattice of cell centres, widened by one line of samples on the frame's edge and, for areas,
-// by another of "nothing" at the same place, which closes them. A contour crosses lattice edges; each crossing is the
-// end of one segment and the start of the next, so segments keyed by their first edge are a linked list.
+// Marching squares (lattice_contours.h) as areas and lines.
 #include "seamount/geom/contour.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
+#include "seamount/geom/lattice_contours.h"
 #include "seamount/geom/polygon.h"
 
 namespace seamount::geom {
 namespace {
-
-constexpr float kNothing = -std::numeric_limits<float>::infinity();
-
-struct Segment {
-  int64_t from, to;  ///< keys of lattice edges
-  int64_t order;     ///< position in the scan
-};
-
-/// Edges of a square: 0 top, 1 right, 2 bottom, 3 left. Segments of the 16 cases (bits: NW 1, NE 2, SE 4, SW 8 are
-/// high), high ground on the left; kSaddleLow for 5 and 10 where the middle is low, this table where it is high.
-struct Case {
-  int count;
-  std::array<std::array<int, 2>, 2> segments;
-};
-constexpr std::array<Case, 16> kCases = {{{0, {}},
-                                          {1, {{{3, 0}}}},
-                                          {1, {{{0, 1}}}},
-                                          {1, {{{3, 1}}}},
-                                          {1, {{{1, 2}}}},
-                                          {2, {{{1, 0}, {3, 2}}}},
-                                          {1, {{{0, 2}}}},
-                                          {1, {{{3, 2}}}},
-                                          {1, {{{2, 3}}}},
-                                          {1, {{{2, 0}}}},
-                                          {2, {{{0, 3}, {2, 1}}}},
-                                          {1, {{{2, 1}}}},
-                                          {1, {{{1, 3}}}},
-                                          {1, {{{1, 0}}}},
-                                          {1, {{{0, 3}}}},
-                                          {0, {}}}};
-constexpr Case kSaddleLow5 = {2, {{{3, 0}, {1, 2}}}};
-constexpr Case kSaddleLow10 = {2, {{{0, 1}, {2, 3}}}};
-
-/// The widened lattice: columns [-margin, width + margin), margin 1 for lines and 2 for areas.
-class Lattice {
- public:
-  Lattice(const ScalarField& field, double level, int margin)
-      : field_(field), level_(static_cast<float>(level)), margin_(margin), stride_(field.width() + 2 * margin) {}
-
-  int columns() const { return stride_; }
-  int rows() const { return field_.height() + 2 * margin_; }
-
-  float value(int column, int row) const {
-    const int x = column - margin_;
-    const int y = row - margin_;
-    if (margin_ == 2 && (x < -1 || y < -1 || x > field_.width() || y > field_.height())) return kNothing;
-    const float v = field_.clamped(x, y);
-    return std::isnan(v) ? kNothing : v;
-  }
-
-  Vec2 place(int column, int row) const {
-    const GridFrame& frame = field_.frame();
-    const double x = std::clamp(column - margin_ + 0.0, -0.5, frame.width - 0.5);
-    const double y = std::clamp(row - margin_ + 0.0, -0.5, frame.height - 0.5);
-    return {frame.x(x), frame.y(y)};
-  }
-
-  int64_t key(int column, int row, int edge) const {
-    const int64_t at = static_cast<int64_t>(row + (edge == 2 ? 1 : 0)) * stride_ + column + (edge == 1 ? 1 : 0);
-    return 2 * at + (edge % 2);
-  }
-
-  /// Where the level crosses an edge; never closer to a lattice point than a ten thousandth of the edge, so that
-  /// contours do not touch at samples that equal the level.
-  Vec2 crossing(int64_t edge) const {
-    const int column = static_cast<int>((edge / 2) % stride_);
-    const int row = static_cast<int>((edge / 2) / stride_);
-    const int next_column = column + (edge % 2 == 0 ? 1 : 0);
-    const int next_row = row + (edge % 2 == 0 ? 0 : 1);
-    const double a = value(column, row);
-    const double b = value(next_column, next_row);
-    double t = 0.5;
-    if (std::isfinite(a) && std::isfinite(b)) t = std::clamp((level_ - a) / (b - a), 1e-4, 1.0 - 1e-4);
-    const Vec2 from = place(column, row);
-    return from + t * (place(next_column, next_row) - from);
-  }
-
-  /// All segments, row by row.
-  std::vector<Segment> segments() const {
-    std::vector<Segment> found;
-    std::vector<uint8_t> above(static_cast<size_t>(stride_));
-    std::vector<uint8_t> below(above.size());
-    flag_row(0, below);
-    for (int row = 0; row + 1 < rows(); ++row) {
-      std::swap(above, below);
-      flag_row(row + 1, below);
-      for (size_t c = 0; c + 1 < above.size(); ++c) {
-        const int code = above[c] | above[c + 1] << 1 | below[c + 1] << 2 | below[c] << 3;
-        if (code != 0 && code != 15) add_case(code, static_cast<int>(c), row, found);
-      }
-    }
-    return found;
-  }
-
- private:
-  void flag_row(int row, std::vector<uint8_t>& flags) const {
-    const int y = row - margin_;
-    const bool outside = margin_ == 2 && (y < -1 || y > field_.height());
-    const std::span<const float> values = field_.row(std::clamp(y, 0, field_.height() - 1));
-    const size_t first = static_cast<size_t>(margin_);
-    for (size_t x = 0; x < values.size(); ++x) flags[first + x] = !outside && values[x] >= level_ ? 1 : 0;
-    flags[first - 1] = flags[first];
-    flags[first + values.size()] = flags[first + values.size() - 1];
-    if (margin_ == 2) flags.front() = flags.back() = 0;
-  }
-
-  void add_case(int code, int column, int row, std::vector<Segment>& found) const {
-    const Case* entry = &kCases[static_cast<size_t>(code)];
-    if (code == 5 || code == 10) {
-      const float mean =
-          0.25F * (value(column, row) + value(column + 1, row) + value(column, row + 1) + value(column + 1, row + 1));
-      if (!(mean >= level_)) entry = code == 5 ? &kSaddleLow5 : &kSaddleLow10;
-    }
-    for (int s = 0; s < entry->count; ++s) {
-      const std::array<int, 2>& ends = entry->segments[static_cast<size_t>(s)];
-      found.push_back({key(column, row, ends[0]), key(column, row, ends[1]), static_cast<int64_t>(found.size())});
-    }
-  }
-
-  const ScalarField& field_;
-  float level_;
-  int margin_;
-  int stride_;
-};
-
-struct Chain {
-  Polyline points;
-  bool closed = false;
-};
-
-/// Joins segments into chains, in the order of their first segments; open chains begin where nothing leads.
-class Linker {
- public:
-  Linker(const Lattice& lattice, std::vector<Segment> segments)
-      : lattice_(lattice), segments_(std::move(segments)), used_(segments_.size(), 0) {
-    scan_.resize(segments_.size());
-    std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) { return a.from < b.from; });
-    for (size_t i = 0; i < segments_.size(); ++i) scan_[static_cast<size_t>(segments_[i].order)] = i;
-  }
-
-  std::vector<Chain> chains() {
-    std::vector<Chain> result;
-    std::vector<char> entered(segments_.size(), 0);
-    for (const Segment& segment : segments_) {
-      if (const size_t next = find(segment.to); next < segments_.size()) entered[next] = 1;
-    }
-    for (const size_t i : scan_) {
-      if (entered[i] == 0) result.push_back(follow(i));
-    }
-    for (const size_t i : scan_) {
-      if (used_[i] == 0) result.push_back(follow(i));
-    }
-    return result;
-  }
-
- private:
-  size_t find(int64_t edge) const {
-    const auto at = std::lower_bound(segments_.begin(), segments_.end(), edge,
-                                     [](const Segment& s, int64_t e) { return s.from < e; });
-    return at != segments_.end() && at->from == edge ? static_cast<size_t>(at - segments_.begin()) : segments_.size();
-  }
-
-  Chain follow(size_t first) {
-    Chain chain;
-    size_t at = first;
-    while (at < segments_.size() && used_[at] == 0) {
-      used_[at] = 1;
-      chain.points.push_back(lattice_.crossing(segments_[at].from));
-      const int64_t to = segments_[at].to;
-      at = find(to);
-      if (at == segments_.size()) chain.points.push_back(lattice_.crossing(to));
-    }
-    chain.closed = at == first;
-    return chain;
-  }
-
-  const Lattice& lattice_;
-  std::vector<Segment> segments_;
-  std::vector<char> used_;
-  std::vector<size_t> scan_;
-};
-
-std::vector<Chain> trace(const ScalarField& field, double level, int margin) {
-  if (field.empty()) return {};
-  const Lattice lattice(field, level, margin);
-  return Linker(lattice, lattice.segments()).chains();
-}
 
 /// Drops repeated points and points in the middle of a straight run along an axis (the frame's edge).
 Ring tidy(const Polyline& points) {
@@ -275,7 +85,8 @@ Ring smooth_steps(const Ring& ring, double reach, const GridFrame& frame) {
 
 std::vector<Polygon> trace_areas(const ScalarField& field, double level) {
   std::vector<Ring> rings;
-  for (const Chain& chain : trace(field, level, 2)) {
+  const double levels[] = {static_cast<float>(level)};
+  for (const ContourChain& chain : trace_lattice(field, levels, LatticeEdge::closed)) {
     Ring ring = tidy(chain.points);
     if (ring.size() >= 3) rings.push_back(std::move(ring));
   }
@@ -284,11 +95,20 @@ std::vector<Polygon> trace_areas(const ScalarField& field, double level) {
 
 std::vector<Polyline> trace_lines(const ScalarField& field, double level) {
   std::vector<Polyline> lines;
-  for (Chain& chain : trace(field, level, 1)) {
+  const double levels[] = {static_cast<float>(level)};
+  for (ContourChain& chain : trace_lattice(field, levels, LatticeEdge::open)) {
     if (chain.closed) chain.points.push_back(chain.points.front());
     lines.push_back(std::move(chain.points));
   }
   return lines;
+}
+
+std::vector<Contour> trace_contours(const ScalarField& field, std::span<const double> levels) {
+  std::vector<Contour> contours;
+  for (ContourChain& chain : trace_lattice(field, levels, LatticeEdge::apron)) {
+    contours.push_back({levels[chain.level], std::move(chain.points), -1});
+  }
+  return contours;
 }
 
 std::vector<Polygon> trace_mask(const Grid<uint8_t>& inside) {

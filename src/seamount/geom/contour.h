@@ -6,8 +6,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "seamount/model/contour_set.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 
@@ -21,6 +23,13 @@ std::vector<Polygon> trace_areas(const ScalarField& field, double level);
 /// Contour lines for drawing, higher ground on the left; a closed line repeats its first point at the end, an open one
 /// ends at the frame's edge. Same cost.
 std::vector<Polyline> trace_lines(const ScalarField& field, double level);
+
+/// The contours at all of the levels in one pass, closed, higher ground on the left, that neither cross nor touch each
+/// other or themselves: beyond the frame's edge the field falls below every level within one cell, so that contours
+/// which reach the edge close there, lower ones further out. Not nested yet
+/// (contour_nesting.h). REQUIRES: levels ascend, no two are the same, every value is finite. Linear in the cells (times
+/// the logarithm of the number of levels) and the points.
+std::vector<Contour> trace_contours(const ScalarField& field, std::span<const double> levels);
 
 /// The area of cells with inside != 0, its stair steps smoothed away without moving the border further than one cell
 /// anywhere. Oriented and nested like trace_areas.
