@@ -95,9 +95,11 @@ class Simplified {
     std::vector<RingEdge> edges;
     for (size_t r = 0; r < fewer.size(); ++r) add_ring_edges(fewer[r].ring, r, edges);
     std::vector<std::pair<size_t, size_t>> wanted;  // ring, edge
-    EdgeGrid(edges).for_each_meeting([&](const EdgeGrid::Meeting& meeting) {
+    const auto any = [](const RingEdge&, const RingEdge&) { return true; };
+    EdgeGrid(edges).for_each_meeting(any, [&](const EdgeGrid::Meeting& meeting) {
       for (const size_t number : {meeting.first, meeting.second})
         wanted.push_back({edges[number].ring, edges[number].index});
+      return true;
     });
     return split(std::move(wanted));
   }

@@ -36,21 +36,29 @@ class EdgeGrid {
   template <class Wanted>
   std::optional<Meeting> find_meeting(Wanted&& wanted) const {
     std::optional<Meeting> found;
-    visit_meetings(wanted, [&](const Meeting& meeting) {
+    for_each_meeting(wanted, [&](const Meeting& meeting) {
       found = meeting;
       return false;
     });
     return found;
   }
 
-  /// All such pairs; one that shares several cells is visited in each.
-  template <class Visit>
-  void for_each_meeting(Visit&& visit) const {
-    visit_meetings([](const RingEdge&, const RingEdge&) { return true; },
-                   [&](const Meeting& meeting) {
-                     visit(meeting);
-                     return true;
-                   });
+  /// Calls visit(meeting) for each such pair until it returns false; a pair that shares several cells comes once for
+  /// each.
+  template <class Wanted, class Visit>
+  void for_each_meeting(Wanted&& wanted, Visit&& visit) const {
+    for (size_t cell = 0; cell + 1 < starts_.size(); ++cell) {
+      for (size_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
+        for (size_t j = i + 1; j < starts_[cell + 1]; ++j) {
+          const size_t first = members_[i];
+          const size_t second = members_[j];
+          if (!wanted(edges_[first], edges_[second])) continue;
+          if (const std::optional<Vec2> at = meet(first, second)) {
+            if (!visit(Meeting{first, second, *at})) return;
+          }
+        }
+      }
+    }
   }
 
   /// The edge that a ray from p towards the west meets first, of those wanted(edge) allows. Edges hold their lower end
@@ -77,21 +85,6 @@ class EdgeGrid {
   }
 
  private:
-  /// Until visit(meeting) answers false.
-  template <class Wanted, class Visit>
-  void visit_meetings(Wanted&& wanted, Visit&& visit) const {
-    for (size_t cell = 0; cell + 1 < starts_.size(); ++cell) {
-      for (size_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
-        for (size_t j = i + 1; j < starts_[cell + 1]; ++j) {
-          const size_t first = members_[i];
-          const size_t second = members_[j];
-          if (!wanted(edges_[first], edges_[second])) continue;
-          const std::optional<Vec2> at = meet(first, second);
-          if (at && !visit(Meeting{first, second, *at})) return;
-        }
-      }
-    }
-  }
   std::optional<Vec2> meet(size_t first, size_t second) const;
   int cell_of(double offset) const { return std::clamp(static_cast<int>(offset * scale_), 0, side_ - 1); }
   template <class Visit>

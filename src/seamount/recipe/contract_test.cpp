@@ -38,13 +38,20 @@ const Values& example_values() {
 
 GridFrame example_domain() { return GridFrame::centred(96, 80, 100); }
 
-/// A call with every required input, and the optional ones where `all`. Of operators that build on one thing only
-/// required inputs are given.
+/// Optional inputs of which an operator needs one.
+const std::map<std::string, std::string>& needed_inputs() {
+  static const std::map<std::string, std::string> needed = {{"contour.extract", "terrain"}};
+  return needed;
+}
+
+/// A call with every required input.
 class ExampleCall {
  public:
   explicit ExampleCall(const Operator& op) {
     for (const Port& port : op.in) {
-      if (port.required) in_[port.name] = example_values().at(std::string(kind_name(port.kind)));
+      const auto needed = needed_inputs().find(op.name);
+      const bool given = port.required || (needed != needed_inputs().end() && needed->second == port.name);
+      if (given) in_[port.name] = example_values().at(std::string(kind_name(port.kind)));
     }
     params_ = op.complete(Json::object(), {"", diagnostics_});
     if (op.name == "terrain.import") params_["file"] = file();

@@ -43,6 +43,7 @@ const Registry& operators() {
     add_terrain_operators(all);
     add_island_operators(all);
     add_contour_operators(all);
+    add_contour_conversions(all);
     add_reef_operators(all);
     add_hydrology_operators(all);
     add_erosion_operators(all);

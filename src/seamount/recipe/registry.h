@@ -100,10 +100,11 @@ class Registry {
 /// Every operator of Seamount, in the order of families. Built on first use.
 const Registry& operators();
 
-// One function per family, each in operators/<family>.cpp.
+// One function per family, each in operators/<family>.cpp; contours out of terrains and back stand apart.
 void add_terrain_operators(Registry& registry);
 void add_island_operators(Registry& registry);
 void add_contour_operators(Registry& registry);
+void add_contour_conversions(Registry& registry);
 void add_reef_operators(Registry& registry);
 void add_hydrology_operators(Registry& registry);
 void add_erosion_operators(Registry& registry);
