@@ -68,6 +68,10 @@ void add_run_flags(CLI::App& command, RunFlags& flags) {
 Session::Session(const RunFlags& flags) {
   run_.threads = flags.threads;
   run_.cancelled = &cancel_flag();
+  run_.note = [](const std::string& line) {
+    if (current_line()) current_line()->clear();
+    fmt::print(stderr, "note: {}\n", line);
+  };
   if (isatty(STDERR_FILENO) == 1) {
     current_line() = std::make_shared<ProgressLine>();
     run_.progress = [line = current_line()](double fraction) { line->show(fraction); };

@@ -10,7 +10,14 @@
 //
 // from which range checks (here), recipe parsing, schema, command-line flags, help, reference pages and the studio's
 // panels are generated. Member types: double, int, bool, std::string, FilePath, Colour, an enum with a Choices table,
-// std::optional<double> (absent: derived), std::vector<double>, and what people draw (model/drawn.h).
+// std::optional<double> (absent: derived), std::vector<double> or <int>, what people draw (model/drawn.h), another
+// Params struct (a group of parameters that belong together), and a list of tools: a vector of std::variant of Params
+// structs, each with a name and one line about it, written {"tool": "warp", ...}:
+//
+//   struct WarpTool {
+//     static constexpr std::string_view kTool = "warp", kAbout = "drags contours along a stroke";
+//     ... members and fields() as above
+//   };
 #pragma once
 
 #include <array>
@@ -22,6 +29,7 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "seamount/base/error.h"
@@ -79,6 +87,31 @@ constexpr void for_each_field(Visitor&& visit) {
   std::apply([&](const auto&... row) { (visit(row), ...); }, Params::fields());
 }
 
+/// A struct with a field table.
+template <class T>
+concept HasFields = requires {
+  T::fields();
+};
+
+/// A struct with a field table and a name under which it stands in a list of tools.
+template <class T>
+concept NamedTool = HasFields<T> && requires {
+  { T::kTool } -> std::convertible_to<std::string_view>;
+  { T::kAbout } -> std::convertible_to<std::string_view>;
+};
+
+/// Is T a std::variant of tools?
+template <class T>
+inline constexpr bool is_tool_choice = false;
+template <NamedTool... Tools>
+inline constexpr bool is_tool_choice<std::variant<Tools...>> = true;
+
+template <class T>
+concept ToolChoice = is_tool_choice<T>;
+
+template <class Params>
+void check_params(const Params& params, const std::string& prefix = "");
+
 namespace detail {
 
 inline void check_number(std::string_view name, double value, Range range) {
@@ -96,8 +129,15 @@ void check_value(std::string_view name, const T& value, Range range) {
     check_number(name, static_cast<double>(value), range);
   } else if constexpr (std::is_same_v<T, std::optional<double>>) {
     if (value) check_number(name, *value, range);
-  } else if constexpr (std::is_same_v<T, std::vector<double>>) {
-    for (const double number : value) check_number(name, number, range);
+  } else if constexpr (std::is_same_v<T, std::vector<double>> || std::is_same_v<T, std::vector<int>>) {
+    for (const auto number : value) check_number(name, number, range);
+  } else if constexpr (HasFields<T>) {
+    check_params(value, std::string(name) + ".");
+  } else if constexpr (requires { requires ToolChoice<typename T::value_type>; }) {
+    for (size_t i = 0; i < value.size(); ++i) {
+      const std::string place = std::string(name) + "[" + std::to_string(i) + "].";
+      std::visit([&](const auto& tool) { check_params(tool, place); }, value[i]);
+    }
   } else if constexpr (requires { for_each_number(value, [](double) {}); }) {
     for_each_number(value, [&](double number) { check_number(name, number, range); });
   }
@@ -105,11 +145,14 @@ void check_value(std::string_view name, const T& value, Range range) {
 
 }  // namespace detail
 
-/// Throws InvalidArgument{field} for the first member outside its range: "subsidence: 1.5 is outside [0, 1]". Operators
-/// call it first.
+/// Throws InvalidArgument{field} for the first member outside its range: "subsidence: 1.5 is outside [0, 1]"; members
+/// of a group and of tools by their path: "edits[2].radius_m". Operators call it first.
 template <class Params>
-void check_params(const Params& params) {
-  for_each_field<Params>([&](const auto& row) { detail::check_value(row.name, params.*row.member, row.range); });
+void check_params(const Params& params, const std::string& prefix) {
+  for_each_field<Params>([&](const auto& row) {
+    detail::check_value(prefix.empty() ? row.name : std::string_view(prefix + std::string(row.name)),
+                        params.*row.member, row.range);
+  });
 }
 
 }  // namespace seamount

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <string>
 
 #include "seamount/base/error.h"
 
@@ -19,6 +20,10 @@ struct RunContext {
   /// Set to true by anybody to stop the work soon. Optional; must outlive the call.
   const std::atomic<bool>* cancelled = nullptr;
 
+  /// Called with one line that the user should know although the work goes on: a strength that had to be limited, say.
+  /// Optional. A step that comes from a cache says nothing again.
+  std::function<void(const std::string&)> note;
+
   /// Throws Cancelled once the caller asked to stop. Cheap: call it for every row or block.
   void check_cancelled() const {
     if (cancelled != nullptr && cancelled->load(std::memory_order_relaxed)) throw Cancelled();
@@ -26,6 +31,10 @@ struct RunContext {
 
   void report(double fraction) const {
     if (progress) progress(fraction);
+  }
+
+  void say(const std::string& line) const {
+    if (note) note(line);
   }
 
   /// The context of one part of the work, whose own [0, 1] is [from, to] of the whole.

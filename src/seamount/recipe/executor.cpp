@@ -201,7 +201,9 @@ class StepRunner {
       in[port.name] = source.from_file() ? read_value_file(resolve(source.file), port.kind, frame, run) : value(source);
       if (port.kind == ValueKind::terrain) frame = *in[port.name].frame();
     }
-    return step.op->run(step.params, {recipe_.domain, step.seed, in, recipe_.folder, run});
+    RunContext named = run;
+    if (run.note) named.note = [&run, &step](const std::string& line) { run.note("step '" + step.id + "': " + line); };
+    return step.op->run(step.params, {recipe_.domain, step.seed, in, recipe_.folder, named});
   }
 
   void hash_domain(Hasher& hasher) const {
@@ -211,11 +213,8 @@ class StepRunner {
   }
 
   void hash_files(const Step& step, Hasher& hasher) const {
-    for (const ParamInfo& param : step.op->params) {
-      if (param.kind != "file") continue;
-      const auto name = step.params.at(param.name).get<std::string>();
-      if (!name.empty()) hasher.text(file_digest(resolve(name)).hex());
-    }
+    for_each_file(step.op->params, step.params,
+                  [&](const std::string& name) { hasher.text(file_digest(resolve(name)).hex()); });
   }
 
   std::string resolve(const std::string& file) const {

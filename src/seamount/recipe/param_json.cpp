@@ -247,6 +247,61 @@ void refuse_unknown_keys(const Json& object, const std::vector<std::string>& nam
   }
 }
 
+std::string read_tool_name(const Json& json, const std::vector<std::string>& names, const ReadPlace& place) {
+  if (!json.is_object()) {
+    place.expected("a tool {\"tool\": name, ...}", json);
+    return "";
+  }
+  const auto tool = json.find("tool");
+  if (tool == json.end()) {
+    place.fail(fmt::format("\"tool\" is missing: one of {}", fmt::join(names, ", ")));
+    return "";
+  }
+  if (!tool->is_string()) {
+    place.at("tool").expected("a tool's name", *tool);
+    return "";
+  }
+  auto name = tool->get<std::string>();
+  if (std::find(names.begin(), names.end(), name) != names.end()) return name;
+  place.at("tool").fail("unknown tool '" + name + "'" + suggestion(name, names));
+  return "";
+}
+
+void for_each_file(const std::vector<ParamInfo>& infos, const Json& params,
+                   const std::function<void(const std::string&)>& visit) {
+  for (const ParamInfo& info : infos) {
+    const Json& value = params.at(info.name);
+    if (info.kind == "file") {
+      if (const auto name = value.get<std::string>(); !name.empty()) visit(name);
+    } else if (info.kind == "group") {
+      for_each_file(info.tools[0].params, value, visit);
+    } else if (info.kind == "tools") {
+      for (const Json& item : value) {
+        for (const ToolInfo& tool : info.tools) {
+          if (item.at("tool") == tool.name) for_each_file(tool.params, item, visit);
+        }
+      }
+    }
+  }
+}
+
+namespace {
+
+Json tool_schema(const ToolInfo& tool) {
+  Json properties = Json::object();
+  for (const ParamInfo& info : tool.params) properties[info.name] = param_schema(info);
+  Json schema = {{"type", "object"}, {"additionalProperties", false}};
+  if (!tool.name.empty()) {
+    properties["tool"] = {{"const", tool.name}};
+    schema["required"] = {"tool"};
+    schema["description"] = tool.about;
+  }
+  schema["properties"] = properties;
+  return schema;
+}
+
+}  // namespace
+
 Json param_schema(const ParamInfo& info) {
   const Json number = {{"type", "number"}};
   const Json pair = {{"type", "array"}, {"items", number}, {"minItems", 2}, {"maxItems", 2}};
@@ -302,6 +357,14 @@ Json param_schema(const ParamInfo& info) {
     schema = {{"type", "array"}, {"items", {{"anyOf", {pairs, region}}}}};
   } else if (info.kind == "rivers") {
     schema = {{"type", "array"}, {"items", {{"anyOf", {pairs, river}}}}};
+  } else if (info.kind == "integers") {
+    schema = {{"type", "array"}, {"items", {{"type", "integer"}}}};
+  } else if (info.kind == "group") {
+    schema = tool_schema(info.tools[0]);
+  } else if (info.kind == "tools") {
+    Json tools = Json::array();
+    for (const ToolInfo& tool : info.tools) tools.push_back(tool_schema(tool));
+    schema = {{"type", "array"}, {"items", {{"oneOf", tools}}}};
   }
   schema["description"] = info.help + (info.unit.empty() ? "" : " [" + info.unit + "]");
   schema["default"] = info.default_value;

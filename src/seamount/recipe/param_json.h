@@ -4,8 +4,11 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "seamount/base/fields.h"
@@ -60,6 +63,15 @@ Json write_json(const Polygon& value);
 Json write_json(const RegionOutline& value);
 Json write_json(const RiverLine& value);
 
+template <HasFields T>
+void read_json(const Json& json, T& value, const ReadPlace& place);
+template <HasFields T>
+Json write_json(const T& value);
+template <NamedTool... Tools>
+void read_json(const Json& json, std::variant<Tools...>& value, const ReadPlace& place);
+template <NamedTool... Tools>
+Json write_json(const std::variant<Tools...>& value);
+
 template <class T>
 void read_json(const Json& json, std::vector<T>& value, const ReadPlace& place) {
   if (!json.is_array()) return place.expected("a list", json);
@@ -90,6 +102,8 @@ Json write_json(T value) {
   return std::string(Choices<T>::names[static_cast<size_t>(value)]);
 }
 
+struct ToolInfo;
+
 /// What a row of a field table says, without its C++ types.
 struct ParamInfo {
   std::string name;
@@ -99,6 +113,14 @@ struct ParamInfo {
   std::vector<std::string> choices;
   std::string help;
   Json default_value;
+  std::vector<ToolInfo> tools;  ///< of the kind "tools": each of them; of the kind "group": one without a name
+};
+
+/// A struct with a field table within a parameter.
+struct ToolInfo {
+  std::string name;
+  std::string about;  ///< one line, no full stop
+  std::vector<ParamInfo> params;
 };
 
 /// Kind of a parameter type, as the studio and the reference pages name it.
@@ -122,6 +144,8 @@ constexpr std::string_view param_kind() {
     return "curve";
   else if constexpr (std::is_same_v<T, std::vector<double>>)
     return "numbers";
+  else if constexpr (std::is_same_v<T, std::vector<int>>)
+    return "integers";
   else if constexpr (std::is_same_v<T, Polyline>)
     return "points";
   else if constexpr (std::is_same_v<T, std::vector<Stroke>>)
@@ -134,6 +158,10 @@ constexpr std::string_view param_kind() {
     return "regions";
   else if constexpr (std::is_same_v<T, std::vector<RiverLine>>)
     return "rivers";
+  else if constexpr (HasFields<T>)
+    return "group";
+  else if constexpr (requires { requires ToolChoice<typename T::value_type>; })
+    return "tools";
   else {
     static_assert(Choice<T>, "give the type a kind, a read_json and a write_json");
     return "choice";
@@ -141,14 +169,36 @@ constexpr std::string_view param_kind() {
 }
 
 template <class Params>
+std::vector<ParamInfo> describe_params();
+
+template <class Choice>
+struct ToolsOf;
+template <NamedTool... Tools>
+struct ToolsOf<std::variant<Tools...>> {
+  static std::vector<ToolInfo> describe() {
+    return {ToolInfo{std::string(Tools::kTool), std::string(Tools::kAbout), describe_params<Tools>()}...};
+  }
+};
+
+template <class Params>
 std::vector<ParamInfo> describe_params() {
   std::vector<ParamInfo> infos;
   const Params defaults;
   for_each_field<Params>([&](const auto& row) {
     using T = typename std::decay_t<decltype(row)>::Type;
-    ParamInfo info{std::string(row.name), std::string(param_kind<T>()),    std::string(row.unit), row.range, {},
-                   std::string(row.help), write_json(defaults.*row.member)};
+    ParamInfo info{std::string(row.name),
+                   std::string(param_kind<T>()),
+                   std::string(row.unit),
+                   row.range,
+                   {},
+                   std::string(row.help),
+                   write_json(defaults.*row.member),
+                   {}};
     if constexpr (Choice<T>) info.choices.assign(Choices<T>::names.begin(), Choices<T>::names.end());
+    if constexpr (HasFields<T>) info.tools = {{"", "", describe_params<T>()}};
+    if constexpr (requires { requires ToolChoice<typename T::value_type>; }) {
+      info.tools = ToolsOf<typename T::value_type>::describe();
+    }
     infos.push_back(std::move(info));
   });
   return infos;
@@ -191,6 +241,46 @@ Json write_params(const Params& params) {
   for_each_field<Params>([&](const auto& row) { object[std::string(row.name)] = write_json(params.*row.member); });
   return object;
 }
+
+template <HasFields T>
+void read_json(const Json& json, T& value, const ReadPlace& place) {
+  value = read_params<T>(json, place);
+}
+
+template <HasFields T>
+Json write_json(const T& value) {
+  return write_params(value);
+}
+
+/// The member "tool" of a tool's object, checked against the names that there are; empty after a defect.
+std::string read_tool_name(const Json& json, const std::vector<std::string>& names, const ReadPlace& place);
+
+template <NamedTool... Tools>
+void read_json(const Json& json, std::variant<Tools...>& value, const ReadPlace& place) {
+  const std::string name = read_tool_name(json, {std::string(Tools::kTool)...}, place);
+  if (name.empty()) return;
+  Json rest = json;
+  rest.erase("tool");
+  const auto read_if_named = [&]<class Tool>(std::type_identity<Tool>) {
+    if (name == Tool::kTool) value = read_params<Tool>(rest, place);
+  };
+  (read_if_named(std::type_identity<Tools>{}), ...);
+}
+
+template <NamedTool... Tools>
+Json write_json(const std::variant<Tools...>& value) {
+  return std::visit(
+      [](const auto& tool) {
+        Json object = write_params(tool);
+        object["tool"] = std::string(tool.kTool);
+        return object;
+      },
+      value);
+}
+
+/// Calls visit(name) for each file that complete parameters name, those of groups and tools too; empty names are none.
+void for_each_file(const std::vector<ParamInfo>& infos, const Json& params,
+                   const std::function<void(const std::string&)>& visit);
 
 /// JSON Schema (2020-12) of one parameter.
 Json param_schema(const ParamInfo& info);

@@ -20,15 +20,25 @@ std::string default_text(const ParamInfo& info) {
   return info.default_value.dump();
 }
 
-std::string params_text(const std::vector<ParamInfo>& params) {
-  std::string text;
-  for (const ParamInfo& info : params) {
-    text += fmt::format("  --{} <{}>{}\n      {}\n", info.name, info.kind, info.unit.empty() ? "" : "  " + info.unit,
-                        info.help);
+/// One parameter; those of tools and groups stand below it without dashes, further in.
+std::string param_text(const ParamInfo& info, const std::string& indent, const char* dashes) {
+  std::string text = fmt::format("{}{}{} <{}>{}\n{}    {}\n", indent, dashes, info.name, info.kind,
+                                 info.unit.empty() ? "" : "  " + info.unit, indent, info.help);
+  if (info.kind != "group") {
     const std::string range = range_text(info);
-    text += fmt::format("      default {}{}\n", default_text(info),
+    text += fmt::format("{}    default {}{}\n", indent, default_text(info),
                         range.empty() ? "" : (info.choices.empty() ? "; range " : "; one of ") + range);
   }
+  for (const ToolInfo& tool : info.tools) {
+    if (!tool.name.empty()) text += fmt::format("{}    \"tool\": \"{}\"  {}\n", indent, tool.name, tool.about);
+    for (const ParamInfo& inner : tool.params) text += param_text(inner, indent + "      ", "");
+  }
+  return text;
+}
+
+std::string params_text(const std::vector<ParamInfo>& params) {
+  std::string text;
+  for (const ParamInfo& info : params) text += param_text(info, "  ", "--");
   return text;
 }
 
@@ -47,14 +57,30 @@ std::string cell(std::string text) {
   return text;
 }
 
+/// Rows of a table; the members of a group as group.member.
+std::string params_rows(const std::vector<ParamInfo>& params, const std::string& prefix) {
+  std::string text;
+  for (const ParamInfo& info : params) {
+    const std::string shown = info.kind == "group" ? "" : cell("`" + default_text(info) + "`");
+    text += fmt::format("| `{}{}` | {} | {} | {} | {} | {} |\n", prefix, info.name, info.kind, info.unit, shown,
+                        cell(range_text(info)), cell(info.help));
+    if (info.kind == "group") text += params_rows(info.tools[0].params, prefix + info.name + ".");
+  }
+  return text;
+}
+
 std::string params_table(const std::vector<ParamInfo>& params) {
   if (params.empty()) return "";
-  std::string text = "| parameter | type | unit | default | range | |\n|---|---|---|---|---|---|\n";
+  const std::string head = "| parameter | type | unit | default | range | |\n|---|---|---|---|---|---|\n";
+  std::string text = head + params_rows(params, "") + "\n";
   for (const ParamInfo& info : params) {
-    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", info.name, info.kind, info.unit,
-                        cell("`" + default_text(info) + "`"), cell(range_text(info)), cell(info.help));
+    if (info.kind != "tools") continue;
+    for (const ToolInfo& tool : info.tools) {
+      text += fmt::format("`{}`: `{{\"tool\": \"{}\", ...}}` {}.\n\n", info.name, tool.name, tool.about);
+      text += tool.params.empty() ? "" : head + params_rows(tool.params, "") + "\n";
+    }
   }
-  return text + "\n";
+  return text;
 }
 
 std::string ports_list(const std::string& title, const std::vector<Port>& ports) {
