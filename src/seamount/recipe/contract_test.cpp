@@ -15,6 +15,21 @@ namespace {
 
 using ::testing::HasSubstr;
 
+/// A hill of three levels with a second summit.
+ContourSet example_contours() {
+  const auto circle = [](Vec2 middle, double radius) {
+    Ring ring;
+    for (int i = 0; i < 48; ++i)
+      ring.push_back(middle + radius * Vec2{std::cos(i * 0.1308996938996), std::sin(i * 0.1308996938996)});
+    return ring;
+  };
+  return {GridFrame::centred(96, 80, 100),
+          {{0, circle({}, 3600), -1},
+           {100, circle({-200, 100}, 2600), 0},
+           {200, circle({-1200, 100}, 1000), 1},
+           {200, circle({1200, 100}, 900), 1}}};
+}
+
 /// A small island whose values fit any port; where a field must be given at its edge it is.
 const Values& example_values() {
   static const Values values = [] {
@@ -30,8 +45,13 @@ const Values& example_values() {
                                         {"lines", "outlines", ""},
                                         {"network", "tin", ""}};
     const std::vector<Value> made = evaluate(recipe, wanted, {"", ""}, {});
-    return Values{{"terrain", made[0]}, {"labels", made[1]}, {"field", made[2]},
-                  {"drawing", made[3]}, {"tin", made[4]},    {"image", Value::image(Image(8, 8))}};
+    return Values{{"terrain", made[0]},
+                  {"labels", made[1]},
+                  {"field", made[2]},
+                  {"drawing", made[3]},
+                  {"tin", made[4]},
+                  {"image", Value::image(Image(8, 8))},
+                  {"contours", Value::contours(example_contours())}};
   }();
   return values;
 }
@@ -109,13 +129,34 @@ TEST_P(Contract, DefaultsAreValidAndSurviveJson) {
   EXPECT_EQ(again, defaults);
 }
 
+/// The numbers among parameters, each with a way to give it a value: those of groups and of tools too.
+void collect_numbers(const std::vector<ParamInfo>& infos, const std::function<Json(Json)>& give,
+                     std::vector<std::pair<ParamInfo, std::function<Json(Json)>>>& numbers) {
+  for (const ParamInfo& info : infos) {
+    const auto give_this = [give, name = info.name](Json value) { return give({{name, std::move(value)}}); };
+    if (info.kind == "number" || info.kind == "integer") numbers.emplace_back(info, give_this);
+    for (const ToolInfo& tool : info.tools) {
+      collect_numbers(
+          tool.params,
+          [give_this, name = tool.name](Json members) {
+            if (name.empty()) return give_this(members);
+            members["tool"] = name;
+            return give_this(Json::array({members}));
+          },
+          numbers);
+    }
+  }
+}
+
 TEST_P(Contract, EachParameterIsRefusedOutsideItsRangeByName) {
-  for (const ParamInfo& info : op().params) {
-    if (info.kind != "number" && info.kind != "integer") continue;
+  std::vector<std::pair<ParamInfo, std::function<Json(Json)>>> numbers;
+  collect_numbers(
+      op().params, [](Json members) { return members; }, numbers);
+  for (const auto& [info, give] : numbers) {
     for (const auto& [bound, step] : {std::pair{info.range.min, -1.0}, {info.range.max, 1.0}}) {
       if (std::isinf(bound)) continue;
       Diagnostics diagnostics;
-      op().complete({{info.name, bound + step * std::max(1.0, std::abs(bound))}}, {"", diagnostics});
+      op().complete(give(bound + step * std::max(1.0, std::abs(bound))), {"", diagnostics});
       ASSERT_EQ(diagnostics.items().size(), 1U) << info.name;
       EXPECT_THAT(diagnostics.items()[0].message, HasSubstr(info.name + ": "));
       EXPECT_THAT(diagnostics.items()[0].message, HasSubstr("is outside"));
@@ -134,6 +175,10 @@ TEST_P(Contract, SameSeedSameBytesOnAnyNumberOfThreads) {
 TEST_P(Contract, AnotherSeedDiffersWhereTheOperatorIsStochastic) {
   ExampleCall call(op());
   if (op().name == "island.wind") call.params()["radial_count"] = 9;
+  if (op().name == "contour.edit") {
+    Diagnostics diagnostics;
+    call.params() = op().complete({{"edits", {{{"tool", "fractalize"}}}}}, {"", diagnostics});
+  }
   const bool differs = bytes_of(call.run(op(), Seed{5}, {})) != bytes_of(call.run(op(), Seed{6}, {}));
   EXPECT_EQ(differs, op().stochastic);
 }

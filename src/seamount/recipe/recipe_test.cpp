@@ -179,5 +179,46 @@ TEST(Schema, KnowsEveryOperatorAndParameter) {
   }
 }
 
+TEST(Recipe, NamesWhatIsWrongInAListOfTools) {
+  const auto edits = [](const std::string& list) {
+    return defects(R"({"seamount": 1, "domain": {"cell_m": 100}, "steps": [{"id": "e", "op": "contour.edit",
+      "in": {"contours": {"file": "c.gpkg"}}, "params": {"edits": )" +
+                   list + "}}]}");
+  };
+  EXPECT_THAT(edits(R"([{"tool": "warp", "stroke": [[0, 0], [100, 0]], "radius_m": 300}, {"tool": "smooth"}])"),
+              ElementsAre());
+  EXPECT_THAT(edits(R"([{"tool": "wrap"}])"),
+              ElementsAre("/steps/0/params/edits/0/tool: unknown tool 'wrap', did you mean 'warp'?"));
+  EXPECT_THAT(edits(R"([{"tool": "smooth"}, {"tool": "warp", "radius": 4}])"),
+              ElementsAre("/steps/0/params/edits/1/radius: unknown parameter 'radius', did you mean 'radius_m'?"));
+  EXPECT_THAT(edits(R"([{"tool": "warp", "strength": 2}])"),
+              ElementsAre("/steps/0/params/edits/0/strength: strength: 2 is outside [0, 1]"));
+  EXPECT_THAT(edits(R"([{"tool": "delete", "select": {"low": 4, "innr": 5}}])"),
+              ElementsAre("/steps/0/params/edits/0/select/innr: unknown parameter 'innr', did you mean 'inner'?",
+                          "/steps/0/params/edits/0/select/low: unknown parameter 'low', did you mean 'low_m'?"));
+  EXPECT_THAT(
+      edits(R"([{"radius_m": 4}, 3])"),
+      ElementsAre("/steps/0/params/edits/0: \"tool\" is missing: one of warp, slope, smooth, fractalize, delete, "
+                  "copy, cut, paste, fill",
+                  "/steps/0/params/edits/1: expected a tool {\"tool\": name, ...}, found 3"));
+  EXPECT_THAT(edits(R"({"tool": "warp"})"),
+              ElementsAre("/steps/0/params/edits: expected a list, found the object {\"tool\":\"warp\"}"));
+}
+
+TEST(Recipe, ToolsAreCompletedAndNameTheirFiles) {
+  const Recipe recipe =
+      parse_recipe(R"({"seamount": 1, "domain": {"cell_m": 100}, "steps": [{"id": "e", "op": "contour.edit",
+      "in": {"contours": {"file": "c.gpkg"}},
+      "params": {"edits": [{"tool": "paste", "file": "hill.geojson"}, {"tool": "paste"}, {"tool": "smooth"}]}}]})",
+                   "r.json", "");
+  const Json& params = recipe.steps[0].params;
+  EXPECT_EQ(params["edits"][2]["tool"], "smooth");
+  EXPECT_EQ(params["edits"][2]["rounds"], 2);
+  EXPECT_EQ(params["edits"][2]["select"]["inner"], false);
+  std::vector<std::string> files;
+  for_each_file(recipe.steps[0].op->params, params, [&](const std::string& name) { files.push_back(name); });
+  EXPECT_THAT(files, ElementsAre("hill.geojson"));
+}
+
 }  // namespace
 }  // namespace seamount::recipe

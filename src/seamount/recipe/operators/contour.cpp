@@ -4,13 +4,18 @@
 
 #include "seamount/io/image_file.h"
 #include "seamount/io/vector.h"
+#include "seamount/ops/contour/edit.h"
 #include "seamount/ops/contour/grow.h"
 #include "seamount/ops/contour/heights.h"
+#include "seamount/ops/contour/pattern.h"
 #include "seamount/ops/contour/probability.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
 namespace {
+
+const Port kContoursIn{"contours", ValueKind::contours, "nested closed contours"};
+const Port kContoursOut{"contours", ValueKind::contours, "nested closed contours"};
 
 bool is_picture(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -67,6 +72,17 @@ Values heights(const contour::HeightsParams& params, const Call& call) {
                                               terrain == nullptr ? nullptr : &terrain->heights(), params, call.run))}};
 }
 
+Values edit(const contour::EditParams& params, const Call& call) {
+  const auto read_file = [&call](const FilePath& file) { return io::read_drawing(call.resolve(file)); };
+  const contour::PatternSource patterns{call.shapes("pattern"), read_file};
+  return {{"contours", Value::contours(contour::edit(call.in.at("contours").contour_set(), params, patterns, call.seed,
+                                                     call.run))}};
+}
+
+Values pattern(const contour::PatternParams& params, const Call& call) {
+  return {{"pattern", Value::drawing(contour::pattern(call.in.at("contours").contour_set(), params, call.run))}};
+}
+
 }  // namespace
 
 void add_contour_operators(Registry& registry) {
@@ -90,6 +106,22 @@ void add_contour_operators(Registry& registry) {
               {"terrain", ValueKind::terrain, "measured for its distribution of heights", false}},
        .out = {{"tin", ValueKind::tin, "the same network with a height per node"}}},
       heights);
+  registry.add<contour::EditParams>(
+      {.name = "contour.edit",
+       .summary = "Edits contours by a list of tools that can be replayed; they never come to cross",
+       .source = "P2 sec. 5 and 6.6",
+       .stochastic = true,
+       .in = {kContoursIn,
+              {"pattern", ValueKind::drawing, "pasted where nothing was copied and no file is named", false}},
+       .out = {kContoursOut}},
+      edit);
+  registry.add<contour::PatternParams>(
+      {.name = "contour.pattern",
+       .summary = "The contours within an outline as a small drawing, to be stored and pasted elsewhere",
+       .source = "P2 sec. 6.2",
+       .in = {kContoursIn},
+       .out = {{"pattern", ValueKind::drawing, "the outline and the lines within it, heights above the outline's"}}},
+      pattern);
 }
 
 }  // namespace seamount::recipe

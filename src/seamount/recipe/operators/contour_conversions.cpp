@@ -17,9 +17,9 @@ const Value& one_of(const Call& call, std::string_view first, std::string_view s
 
 Values extract(const contour::ExtractParams& params, const Call& call) {
   const Value& from = one_of(call, "tin", "terrain");
-  return {{"contours", Value::contours(from.kind() == ValueKind::tin
-                                           ? contour::extract(from.network(), params, call.run)
-                                           : contour::extract(from.heights(), params, call.run))}};
+  return {{"contours",
+           Value::contours(from.kind() == ValueKind::tin ? contour::extract(from.network(), params, call.run)
+                                                         : contour::extract(from.heights(), params, call.run))}};
 }
 
 }  // namespace
