@@ -1,11 +1,11 @@
-#include "seamount/ops/render/flat_sea.h"
+#include "seamount/geom/flat_sea.h"
 
 #include <cmath>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/distance.h"
 
-namespace seamount::render {
+namespace seamount::geom {
 
 Grid<uint8_t> flat_sea(const HeightField& terrain, const RunContext& run) {
   Grid<uint8_t> sea(terrain.frame());
@@ -29,7 +29,7 @@ Grid<uint8_t> flat_sea(const HeightField& terrain, const RunContext& run) {
 void sink_flat_sea(HeightField& terrain, const Grid<uint8_t>& sea, const RunContext& run) {
   Grid<uint8_t> coast(sea.frame());
   for (size_t i = 0; i < sea.size(); ++i) coast.cells()[i] = sea.cells()[i] == 0 ? 1 : 0;
-  const ScalarField distance = geom::distance_to(coast, run);
+  const ScalarField distance = distance_to(coast, run);
   parallel_rows(run, terrain.width(), terrain.height(), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < terrain.width(); ++x) {
@@ -39,4 +39,4 @@ void sink_flat_sea(HeightField& terrain, const Grid<uint8_t>& sea, const RunCont
   });
 }
 
-}  // namespace seamount::render
+}  // namespace seamount::geom

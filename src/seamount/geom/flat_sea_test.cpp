@@ -1,8 +1,8 @@
-#include "seamount/ops/render/flat_sea.h"
+#include "seamount/geom/flat_sea.h"
 
 #include <gtest/gtest.h>
 
-namespace seamount::render {
+namespace seamount::geom {
 namespace {
 
 TEST(FlatSea, IsWhatIsZeroAllAround) {
@@ -24,4 +24,4 @@ TEST(FlatSea, ARealFloorIsLeftAlone) {
 }
 
 }  // namespace
-}  // namespace seamount::render
+}  // namespace seamount::geom
