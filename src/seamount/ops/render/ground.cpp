@@ -5,8 +5,10 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
+#include "seamount/geom/flat_sea.h"
 #include "seamount/ops/render/detail_noise.h"
-#include "seamount/ops/render/flat_sea.h"
+#include "seamount/ops/render/lava.h"
+#include "seamount/ops/render/style.h"
 
 namespace seamount::render {
 namespace {
@@ -15,8 +17,8 @@ namespace {
 HeightField drawn_heights(const HeightField& terrain, const GroundOptions& options, const RunContext& run) {
   HeightField heights = reduce(terrain, options.limit, run);
   if (options.water_level_m == 0.0) {
-    const Grid<uint8_t> sea = flat_sea(heights, run);
-    if (!sea.empty()) sink_flat_sea(heights, sea, run);
+    const Grid<uint8_t> sea = geom::flat_sea(heights, run);
+    if (!sea.empty()) geom::sink_flat_sea(heights, sea, run);
   }
   if (heights.width() < 2 || heights.height() < 2) {
     GridFrame frame = heights.frame();
@@ -88,6 +90,23 @@ Grid<CoverTexel> cover_texels(const HeightField& heights, const LabelMap* labels
   return texels;
 }
 
+Grid<LayerTexel> layer_texels(const HeightField& heights, const GroundOptions& options, const RunContext& run) {
+  HeightField level = heights;
+  const auto flatten = static_cast<float>(1.0 / options.exaggeration);
+  for (float& h : level.cells()) h *= flatten;
+  const geom::Borders borders = style_borders(options.style, options.layers, level);
+  const geom::Layers layers = geom::height_layers(level, borders, options.layers.smooth, options.layers.variation, run);
+  Grid<LayerTexel> texels(heights.frame());
+  for (size_t i = 0; i < texels.size(); ++i) {
+    texels.cells()[i] = {layers.low.cells()[i], layers.high.cells()[i], 0.0F};
+  }
+  if (options.style == Style::volcano) {
+    const Mask lava = lava_streams(level, layers.high, borders, run);
+    for (size_t i = 0; i < texels.size(); ++i) texels.cells()[i].lava = lava.cells()[i];
+  }
+  return texels;
+}
+
 }  // namespace
 
 void check_visible(const HeightField& terrain, const LabelMap* labels, const RunContext& run) {
@@ -114,7 +133,10 @@ Ground::Ground(const HeightField& terrain, const LabelMap* labels, const GroundO
       half_rows_(0.5F * static_cast<float>(heights_.height() - 1)),
       cover_scale_(static_cast<float>(heights_.cell_m() / cover_.base().cell_m())),
       exaggeration_(static_cast<float>(options.exaggeration)),
-      labelled_(labels != nullptr) {}
+      labelled_(labels != nullptr),
+      layered_(options.style != Style::natural) {
+  if (layered_) layers_ = MipMap<LayerTexel>(layer_texels(heights_, options, run), run);
+}
 
 FormTexel Ground::form(float x, float y, float footprint) const {
   return form_.sample(column(x), row(y), std::log2(std::max(1e-3F, footprint / cell_m())));
@@ -139,6 +161,12 @@ GroundSample Ground::sample(float x, float y, float footprint) const {
   p.beach = s.cover.beach;
   p.lagoon = s.cover.lagoon;
   p.reef = s.cover.reef;
+  if (layered_) {
+    const LayerTexel layers = layers_.sample(c, r, lod);
+    p.low = layers.low;
+    p.high = layers.high;
+    p.lava = layers.lava;
+  }
   return s;
 }
 

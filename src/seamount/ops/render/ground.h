@@ -4,6 +4,7 @@
 
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
+#include "seamount/model/layer_borders.h"
 #include "seamount/ops/render/light.h"
 #include "seamount/ops/render/materials.h"
 #include "seamount/ops/render/mip_map.h"
@@ -34,11 +35,20 @@ struct CoverTexel {
   }
 };
 
+/// Shares of a style's layers.
+struct LayerTexel {
+  float low = 0.0F, high = 0.0F, lava = 0.0F;
+  friend LayerTexel operator+(LayerTexel a, LayerTexel b) { return {a.low + b.low, a.high + b.high, a.lava + b.lava}; }
+  friend LayerTexel operator*(float s, LayerTexel a) { return {s * a.low, s * a.high, s * a.lava}; }
+};
+
 struct GroundOptions {
   double water_level_m = 0.0;
   double exaggeration = 1.0;
   SunDirection sun;
   int limit = 2048;  ///< cells of the larger side to keep
+  Style style = Style::natural;
+  LayerBorders layers;  ///< of a style other than natural; heights over the water
 };
 
 /// A place on the ground with all that shading needs.
@@ -72,8 +82,9 @@ class Ground {
   HeightField heights_;
   MipMap<FormTexel> form_;
   MipMap<CoverTexel> cover_;
+  MipMap<LayerTexel> layers_;  ///< of styles other than natural
   float half_columns_, half_rows_, cover_scale_, exaggeration_;
-  bool labelled_;
+  bool labelled_, layered_;
 };
 
 /// Throws InvalidArgument unless the terrain has cells and all heights are finite, IncompatibleInputs unless the labels

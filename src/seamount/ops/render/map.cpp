@@ -6,13 +6,14 @@
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
 #include "seamount/geom/contour.h"
+#include "seamount/geom/flat_sea.h"
 #include "seamount/geom/resample.h"
 #include "seamount/ops/render/canvas.h"
-#include "seamount/ops/render/flat_sea.h"
 #include "seamount/ops/render/ground.h"
 #include "seamount/ops/render/map_furniture.h"
 #include "seamount/ops/render/relief.h"
 #include "seamount/ops/render/shading.h"
+#include "seamount/ops/render/style_tints.h"
 
 namespace seamount::render {
 namespace {
@@ -28,7 +29,7 @@ struct Sheet {
 Sheet make_sheet(const HeightField& terrain, int width_px, const RunContext& run) {
   Sheet sheet;
   sheet.ground = picture_terrain(terrain, width_px, run.part(0.0, 0.2));
-  sheet.unknown_sea = flat_sea(sheet.ground, run.part(0.2, 0.25));
+  sheet.unknown_sea = geom::flat_sea(sheet.ground, run.part(0.2, 0.25));
   sheet.shade = relief_shading(sheet.ground, {}, run.part(0.25, 1.0));
   const auto [low, high] = std::minmax_element(sheet.ground.cells().begin(), sheet.ground.cells().end());
   sheet.low = *low;
@@ -59,11 +60,12 @@ Layout lay_out(const MapParams& params, const GridFrame& frame) {
   layout.unit = std::max(6.0, params.width_px / 62.0);
   const auto units = [&](double n) { return static_cast<int>(std::lround(n * layout.unit)); };
   const bool side = params.legend || params.north_arrow;
+  const bool styled = params.legend && params.theme == MapTheme::height && params.style != Style::natural;
   const bool bare = !side && !params.scale_bar && params.title.empty();
   const int margin = bare ? 0 : units(1.5);
   const int top = params.title.empty() ? margin : units(4.2);
   const int bottom = params.scale_bar ? units(3.6) : margin;
-  const int column = side ? units(7.2) : 0;
+  const int column = side ? units(styled ? 11.5 : 7.2) : 0;
   layout.width = params.width_px;
   layout.map = {margin, top, std::max(1, params.width_px - 2 * margin - column), 1};
   layout.map.height =
@@ -128,7 +130,7 @@ ScalarField inside_reef(const LabelMap& labels, const GridFrame& frame, const Ru
 }
 
 void paint_ground(Image& image, const Layout& layout, const Sheet& sheet, const LabelMap* labels,
-                  const MapParams& params, const TintScale& scale, const RunContext& run) {
+                  const MapParams& params, const TintScale& scale, const StyleTints* styled, const RunContext& run) {
   const auto strength = static_cast<float>(params.shading);
   const Rgb unknown = linear(Colour{176, 211, 220});
   const HeightField& ground = sheet.ground;
@@ -136,7 +138,7 @@ void paint_ground(Image& image, const Layout& layout, const Sheet& sheet, const 
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < ground.width(); ++x) {
         const float height = ground(x, y);
-        Rgb tint = scale.tint(height);
+        Rgb tint = styled != nullptr ? styled->tint(x, y) : scale.tint(height);
         if (!sheet.unknown_sea.empty() && height < 0.0F) tint = unknown;
         if (params.theme == MapTheme::regions) {
           const auto column = static_cast<int>((x + 0.5) * labels->width() / ground.width());
@@ -152,8 +154,15 @@ void paint_ground(Image& image, const Layout& layout, const Sheet& sheet, const 
   });
 }
 
+std::vector<Swatch> region_swatches() {
+  std::vector<Swatch> swatches;
+  for (const Region region : kRegions)
+    swatches.push_back({region_name(region), srgb(region_colour(static_cast<int>(region)))});
+  return swatches;
+}
+
 void draw_furniture(Image& image, const Layout& layout, const MapParams& params, const TintScale& scale,
-                    double pixel_m) {
+                    const StyleTints* styled, double pixel_m) {
   if (params.title.empty() && !params.legend && !params.scale_bar && !params.north_arrow) return;
   const Font font;
   const double unit = layout.unit;
@@ -165,7 +174,9 @@ void draw_furniture(Image& image, const Layout& layout, const MapParams& params,
   if (params.legend) {
     const Box box{side.x, side.y + top, side.width, side.height - top};
     if (params.theme == MapTheme::regions) {
-      draw_region_legend(image, font, box, unit);
+      draw_swatches(image, font, box, unit, region_swatches());
+    } else if (styled != nullptr) {
+      draw_swatches(image, font, box, unit, styled->legend());
     } else if (box.height > 4 * unit) {
       draw_height_legend(image, font, box, unit, scale);
     }
@@ -188,7 +199,12 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapParams& p
   const HeightField& ground = sheet.ground;
   const TintScale scale(sheet.low, sheet.high);
   Image image(layout.width, layout.height, kPaperColour);
-  paint_ground(image, layout, sheet, labels, params, scale, run.part(0.6, 0.7));
+  std::optional<StyleTints> styled;
+  if (params.theme == MapTheme::height && params.style != Style::natural) {
+    styled.emplace(ground, scale, params.style, params.layers, run.part(0.6, 0.65));
+  }
+  const StyleTints* tints = styled ? &*styled : nullptr;
+  paint_ground(image, layout, sheet, labels, params, scale, tints, run.part(0.65, 0.7));
   if (params.contours) {
     draw_contours(image, layout, ground, contour_interval(params, sheet.low, sheet.high), sheet.low, sheet.high, run);
   }
@@ -204,7 +220,7 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapParams& p
     add_level(coast, ground, 0.0, line);
     coast.draw(image, layout.map.x, layout.map.y, Colour{46, 74, 94}, 0.85F);
   }
-  draw_furniture(image, layout, params, scale, ground.cell_m());
+  draw_furniture(image, layout, params, scale, tints, ground.cell_m());
   run.report(1.0);
   return image;
 }

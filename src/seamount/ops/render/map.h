@@ -12,6 +12,8 @@
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
+#include "seamount/model/layer_borders.h"
+#include "seamount/ops/render/materials.h"
 
 namespace seamount::render {
 
@@ -22,6 +24,8 @@ struct MapParams {
   int width_px = 1600;
   std::string title;
   MapTheme theme = MapTheme::height;
+  Style style = Style::natural;
+  LayerBorders layers;
   double shading = 1.0;
   bool contours = true;
   std::optional<double> contour_interval_m;
@@ -37,6 +41,11 @@ struct MapParams {
         field(&P::width_px, "width_px", "", between(16, 16384), "width of the picture in pixels"),
         field(&P::title, "title", "text over the map; none if empty"),
         field(&P::theme, "theme", "what the colours show: heights and depths, or the regions of a label map"),
+        field(
+            &P::style, "style",
+            "heights: natural tints by height, or three layers by height in a style (the reef's of the sea floor, the "
+            "others of the land)"),
+        field(&P::layers, "layers", "borders of the style's layers"),
         field(&P::shading, "shading", "", between(0, 1), "strength of the relief shading"),
         field(&P::contours, "contours", "draw contour lines"),
         field(&P::contour_interval_m, "contour_interval_m", "m", between(0.01, 10000),

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "seamount/base/text.h"
-#include "seamount/model/label_map.h"
 #include "seamount/ops/render/canvas.h"
 
 namespace seamount::render {
@@ -24,12 +23,12 @@ void draw_height_legend(Image& image, const Font& font, const Box& box, double u
   font.draw(image, left, top - 0.8 * unit, unit, "m", kInk);
 }
 
-void draw_region_legend(Image& image, const Font& font, const Box& box, double unit) {
+void draw_swatches(Image& image, const Font& font, const Box& box, double unit, std::span<const Swatch> swatches) {
   double y = box.y;
-  for (const Region region : kRegions) {
-    fill_box(image, box.x, y, box.x + 1.1 * unit, y + 1.1 * unit, srgb(region_colour(static_cast<int>(region))));
+  for (const Swatch& swatch : swatches) {
+    fill_box(image, box.x, y, box.x + 1.1 * unit, y + 1.1 * unit, swatch.colour);
     frame_box(image, box.x, y, box.x + 1.1 * unit, y + 1.1 * unit, std::max(1.0, 0.06 * unit), kInk);
-    font.draw(image, box.x + 1.5 * unit, y + 0.91 * unit, unit, region_name(region), kInk);
+    font.draw(image, box.x + 1.5 * unit, y + 0.91 * unit, unit, swatch.name, kInk);
     y += 1.8 * unit;
   }
 }

@@ -1,7 +1,9 @@
 // What stands around a map: legend, scale bar, north arrow, title.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "seamount/model/image.h"
 #include "seamount/ops/render/text.h"
@@ -20,8 +22,14 @@ inline constexpr Colour kPaperColour{252, 251, 247};
 /// A colour bar in the left part of the box with round heights at its side; `unit` in pixels is the size of text.
 void draw_height_legend(Image& image, const Font& font, const Box& box, double unit, const TintScale& scale);
 
-/// A swatch and a name for each region, from the top of the box.
-void draw_region_legend(Image& image, const Font& font, const Box& box, double unit);
+/// A colour and what it stands for.
+struct Swatch {
+  std::string_view name;
+  Colour colour;
+};
+
+/// Swatches and their names, from the top of the box.
+void draw_swatches(Image& image, const Font& font, const Box& box, double unit, std::span<const Swatch> swatches);
 
 /// A bar of a round length at most `widest` pixels, from (x, y) to the right and down.
 void draw_scale_bar(Image& image, const Font& font, double x, double y, double widest, double unit, double pixel_m);

@@ -1,6 +1,7 @@
 #include "seamount/ops/render/materials.h"
 
 #include "seamount/ops/render/detail_noise.h"
+#include "seamount/ops/render/style.h"
 
 namespace seamount::render {
 namespace {
@@ -45,6 +46,7 @@ Rgb rock_colour(const SurfacePoint& p, const Breakup& n) {
 }  // namespace
 
 Material land_material(const SurfacePoint& p, const MaterialRules& rules) {
+  if (rules.style != Style::natural && rules.style != Style::great_barrier_reef) return style_land(p, rules.style);
   const Breakup n = breakup(p);
   const float height = p.z / rules.tree_line;
   // Water in the soil: hollows and shaded faces are moist, ridges and heights dry.
@@ -84,10 +86,11 @@ Material land_material(const SurfacePoint& p, const MaterialRules& rules) {
   bump = mix(bump, 0.1F, sand);
   // Rock that the spray keeps bare and dark at steep coasts.
   const float spray = ramp(9.0F, 2.0F, p.z + 4.0F * n.medium) * ramp(0.25F, 0.6F, p.slope) * (1.0F - sand);
-  return {(1.0F + 0.18F * (1.0F - 0.7F * snow) * n.fine) * mix(ground, kDarkRock, 0.8F * spray), bump};
+  return {(1.0F + 0.18F * (1.0F - 0.7F * snow) * n.fine) * mix(ground, kDarkRock, 0.8F * spray), bump, {}};
 }
 
-Material floor_material(const SurfacePoint& p) {
+Material floor_material(const SurfacePoint& p, const MaterialRules& rules) {
+  if (rules.style != Style::natural) return style_floor(p, rules.style);
   const float depth = -p.z;
   const float medium = detail_noise(51, p.x, p.y, 260.0F, 4, 0.6F, p.footprint).value;
   const float fine = detail_noise(67, p.x, p.y, 26.0F, 3, 0.6F, p.footprint).value;
@@ -108,15 +111,15 @@ Material floor_material(const SurfacePoint& p) {
   const float growth = ramp(0.05F, 0.50F, medium + 0.6F * fine + 0.12F);
   floor = mix(floor, mix(kForeReef, mix(kReefFlat, kCoral, 0.7F * growth), flat), reef);
   floor = mix(floor, kSand, ramp(2.5F, 0.5F, depth + 0.8F * medium) * gentle * (1.0F - 0.7F * reef));
-  return {(1.0F + 0.22F * fine) * floor, 0.4F};
+  return {(1.0F + 0.22F * fine) * floor, 0.4F, {}};
 }
 
 Material ground_material(const SurfacePoint& p, const MaterialRules& rules) {
   if (p.z >= 0.3F) return land_material(p, rules);
-  if (p.z <= -0.3F) return floor_material(p);
-  const Material land = land_material(p, rules), floor = floor_material(p);
+  if (p.z <= -0.3F) return floor_material(p, rules);
+  const Material land = land_material(p, rules), floor = floor_material(p, rules);
   const float t = (p.z + 0.3F) / 0.6F;
-  return {mix(floor.albedo, land.albedo, t), mix(floor.bump, land.bump, t)};
+  return {mix(floor.albedo, land.albedo, t), mix(floor.bump, land.bump, t), t * land.glow};
 }
 
 }  // namespace seamount::render

@@ -8,10 +8,15 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
+#include "seamount/base/fields.h"
 #include "seamount/ops/render/colour.h"
 
 namespace seamount::render {
+
+/// What the ground is made of: the materials below, or three layers by height (style.h).
+enum class Style { natural, great_barrier_reef, stone, desert, volcano };
 
 /// Everything the material of a place depends on. Lengths in metres.
 struct SurfacePoint {
@@ -23,22 +28,32 @@ struct SurfacePoint {
   float footprint = 1.0F;    ///< width of what is averaged
   float labelled = 0.0F;     ///< 1: the weights below hold; 0: no label map
   float beach = 0.0F, lagoon = 0.0F, reef = 0.0F;
+  float low = 0.0F, high = 0.0F;  ///< shares of a style's layers; the middle has the rest
+  float lava = 0.0F;              ///< how much lava runs here, 0 to 1
 };
 
 struct MaterialRules {
   float tree_line = 2000.0F;  ///< metres above the water
   float snow_line = 4500.0F;
+  Style style = Style::natural;
 };
 
 struct Material {
   Rgb albedo;
   float bump = 0.0F;  ///< height in metres of its small roughness (crowns, blocks)
+  Rgb glow;           ///< light of its own
 };
 
 Material land_material(const SurfacePoint& point, const MaterialRules& rules);
-Material floor_material(const SurfacePoint& point);
+Material floor_material(const SurfacePoint& point, const MaterialRules& rules);
 
 /// Either, by z, mixed over the wash of the waves.
 Material ground_material(const SurfacePoint& point, const MaterialRules& rules);
 
 }  // namespace seamount::render
+
+template <>
+struct seamount::Choices<seamount::render::Style> {
+  static constexpr std::array<std::string_view, 5> names = {"natural", "great_barrier_reef", "stone", "desert",
+                                                            "volcano"};
+};

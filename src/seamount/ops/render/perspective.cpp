@@ -166,7 +166,11 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Pers
   check_params(params);
   const SunDirection sun{radians(params.sun_azimuth_deg), radians(params.sun_elevation_deg)};
   const Ground ground(terrain, labels,
-                      {.water_level_m = params.water_level_m, .exaggeration = params.vertical_exaggeration, .sun = sun},
+                      {.water_level_m = params.water_level_m,
+                       .exaggeration = params.vertical_exaggeration,
+                       .sun = sun,
+                       .style = params.style,
+                       .layers = params.layers},
                       run.part(0.0, 0.3));
   const bool sea = params.surround == Surround::sea ||
                    (params.surround == Surround::automatic && params.water && lies_in_sea(ground.heights()));
@@ -176,7 +180,7 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Pers
   options.sea = sea;
   options.clarity = static_cast<float>(params.water_clarity);
   options.haze = static_cast<float>(params.haze);
-  options.rules = {static_cast<float>(params.tree_line_m), static_cast<float>(params.snow_line_m)};
+  options.rules = {static_cast<float>(params.tree_line_m), static_cast<float>(params.snow_line_m), params.style};
   const RunContext quiet{run.threads, {}, run.cancelled};
   const Scene scene(ground, sky, options, quiet);
   const Camera camera = place_camera(params, terrain.frame(), ground, sea, scene.base());

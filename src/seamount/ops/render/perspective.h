@@ -15,6 +15,8 @@
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
+#include "seamount/model/layer_borders.h"
+#include "seamount/ops/render/materials.h"
 
 namespace seamount::render {
 
@@ -41,6 +43,8 @@ struct PerspectiveParams {
   Surround surround = Surround::automatic;
   double tree_line_m = 2000.0;
   double snow_line_m = 4500.0;
+  Style style = Style::natural;
+  LayerBorders layers;
 
   static constexpr auto fields() {
     using P = PerspectiveParams;
@@ -68,7 +72,9 @@ struct PerspectiveParams {
               "how far one sees in water, 1 in clear tropical water"),
         field(&P::surround, "surround", "what lies around the terrain"),
         field(&P::tree_line_m, "tree_line_m", "m", between(1, 9000), "height over the water where forest ends"),
-        field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000), "height over the water where snow stays"));
+        field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000), "height over the water where snow stays"),
+        field(&P::style, "style", "what the ground is made of: natural, or three layers by height in a style"),
+        field(&P::layers, "layers", "borders of the style's layers, as heights over the water"));
   }
 };
 

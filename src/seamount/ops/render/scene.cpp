@@ -119,7 +119,7 @@ Rgb Scene::land_light(Vec3 place, Vec3 direction, float footprint) const {
   const Rgb light = facing * sky_.sun_light() + sky + bounce * (material.albedo * sky_.sun_light());
   // Rough ground is a little brighter towards the sun's side (Oren and Nayar), which also fills grazing views.
   const float back = 1.0F + 0.12F * std::max(0.0F, -dot(direction, sun));
-  return back * (material.albedo * light);
+  return back * (material.albedo * light) + material.glow;
 }
 
 Vec3 Scene::refracted_floor(Vec3 place, Vec3 direction) const {
@@ -165,7 +165,7 @@ Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint) const {
   const float fade = std::exp(-out / (0.008F * ground_.half_width_m()));
   water.sun = mix(1.0F, s.form.sun, fade);
   water.sky = mix(1.0F, s.cover.sky, fade);
-  water.floor = floor_material(s.point).albedo;
+  water.floor = floor_material(s.point, options_.rules).albedo;
   if (out <= 0.0F) water.foam = foam(place, footprint, water.depth);
   return water_light(water, sky_, options_.clarity);
 }
@@ -213,7 +213,7 @@ Rgb Scene::water_wall_light(Vec3 place, Vec3 direction, float footprint) const {
   const Rgb body = mix(Rgb{0.030F, 0.125F, 0.190F}, Rgb{0.006F, 0.028F, 0.075F}, depth);
   const Rgb down = 0.5F * sky_.sun_light() + sky_.sky_light();
   const float facing = 0.75F + 0.25F * std::max(0.0F, dot(wall_normal(place), sky_.to_sun()));
-  return facing * down * (body + through * (0.6F * floor_material(s.point).albedo - body));
+  return facing * down * (body + through * (0.6F * floor_material(s.point, options_.rules).albedo - body));
 }
 
 float Scene::table_sun(Vec3 place) const {

@@ -24,11 +24,11 @@ Rgb texel(const Ground& ground, const Sky& sky, const TextureParams& params, flo
   const GroundSample s = ground.sample(x, y, footprint);
   SurfacePoint point = s.point;
   if (!params.water) point.z = std::max(point.z, 5.0F);
-  const Material material =
-      ground_material(point, {static_cast<float>(params.tree_line_m), static_cast<float>(params.snow_line_m)});
+  const Material material = ground_material(
+      point, {static_cast<float>(params.tree_line_m), static_cast<float>(params.snow_line_m), params.style});
   const float light = soft_light(s, ground.normal(s, material.bump), sky.to_sun());
   const auto baked = static_cast<float>(params.baked_light);
-  Rgb colour = mix(1.0F, light, baked) * material.albedo;
+  Rgb colour = mix(1.0F, light, baked) * material.albedo + 0.5F * material.glow;
   if (params.water && point.z < 0.0F) {
     colour = reflectance_from_above(colour, -point.z, sky.to_sun().z, static_cast<float>(params.water_clarity));
   }
@@ -40,7 +40,11 @@ Rgb texel(const Ground& ground, const Sky& sky, const TextureParams& params, flo
 Image texture(const HeightField& terrain, const LabelMap* labels, const TextureParams& params, const RunContext& run) {
   check_params(params);
   const Ground ground(terrain, labels,
-                      {.water_level_m = params.water_level_m, .sun = kSun, .limit = std::max(16, params.size_px)},
+                      {.water_level_m = params.water_level_m,
+                       .sun = kSun,
+                       .limit = std::max(16, params.size_px),
+                       .style = params.style,
+                       .layers = params.layers},
                       run.part(0.0, 0.4));
   const Sky sky(kSun);
   const double width_m = terrain.frame().width_m(), height_m = terrain.frame().height_m();

@@ -7,6 +7,8 @@
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
+#include "seamount/model/layer_borders.h"
+#include "seamount/ops/render/materials.h"
 
 namespace seamount::render {
 
@@ -18,6 +20,8 @@ struct TextureParams {
   double water_clarity = 1.0;
   double tree_line_m = 2000.0;
   double snow_line_m = 4500.0;
+  Style style = Style::natural;
+  LayerBorders layers;
 
   static constexpr auto fields() {
     using P = TextureParams;
@@ -30,7 +34,9 @@ struct TextureParams {
         field(&P::water_clarity, "water_clarity", "", between(0.05, 5),
               "how far one sees in water, 1 in clear tropical water"),
         field(&P::tree_line_m, "tree_line_m", "m", between(1, 9000), "height over the water where forest ends"),
-        field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000), "height over the water where snow stays"));
+        field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000), "height over the water where snow stays"),
+        field(&P::style, "style", "what the ground is made of: natural, or three layers by height in a style"),
+        field(&P::layers, "layers", "borders of the style's layers, as heights over the water"));
   }
 };
 
