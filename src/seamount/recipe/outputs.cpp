@@ -17,7 +17,9 @@
 #include "seamount/ops/render/map.h"
 #include "seamount/ops/render/perspective.h"
 #include "seamount/ops/render/relief.h"
+#include "seamount/ops/render/style.h"
 #include "seamount/ops/render/texture.h"
+#include "seamount/ops/terrain/layers.h"
 
 namespace seamount::recipe {
 namespace {
@@ -186,6 +188,37 @@ void write_tiles(const TilesParams& params, const OutputCall& call) {
   }
 }
 
+struct SplatParams {
+  render::Style style = render::Style::natural;
+  LayerBorders layers;
+
+  static constexpr auto fields() {
+    using P = SplatParams;
+    return std::tuple(
+        field(&P::style, "style", "of a terrain: the style of the pictures that it goes with; natural: terrain.layers"),
+        field(&P::layers, "layers",
+              "of a terrain: borders between the low layer (red), the middle (green), the high "
+              "(blue)"));
+  }
+};
+
+void write_splat(const SplatParams& params, const OutputCall& call) {
+  if (call.value.kind() == ValueKind::labels) {
+    io::write_splat(call.value.regions(), call.path);
+    return;
+  }
+  const HeightField& terrain = call.value.heights();
+  geom::Layers layers;
+  if (params.style == render::Style::natural) {
+    layers = terrain::layers(terrain, params.layers, call.run);
+  } else {
+    const geom::Borders borders = render::style_borders(params.style, params.layers, terrain);
+    layers = geom::height_layers(terrain, borders, params.layers.smooth, params.layers.variation, call.run);
+  }
+  const std::array<Mask, 3> weights = {std::move(layers.low), std::move(layers.middle), std::move(layers.high)};
+  io::write_splat(weights, call.path);
+}
+
 template <class Params, Image (*draw)(const HeightField&, const LabelMap*, const Params&, const RunContext&)>
 void write_picture(const Params& params, const OutputCall& call) {
   io::write_png(draw(call.value.heights(), call.labels, params, call.run), call.path);
@@ -259,9 +292,14 @@ std::vector<OutputFormat> make_formats() {
       format<TilesParams>(
           {"tiles", "tiles that share their border samples and one range of heights", rasters, {}, {terrain}},
           write_tiles),
-      format<NoParams>(
-          {"splat", "weights of the five regions as RGBA pictures for terrain shaders", {".png"}, {}, {labels}},
-          [](const NoParams&, const OutputCall& call) { io::write_splat(call.value.regions(), call.path); }),
+      format<SplatParams>(
+          {"splat",
+           "weights that sum to one as RGBA pictures for terrain shaders: the five regions of labels, or "
+           "three layers of a terrain by height",
+           {".png"},
+           {},
+           {labels, terrain}},
+          write_splat),
       format<render::PerspectiveParams>({"perspective", "a picture with sun, sky and water", {".png"}, {}, {terrain}},
                                         write_picture<render::PerspectiveParams, render::perspective>),
       format<render::MapParams>({"map", "a map with tints, relief, legend and scale bar", {".png"}, {}, {terrain}},

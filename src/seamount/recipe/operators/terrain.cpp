@@ -2,6 +2,8 @@
 #include "seamount/io/raster.h"
 #include "seamount/ops/terrain/blend.h"
 #include "seamount/ops/terrain/compose.h"
+#include "seamount/ops/terrain/layers.h"
+#include "seamount/ops/terrain/mask.h"
 #include "seamount/ops/terrain/noise.h"
 #include "seamount/ops/terrain/resample.h"
 #include "seamount/recipe/registry.h"
@@ -58,6 +60,22 @@ Values blend(const terrain::BlendParams& params, const Call& call) {
 Values resample(const terrain::ResampleParams& params, const Call& call) {
   return {
       {"terrain", Value::terrain(terrain::resample(call.in.at("terrain").heights(), params, call.domain, call.run))}};
+}
+
+Values mask(const terrain::MaskParams& params, const Call& call) {
+  const terrain::MaskInputs in{.terrain = call.in.at("terrain").heights(),
+                               .labels = call.labels("labels"),
+                               .drawing = call.shapes("drawing"),
+                               .values = call.scalars("values"),
+                               .mask = call.scalars("mask")};
+  return {{"mask", Value::field(terrain::mask(in, params, call.seed, call.run))}};
+}
+
+Values layers(const LayerBorders& params, const Call& call) {
+  geom::Layers made = terrain::layers(call.in.at("terrain").heights(), params, call.run);
+  return {{"low", Value::field(std::move(made.low))},
+          {"middle", Value::field(std::move(made.middle))},
+          {"high", Value::field(std::move(made.high))}};
 }
 
 constexpr int kMostTerrains = 8;
@@ -119,6 +137,29 @@ void add_terrain_operators(Registry& registry) {
        .in = compose_ports(),
        .out = out},
       compose);
+  registry.add<terrain::MaskParams>(
+      {.name = "terrain.mask",
+       .summary =
+           "A soft selection by height, depth, slope, aspect, curvature, regions, drawn areas and lines, noise or "
+           "any field",
+       .source = "",
+       .stochastic = true,
+       .in = {in,
+              {"labels", ValueKind::labels, "its regions, for the criterion region", false},
+              {"drawing", ValueKind::drawing, "areas and lines, for the criteria area and line", false},
+              {"values", ValueKind::field, "any field, for the criterion value", false},
+              {"mask", ValueKind::field, "one more mask, combined like a criterion", false}},
+       .out = {{"mask", ValueKind::field, "0 where nothing is selected, 1 where all is"}}},
+      mask);
+  registry.add<LayerBorders>({.name = "terrain.layers",
+                              .summary = "How much of each place is low, middle and high ground: three masks that sum "
+                                         "to one",
+                              .source = "P4 sec. 3.4, eq. 3-6",
+                              .in = {in},
+                              .out = {{"low", ValueKind::field, "share of the low layer"},
+                                      {"middle", ValueKind::field, "share of the middle layer"},
+                                      {"high", ValueKind::field, "share of the high layer"}}},
+                             layers);
 }
 
 }  // namespace seamount::recipe
