@@ -56,7 +56,7 @@ const Network& network(bool six, int count) {
   static std::map<std::pair<bool, int>, Network> made;
   Network& net = made[{six, count}];
   if (net.tin.nodes.empty()) {
-    net.tin = contour::grow(six ? six_regions() : one_region(), kFrame, nullptr, particles(count), Seed{1}, {});
+    net.tin = contour::grow(six ? six_regions() : one_region(), kFrame, nullptr, {}, particles(count), Seed{1}, {});
     geom::Fbm shape;
     shape.wavelength_m = 2700;
     shape.octaves = 5;
@@ -70,7 +70,7 @@ void growth(benchmark::State& state, bool six, int count) {
   uint64_t seed = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        contour::grow_ranks(net.tin.triangles, net.tin.region, net.tin.regions, net.probability, Seed{seed++}, {}));
+        contour::grow_ranks(net.tin.triangles, net.tin.region, net.tin.regions, net.probability, {}, Seed{seed++}, {}));
   }
   state.SetItemsProcessed(state.iterations() * count);
 }

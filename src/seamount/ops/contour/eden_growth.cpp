@@ -14,7 +14,7 @@ uint32_t growth_weight(double probability) {
 }
 
 void eden_growth(const RegionGraph& graph, std::span<const int32_t> seeds, std::span<const uint32_t> weights,
-                 bool against, Rng rng, std::span<uint32_t> step, std::span<int32_t> origin, const RunContext& run) {
+                 bool against, Rng rng, std::span<uint32_t> step, const RunContext& run) {
   constexpr uint32_t kStepsPerCheck = 1 << 13;
   WeightedBag frontier;
   uint32_t steps = 0;
@@ -35,11 +35,7 @@ void eden_growth(const RegionGraph& graph, std::span<const int32_t> seeds, std::
     for (const int32_t neighbour : graph.around(node)) {
       if (step[static_cast<size_t>(neighbour)] == 0) free.push_back(neighbour);
     }
-    if (!free.empty()) {
-      const int32_t next = free[((rng.bits() >> 32) * free.size()) >> 32];
-      reach(next);
-      if (!origin.empty()) origin[static_cast<size_t>(next)] = origin[static_cast<size_t>(node)];
-    }
+    if (!free.empty()) reach(free[((rng.bits() >> 32) * free.size()) >> 32]);
     if (free.size() <= 1) frontier.remove(place);
   }
 }

@@ -14,6 +14,7 @@
 #include "seamount/geom/polygon.h"
 #include "seamount/ops/contour/growth.h"
 #include "seamount/ops/contour/probability.h"
+#include "seamount/ops/contour/rivers.h"
 
 namespace seamount::contour {
 namespace {
@@ -149,14 +150,16 @@ void check_regions(const RegionTree& tree, const GridFrame& domain, double spaci
   }
 }
 
-/// Triangles of the sampled area have sides below two spacings; longer ones only span the sea between islands.
-std::vector<geom::Triangle> triangulate(const std::vector<geom::LatticePoint>& points, const RunContext& run) {
-  constexpr int64_t kLongest = 2 * int64_t{geom::DiscSampling::kSpacing};
+/// Triangles of the sampled area have sides below two spacings, where it made room for rivers below three; longer ones
+/// only span the sea between islands.
+std::vector<geom::Triangle> triangulate(const std::vector<geom::LatticePoint>& points, bool has_rivers,
+                                        const RunContext& run) {
+  const int64_t longest = (has_rivers ? 3 : 2) * int64_t{geom::DiscSampling::kSpacing};
   std::vector<geom::Triangle> triangles = geom::delaunay(points, run);
   std::erase_if(triangles, [&](const geom::Triangle& t) {
     for (size_t k = 0; k < 3; ++k) {
       const auto a = static_cast<size_t>(t[k]), b = static_cast<size_t>(t[(k + 1) % 3]);
-      if (geom::squared_distance(points[a], points[b]) >= kLongest * kLongest) return true;
+      if (geom::squared_distance(points[a], points[b]) >= longest * longest) return true;
     }
     return false;
   });
@@ -170,8 +173,8 @@ double node_spacing(const RegionTree& tree, const GridFrame& domain, const GrowP
   return std::sqrt(geom::kDiscDensity * measure(tree, domain).area / params.particles);
 }
 
-Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* probability, const GrowParams& params,
-         Seed seed, const RunContext& run) {
+Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
+         const GrowParams& params, Seed seed, const RunContext& run) {
   check_params(params);
   const Measures all = measure(tree, domain);
   if (!(all.area > 0.0)) throw InvalidArgument("outlines", "no region has an area inside the domain");
@@ -184,12 +187,15 @@ Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* pro
   }
   const double margin = kWidening * spacing;
   const geom::Box box = {all.box.low - Vec2{margin, margin}, all.box.high + Vec2{margin, margin}};
-  const geom::DiscSampling discs =
+  geom::DiscSampling discs =
       geom::poisson_discs(areas, margin, box, spacing, seed.derive("nodes"), run.part(0.0, 0.35));
+  rivers.insert(rivers.end(), params.rivers.begin(), params.rivers.end());
+  const std::vector<River> courses = prepare_rivers(rivers, tree, domain, kRiverStep * spacing, "rivers");
+  std::vector<float> beds = lay_rivers(courses, tree, domain, spacing, discs);
   Tin tin;
   tin.frame = domain;
   tin.regions = tin_regions(tree);
-  tin.triangles = triangulate(discs.points, run.part(0.35, 0.65));
+  tin.triangles = triangulate(discs.points, !beds.empty(), run.part(0.35, 0.65));
   tin.nodes.reserve(discs.points.size());
   for (const geom::LatticePoint p : discs.points) tin.nodes.push_back(discs.lattice.place(p));
   tin.region = regions_of_nodes(tree, domain, spacing, tin.nodes, run.part(0.65, 0.7));
@@ -204,7 +210,10 @@ Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* pro
     shape.octaves = params.octaves;
     chance = noise_probability(tin.nodes, shape, params.exponent, seed.derive("probability"), run.part(0.7, 0.75));
   }
-  tin.rank = grow_ranks(tin.triangles, tin.region, tin.regions, chance, seed.derive("growth"), run.part(0.75, 1.0));
+  tin.bed_m = std::move(beds);
+  const RiverNodes river_nodes = keep_river_nodes(tin);
+  tin.rank = grow_ranks(tin.triangles, tin.region, tin.regions, chance, river_nodes, seed.derive("growth"),
+                        run.part(0.75, 1.0));
   return tin;
 }
 

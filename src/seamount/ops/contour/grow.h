@@ -35,6 +35,7 @@ struct GrowParams {
   std::vector<RegionOutline> outlines;
   FilePath regions;
   std::string feature;
+  std::vector<RiverLine> rivers;
   bool darkest_is_land = false;
   std::optional<double> spacing_m;
   int particles = 50000;
@@ -54,6 +55,9 @@ struct GrowParams {
               "the regions instead as a GeoJSON, GeoPackage or Shapefile, or as a picture whose grey levels are nested "
               "regions"),
         field(&P::feature, "feature", "only the areas of this name in the file `regions`"),
+        field(&P::rivers, "rivers",
+              "rivers from source to mouth, each with its bed at all points, at source and mouth, at the mouth, or "
+              "none, and the width of its valley floor"),
         field(&P::darkest_is_land, "darkest_is_land",
               "the darkest grey of a picture is the lowest region instead of the world outside"),
         field(&P::spacing_m, "spacing_m", "m", between(1e-3, 1e6),
@@ -75,12 +79,13 @@ struct GrowParams {
 
 /// The network of the regions in the part of the domain that they cover, with a rim of two spacings around it and
 /// beyond the domain's edge; rank per node, no heights. `probability`: in [0, 1] wherever nodes lie, read bilinearly,
-/// over any frame (clamped at its edge); null: params.probability. Throws InvalidArgument for params out of range, more
+/// over any frame (clamped at its edge); null: params.probability. `rivers`: laid into the network (rivers.h), besides
+/// params.rivers. Throws InvalidArgument for params out of range, more
 /// than kMostNodes nodes (with the estimate of memory and the spacing that would do), a region into which no node falls
-/// (with the spacing that would do), IncompatibleInputs for probabilities that are not numbers in [0, 1]. Growth of one
-/// region is serial, the rest parallel; about 1.5 us and 200 bytes per node.
-Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* probability, const GrowParams& params,
-         Seed seed, const RunContext& run);
+/// (with the spacing that would do), what prepare_rivers throws, IncompatibleInputs for probabilities that are not
+/// numbers in [0, 1]. Growth of one region is serial, the rest parallel; about 1.5 us and 200 bytes per node.
+Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
+         const GrowParams& params, Seed seed, const RunContext& run);
 
 /// Spacing that gives params.particles or is given. Metres. REQUIRES: a region in the domain.
 double node_spacing(const RegionTree& tree, const GridFrame& domain, const GrowParams& params);

@@ -111,7 +111,7 @@ void expect_sound(const Tin& tin) {
 
 TEST(Grow, OneRegionGrowsInwards) {
   const RegionTree tree{{region("land", blob({0, 0}, 400), -1)}};
-  const Tin tin = grow(tree, kDomain, nullptr, particles(3000), Seed{1}, {});
+  const Tin tin = grow(tree, kDomain, nullptr, {}, particles(3000), Seed{1}, {});
   expect_sound(tin);
   EXPECT_EQ(endorheic(tin), 0);
   const auto inside = std::count(tin.region.begin(), tin.region.end(), 0);
@@ -170,7 +170,7 @@ TEST(Grow, NoNodeIsEndorheicInAThousandScenes) {
     params.spacing_m = rng.uniform(14, 22);
     params.exponent = rng.uniform(0.5, 4);
     params.octaves = 3;
-    const Tin tin = grow(tree, kDomain, nullptr, params, Seed{seed}, {.threads = 1});
+    const Tin tin = grow(tree, kDomain, nullptr, {}, params, Seed{seed}, {.threads = 1});
     expect_sound(tin);
     ASSERT_EQ(endorheic(tin), 0) << "scene " << seed;
     ++grown;
@@ -180,7 +180,7 @@ TEST(Grow, NoNodeIsEndorheicInAThousandScenes) {
 
 TEST(Grow, BasinsHaveOneLowestNode) {
   const RegionTree tree{{region("land", blob({0, 0}, 450), -1), region("crater", blob({100, 0}, 180), 0, true)}};
-  const Tin tin = grow(tree, kDomain, nullptr, particles(4000), Seed{2}, {});
+  const Tin tin = grow(tree, kDomain, nullptr, {}, particles(4000), Seed{2}, {});
   const auto around = adjacency(tin);
   int lowest = 0;
   double rim = 0.0;
@@ -203,7 +203,7 @@ TEST(Grow, GroundAtTheDomainsEdgeHasNoCoastThere) {
   const RegionTree tree{{region("land", {{-900, -900}, {0, -900}, {0, 900}, {-900, 900}}, -1)}};
   GrowParams params = particles(4000);
   params.probability = ProbabilityKind::uniform;
-  const Tin tin = grow(tree, kDomain, nullptr, params, Seed{3}, {});
+  const Tin tin = grow(tree, kDomain, nullptr, {}, params, Seed{3}, {});
   EXPECT_EQ(endorheic(tin), 0);
   for (size_t i = 0; i < tin.nodes.size(); ++i) {
     const Vec2 p = tin.nodes[i];
@@ -220,7 +220,7 @@ TEST(Grow, GroundAtTheDomainsEdgeHasNoCoastThere) {
 
 TEST(Grow, AllOfTheDomainCanBeLand) {
   const RegionTree tree{{region("land", {{-900, -900}, {900, -900}, {900, 900}, {-900, 900}}, -1)}};
-  const Tin tin = grow(tree, kDomain, nullptr, particles(2000), Seed{3}, {});
+  const Tin tin = grow(tree, kDomain, nullptr, {}, particles(2000), Seed{3}, {});
   expect_sound(tin);
   EXPECT_EQ(std::count(tin.region.begin(), tin.region.end(), -1), 0);
 }
@@ -234,7 +234,7 @@ TEST(Grow, ProbableGroundIsLow) {
   const RegionTree tree{{region("land", blob({0, 0}, 450), -1)}};
   GrowParams params = particles(5000);
   params.exponent = 1.0;
-  const Tin tin = grow(tree, kDomain, &field, params, Seed{3}, {});
+  const Tin tin = grow(tree, kDomain, &field, {}, params, Seed{3}, {});
   double valley = 0.0, hills = 0.0;
   int valleys = 0, others = 0;
   for (size_t i = 0; i < tin.nodes.size(); ++i) {
@@ -249,14 +249,14 @@ TEST(Grow, ProbableGroundIsLow) {
 TEST(Grow, IsTheSameOnAnyNumberOfThreadsAndDiffersBySeed) {
   const RegionTree tree{{region("land", blob({0, 0}, 450), -1), region("hill", blob({-150, 0}, 120), 0),
                          region("pit", blob({200, 0}, 100), 0, true)}};
-  const Tin one = grow(tree, kDomain, nullptr, particles(6000), Seed{4}, {.threads = 1});
-  EXPECT_EQ(one, grow(tree, kDomain, nullptr, particles(6000), Seed{4}, {.threads = 3}));
-  EXPECT_NE(one.rank, grow(tree, kDomain, nullptr, particles(6000), Seed{5}, {}).rank);
+  const Tin one = grow(tree, kDomain, nullptr, {}, particles(6000), Seed{4}, {.threads = 1});
+  EXPECT_EQ(one, grow(tree, kDomain, nullptr, {}, particles(6000), Seed{4}, {.threads = 3}));
+  EXPECT_NE(one.rank, grow(tree, kDomain, nullptr, {}, particles(6000), Seed{5}, {}).rank);
 }
 
 std::string message(const RegionTree& tree, const GrowParams& params, const ScalarField* field = nullptr) {
   try {
-    grow(tree, kDomain, field, params, Seed{1}, {});
+    grow(tree, kDomain, field, {}, params, Seed{1}, {});
   } catch (const Error& error) {
     return error.what();
   }
@@ -304,7 +304,7 @@ TEST(Grow, ProbabilitiesOfNoughtAndOneAreClamped) {
     for (int x = 0; x < 100; ++x) field(x, y) = 1.0F;
   }
   const RegionTree tree{{region("land", blob({0, 0}, 400), -1), region("hill", blob({0, 0}, 100), 0)}};
-  const Tin tin = grow(tree, kDomain, &field, particles(2000), Seed{1}, {});
+  const Tin tin = grow(tree, kDomain, &field, {}, particles(2000), Seed{1}, {});
   expect_sound(tin);
   EXPECT_EQ(endorheic(tin), 0);
 }
@@ -312,7 +312,7 @@ TEST(Grow, ProbabilitiesOfNoughtAndOneAreClamped) {
 TEST(Grow, AFewNodesAreEnough) {
   const RegionTree tree{{region("land", blob({0, 0}, 400), -1)}};
   for (const int count : {1, 2, 3, 5, 10, 30}) {
-    const Tin tin = grow(tree, kDomain, nullptr, particles(count), Seed{1}, {});
+    const Tin tin = grow(tree, kDomain, nullptr, {}, particles(count), Seed{1}, {});
     EXPECT_FALSE(tin.triangles.empty());
     if (count >= 10) {
       EXPECT_EQ(endorheic(tin), 0);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <queue>
 #include <tuple>
 
 #include "seamount/base/parallel.h"
+#include "seamount/geom/graph_blend.h"
 
 namespace seamount::contour {
 namespace {
@@ -44,15 +46,18 @@ class Levels {
 /// Per node of the network; each region's growth touches its own nodes.
 struct Work {
   std::vector<uint32_t> weight;
-  std::vector<uint32_t> up, down;               ///< steps of the two fronts, 0: not reached
-  std::vector<int32_t> up_origin, down_origin;  ///< outlines that they came over; empty unless levels differ
-  std::vector<uint32_t> score;                  ///< n(p) of P2 sec. 4.5 as a 32-bit fraction
+  std::vector<uint32_t> up, down;  ///< steps of the two fronts, 0: not reached
+  std::vector<float> low, high;    ///< shares of the range at the fronts' starts; empty unless they differ
+  std::vector<int32_t> slot;       ///< of a node among its region's members; empty as above
+  std::vector<uint32_t> river;     ///< 1, 2, ... from the mouths up, 0: none; empty without rivers
+  std::vector<uint32_t> score;     ///< n(p) of P2 sec. 4.5 as a 32-bit fraction
   std::vector<uint8_t> seen;
 };
 
 class RegionGrowth {
  public:
-  RegionGrowth(const RegionGraph& graph, const std::vector<TinRegion>& regions, int32_t region, Seed seed)
+  RegionGrowth(const RegionGraph& graph, const std::vector<TinRegion>& regions, int32_t region,
+               const std::vector<int32_t>& outlets, Seed seed)
       : graph_(graph), levels_(regions, region), members_(graph.members(at(region))), seed_(seed) {
     bool has_outline = false;
     for (const BorderNode& border : graph.borders[at(region)]) {
@@ -64,41 +69,42 @@ class RegionGrowth {
       const Side side = regions[at(region)].basin ? Side::upper : Side::lower;
       if (std::binary_search(members_.begin(), members_.end(), node)) add({node, -1, side});
     }
+    for (const int32_t node : outlets) {
+      if (std::binary_search(members_.begin(), members_.end(), node)) add({node, -1, Side::lower});
+    }
     const auto between = [&](const BorderNode& b) {
       const double level = levels_.of(b.beyond, b.side);
       return level != 0.0 && level != 1.0;
     };
-    needs_levels_ =
+    has_levels_ =
         std::any_of(lower_.begin(), lower_.end(), between) || std::any_of(upper_.begin(), upper_.end(), between);
   }
 
-  bool needs_levels() const { return needs_levels_; }
+  bool has_levels() const { return has_levels_; }
 
   /// The ascending or the descending front. The two may run side by side.
   void run_front(bool descending, Work& work, const RunContext& run) {
     std::vector<BorderNode>& border = descending ? upper_ : lower_;
     std::vector<uint32_t>& step = descending ? work.down : work.up;
-    std::span<int32_t> origin;
-    if (needs_levels_) origin = descending ? work.down_origin : work.up_origin;
     Rng rng(seed_.derive(descending ? "descending" : "ascending"));
     for (size_t i = border.size(); i > 1; --i) std::swap(border[i - 1], border[((rng.bits() >> 32) * i) >> 32]);
     std::vector<int32_t> seeds;
-    for (const BorderNode& b : border) {
-      if (!origin.empty()) origin[at(b.node)] = b.beyond;
-      seeds.push_back(b.node);
-    }
-    eden_growth(graph_, seeds, work.weight, descending, rng, step, origin, run);
+    if (!descending) seeds = river_nodes(work);
+    seeds.reserve(seeds.size() + border.size());
+    for (const BorderNode& b : border) seeds.push_back(b.node);
+    eden_growth(graph_, seeds, work.weight, descending, rng, step, run);
   }
 
   /// Ranks from the steps of both fronts.
-  void rank(Work& work, std::span<float> ranks) const {
+  void rank(Work& work, std::span<float> ranks, const RunContext& run) const {
     std::vector<int32_t> order;
-    const bool plain = upper_.empty() && all_drain_ &&
+    const bool plain = upper_.empty() && all_drain_ && river_nodes(work).empty() &&
                        std::all_of(members_.begin(), members_.end(), [&](int32_t n) { return work.up[at(n)] != 0; });
     if (plain) {
       order.resize(members_.size());
       for (const int32_t node : members_) order[work.up[at(node)] - 1] = node;
     } else {
+      if (has_levels_) blend_levels(work, run);
       score(work);
       order = flood(work);
     }
@@ -114,15 +120,52 @@ class RegionGrowth {
     if (border.side == Side::across) all_drain_ = false;
   }
 
+  std::vector<int32_t> river_nodes(const Work& work) const {
+    std::vector<int32_t> nodes;
+    if (work.river.empty()) return nodes;
+    std::copy_if(members_.begin(), members_.end(), std::back_inserter(nodes),
+                 [&](int32_t node) { return work.river[at(node)] != 0; });
+    std::sort(nodes.begin(), nodes.end(), [&](int32_t a, int32_t b) { return work.river[at(a)] < work.river[at(b)]; });
+    return nodes;
+  }
+
+  /// Levels between the outlines at which the fronts start, without a step where two fronts meet.
+  void blend_levels(Work& work, const RunContext& run) const {
+    for (size_t i = 0; i < members_.size(); ++i) work.slot[at(members_[i])] = static_cast<int32_t>(i);
+    std::vector<uint32_t> starts = {0};
+    std::vector<int32_t> neighbours;
+    for (const int32_t node : members_) {
+      for (const int32_t neighbour : graph_.around(node)) neighbours.push_back(work.slot[at(neighbour)]);
+      starts.push_back(static_cast<uint32_t>(neighbours.size()));
+    }
+    for (const bool upper : {false, true}) {
+      std::vector<uint8_t> fixed(members_.size(), 0);
+      std::vector<double> level(members_.size(), upper ? 1.0 : 0.0);
+      for (const BorderNode& border : upper ? upper_ : lower_) {
+        const auto slot = at(work.slot[at(border.node)]);
+        const double share = levels_.of(border.beyond, border.side);
+        level[slot] = fixed[slot] == 0 ? share : std::min(level[slot], share);
+        fixed[slot] = 1;
+      }
+      geom::blend_over_graph(starts, neighbours, fixed, level, run);
+      for (size_t i = 0; i < members_.size(); ++i) {
+        (upper ? work.high : work.low)[at(members_[i])] = static_cast<float>(level[i]);
+      }
+    }
+  }
+
   /// n(p) = n- / (n- + n+), with the paper's forms for nodes that one front alone reaches.
   void score(Work& work) const {
     const auto all = static_cast<double>(members_.size());
     for (const int32_t member : members_) {
       const size_t node = at(member);
       const double up = work.up[node], down = work.down[node];
-      double low = 0.0, high = 1.0;
-      if (needs_levels_ && up > 0.0) low = levels_.of(work.up_origin[node], Side::lower);
-      if (needs_levels_ && down > 0.0) high = levels_.of(work.down_origin[node], Side::upper);
+      if (!work.river.empty() && work.river[node] != 0) {  // the water's way, from the mouth up
+        work.score[node] = work.river[node];
+        continue;
+      }
+      const double low = has_levels_ && up > 0.0 ? static_cast<double>(work.low[node]) : 0.0;
+      const double high = has_levels_ && down > 0.0 ? static_cast<double>(work.high[node]) : 1.0;
       double share = 1.0;
       if (up > 0.0) share = down > 0.0 ? up / (up + down) : up / all;
       if (up == 0.0 && down > 0.0) share = (all - down) / all;
@@ -191,10 +234,10 @@ class RegionGrowth {
   std::vector<BorderNode> lower_, upper_;
   std::vector<int32_t> drains_;  ///< border nodes beside lower ground
   bool all_drain_ = true;        ///< no border node is beside another branch of the tree
-  bool needs_levels_ = false;
+  bool has_levels_ = false;
 };
 
-Work make_work(std::span<const float> probability, const std::vector<RegionGrowth>& growths) {
+Work make_work(std::span<const float> probability, const RiverNodes& rivers, const std::vector<RegionGrowth>& growths) {
   const size_t nodes = probability.size();
   Work work;
   work.weight.reserve(nodes);
@@ -203,32 +246,35 @@ Work make_work(std::span<const float> probability, const std::vector<RegionGrowt
   work.down.assign(nodes, 0);
   work.score.assign(nodes, 0);
   work.seen.assign(nodes, 0);
-  if (std::any_of(growths.begin(), growths.end(), [](const RegionGrowth& g) { return g.needs_levels(); })) {
-    work.up_origin.assign(nodes, -1);
-    work.down_origin.assign(nodes, -1);
+  if (std::any_of(growths.begin(), growths.end(), [](const RegionGrowth& g) { return g.has_levels(); })) {
+    work.low.assign(nodes, 0.0F);
+    work.high.assign(nodes, 1.0F);
+    work.slot.assign(nodes, -1);
   }
+  if (!rivers.upstream.empty()) work.river.assign(nodes, 0);
+  for (size_t i = 0; i < rivers.upstream.size(); ++i) work.river[at(rivers.upstream[i])] = static_cast<uint32_t>(i) + 1;
   return work;
 }
 
 }  // namespace
 
 std::vector<float> grow_ranks(std::span<const std::array<int32_t, 3>> triangles, std::span<const int32_t> region,
-                              const std::vector<TinRegion>& regions, std::span<const float> probability, Seed seed,
-                              const RunContext& run) {
+                              const std::vector<TinRegion>& regions, std::span<const float> probability,
+                              const RiverNodes& rivers, Seed seed, const RunContext& run) {
   const RegionGraph graph = make_region_graph(triangles, region, regions, run);
   run.report(0.2);
   std::vector<RegionGrowth> growths;
   for (size_t i = 0; i < regions.size(); ++i) {
-    growths.emplace_back(graph, regions, static_cast<int32_t>(i), seed.derive("region", i));
+    growths.emplace_back(graph, regions, static_cast<int32_t>(i), rivers.outlets, seed.derive("region", i));
   }
-  Work work = make_work(probability, growths);
+  Work work = make_work(probability, rivers, growths);
   const auto count = static_cast<int64_t>(growths.size());
   parallel_blocks(run.part(0.2, 0.8), 2 * count, 1, [&](int64_t task, int64_t) {
     growths[static_cast<size_t>(task / 2)].run_front(task % 2 != 0, work, run);
   });
   std::vector<float> ranks(region.size(), 0.0F);
   parallel_blocks(run.part(0.8, 1.0), count, 1,
-                  [&](int64_t i, int64_t) { growths[static_cast<size_t>(i)].rank(work, ranks); });
+                  [&](int64_t i, int64_t) { growths[static_cast<size_t>(i)].rank(work, ranks, run); });
   return ranks;
 }
 

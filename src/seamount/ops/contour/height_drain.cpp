@@ -20,6 +20,23 @@ size_t at(int32_t i) { return static_cast<size_t>(i); }
 /// A dam is cut to this share of the height above its band's lowest: a slope that water runs down.
 constexpr double kCut = 0.999;
 
+int32_t find_drain(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height, size_t node) {
+  const int32_t here = tin.region[node];
+  int32_t lowest = -1;
+  for (const int32_t neighbour : graph.around(node)) {
+    const int32_t there = tin.region[at(neighbour)];
+    const bool lower = here == there ? std::pair(tin.rank[at(neighbour)], neighbour) <
+                                           std::pair(tin.rank[node], static_cast<int32_t>(node))
+                                     : border_of(tin.regions, here, there).side == Side::lower;
+    if (!lower) continue;
+    if (there == Tin::kOutside) return -1;
+    if (lowest < 0 || height[at(neighbour)] < height[at(lowest)]) lowest = neighbour;
+  }
+  return lowest;
+}
+
+}  // namespace
+
 std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& bands) {
   struct Key {
     int level;
@@ -40,30 +57,19 @@ std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& b
   return order;
 }
 
-/// -1: an outlet, or the deepest node of a basin.
-int32_t find_drain(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height, size_t node) {
-  const int32_t here = tin.region[node];
-  int32_t lowest = -1;
-  for (const int32_t neighbour : graph.around(node)) {
-    const int32_t there = tin.region[at(neighbour)];
-    const bool lower = here == there ? std::pair(tin.rank[at(neighbour)], neighbour) <
-                                           std::pair(tin.rank[node], static_cast<int32_t>(node))
-                                     : border_of(tin.regions, here, there).side == Side::lower;
-    if (!lower) continue;
-    if (there == Tin::kOutside) return -1;
-    if (lowest < 0 || height[at(neighbour)] < height[at(lowest)]) lowest = neighbour;
+std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height) {
+  std::vector<int32_t> drains(tin.nodes.size(), -1);
+  for (size_t node = 0; node < tin.nodes.size(); ++node) {
+    if (tin.region[node] >= 0) drains[node] = find_drain(tin, graph, height, node);
   }
-  return lowest;
+  return drains;
 }
-
-}  // namespace
 
 std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
                          const Limits& limits, std::vector<double> height, const RunContext& run) {
   const std::vector<int32_t> order = rank_order(tin, bands);
   run.check_cancelled();
-  std::vector<int32_t> drains(tin.nodes.size(), -1);
-  for (const int32_t node : order) drains[at(node)] = find_drain(tin, graph, height, at(node));
+  const std::vector<int32_t> drains = find_drains(tin, graph, height);
   for (auto node = order.rbegin(); node != order.rend(); ++node) {
     const int32_t to = drains[at(*node)];
     if (to < 0 || height[at(to)] < height[at(*node)]) continue;

@@ -14,6 +14,8 @@ namespace {
 
 size_t at(int32_t i) { return static_cast<size_t>(i); }
 
+bool is_river(const Tin& tin, size_t node) { return !tin.bed_m.empty() && tin.bed_m[node] != Tin::kNoBed; }
+
 /// A place of a region's ranks whose height is known.
 struct RankKnot {
   double share = 0.0;  ///< of the region's nodes that are lower
@@ -28,25 +30,25 @@ double knot_height(const std::vector<RankKnot>& knots, double share, const Heigh
   return distribution.quantile(low.height, high.height, (share - low.share) / (high.share - low.share));
 }
 
-/// The knots of a region whose inner outlines have heights of their own: the rank that most nodes beside an outline
+/// The knots of a region whose inner outlines have heights of their own: the share that most nodes beside an outline
 /// keep below (a hill's) or above (a basin's) has its height.
 std::vector<RankKnot> inner_knots(const Tin& tin, const std::vector<RegionBand>& bands,
-                                  const std::vector<Shore>& shores, int32_t region) {
+                                  const std::vector<Shore>& shores, const std::vector<double>& share, int32_t region) {
   const RegionBand& band = bands[at(region)];
-  std::map<int32_t, std::vector<float>> ranks;
+  std::map<int32_t, std::vector<double>> shares;
   for (const Shore& shore : shores) {
-    if (!shore.inside && tin.region[at(shore.node)] == region) {
-      ranks[shore.outline].push_back(tin.rank[at(shore.node)]);
+    if (!shore.inside && tin.region[at(shore.node)] == region && !is_river(tin, at(shore.node))) {
+      shares[shore.outline].push_back(share[at(shore.node)]);
     }
   }
   std::vector<RankKnot> inner;
-  for (auto& [outline, of_nodes] : ranks) {
+  for (auto& [outline, of_nodes] : shares) {
     const double height = bands[at(outline)].outline_m;
     if (height <= band.from_m || height >= band.to_m) continue;
     std::sort(of_nodes.begin(), of_nodes.end());
     const size_t n = of_nodes.size();
     const size_t most = tin.regions[at(outline)].basin ? n / 5 : n - 1 - n / 5;
-    inner.push_back({static_cast<double>(of_nodes[most]), height});
+    inner.push_back({of_nodes[most], height});
   }
   std::sort(inner.begin(), inner.end(), [](const RankKnot& a, const RankKnot& b) {
     return std::tie(a.height, a.share) < std::tie(b.height, b.share);
@@ -67,6 +69,47 @@ struct Rising {
   int32_t node;
   auto operator<=>(const Rising&) const = default;
 };
+
+/// For each node which share of the nodes that rise together is lower: those of one group and level, or of a region
+/// whose outlines have heights of their own. River nodes have their beds instead.
+std::vector<double> rising_shares(const Tin& tin, const std::vector<RegionBand>& bands, const HeightsParams& params,
+                                  const RunContext& run) {
+  using Place = std::tuple<int, int, int32_t>;  // group, level, region that rises alone
+  const auto place = [&](size_t r) {
+    return Place{bands[r].group, bands[r].level, bands[r].alone ? static_cast<int32_t>(r) : -1};
+  };
+  std::vector<int64_t> nodes(bands.size(), 0);
+  for (const int32_t r : tin.region) {
+    if (r >= 0) ++nodes[at(r)];
+  }
+  std::map<Place, int64_t> widest;  // nodes of its widest summit
+  for (size_t r = 0; r < bands.size(); ++r) {
+    int64_t& most = widest[place(r)];
+    if (bands[r].summit) most = std::max(most, nodes[r]);
+  }
+  std::vector<double> reach(bands.size(), 1.0);
+  std::map<Place, std::vector<Rising>> rising;
+  std::vector<std::vector<Rising>*> order(bands.size());
+  for (size_t r = 0; r < bands.size(); ++r) {
+    order[r] = &rising[place(r)];
+    if (!bands[r].summit || tin.regions[r].basin || params.summits == Summits::equal) continue;
+    reach[r] = std::sqrt(static_cast<double>(nodes[r]) / static_cast<double>(std::max<int64_t>(widest[place(r)], 1)));
+  }
+  for (size_t node = 0; node < tin.nodes.size(); ++node) {
+    if (tin.region[node] < 0 || is_river(tin, node)) continue;
+    const size_t r = at(tin.region[node]);
+    order[r]->push_back({reach[r] * static_cast<double>(tin.rank[node]), static_cast<int32_t>(node)});
+  }
+  std::vector<double> share(tin.nodes.size(), 0.0);
+  for (auto& [where, together] : rising) {
+    run.check_cancelled();
+    std::sort(together.begin(), together.end());
+    for (size_t i = 0; i < together.size(); ++i) {
+      share[at(together[i].node)] = (static_cast<double>(i) + 0.5) / static_cast<double>(together.size());
+    }
+  }
+  return share;
+}
 
 }  // namespace
 
@@ -110,60 +153,26 @@ Limits find_limits(const Tin& tin, const std::vector<RegionBand>& bands, const s
       limits.cap[node] = std::min(limits.cap[node], height);
     }
   }
-  for (size_t node = 0; node < tin.bed_m.size(); ++node) {
-    if (tin.bed_m[node] == Tin::kNoBed || tin.region[node] < 0) continue;
-    limits.floor[node] = limits.cap[node] = static_cast<double>(tin.bed_m[node]);
-  }
   return limits;
 }
 
 std::vector<double> band_heights(const Tin& tin, const std::vector<RegionBand>& bands, const std::vector<Shore>& shores,
                                  const HeightDistribution& distribution, const HeightsParams& params,
                                  const RunContext& run) {
-  std::vector<int64_t> nodes(bands.size(), 0);
-  for (const int32_t r : tin.region) {
-    if (r >= 0) ++nodes[at(r)];
-  }
-  using Place = std::pair<int, int>;  // group and level
-  std::map<Place, int64_t> widest;    // nodes of its widest summit
-  for (size_t r = 0; r < bands.size(); ++r) {
-    int64_t& most = widest[{bands[r].group, bands[r].level}];
-    if (bands[r].summit) most = std::max(most, nodes[r]);
-  }
-  std::vector<double> share(bands.size(), 1.0);
+  std::vector<double> share = rising_shares(tin, bands, params, run);
   std::vector<std::vector<RankKnot>> knots(bands.size());
   for (size_t r = 0; r < bands.size(); ++r) {
     run.check_cancelled();
-    if (bands[r].alone) {
-      knots[r] = inner_knots(tin, bands, shores, static_cast<int32_t>(r));
-    } else if (bands[r].summit && !tin.regions[r].basin && params.summits == Summits::by_size) {
-      share[r] = std::sqrt(static_cast<double>(nodes[r]) /
-                           static_cast<double>(std::max<int64_t>(widest[{bands[r].group, bands[r].level}], 1)));
-    }
+    knots[r] = {{0.0, bands[r].from_m}, {1.0, bands[r].to_m}};
+    if (bands[r].alone) knots[r] = inner_knots(tin, bands, shores, share, static_cast<int32_t>(r));
   }
-  std::map<Place, std::vector<Rising>> rising;
-  std::vector<double> height(tin.nodes.size(), 0.0);
   for (size_t node = 0; node < tin.nodes.size(); ++node) {
     const int32_t region = tin.region[node];
     if (region < 0) continue;
-    const RegionBand& band = bands[at(region)];
-    const auto rank = static_cast<double>(tin.rank[node]);
-    if (band.alone) {
-      height[node] = knot_height(knots[at(region)], rank, distribution);
-    } else {
-      rising[{band.group, band.level}].push_back({share[at(region)] * rank, static_cast<int32_t>(node)});
-    }
+    share[node] = is_river(tin, node) ? static_cast<double>(tin.bed_m[node])
+                                      : knot_height(knots[at(region)], share[node], distribution);
   }
-  for (auto& [place, order] : rising) {
-    run.check_cancelled();
-    std::sort(order.begin(), order.end());
-    for (size_t i = 0; i < order.size(); ++i) {
-      const RegionBand& band = bands[at(tin.region[at(order[i].node)])];
-      const double quantile = (static_cast<double>(i) + 0.5) / static_cast<double>(order.size());
-      height[at(order[i].node)] = distribution.quantile(band.from_m, band.to_m, quantile);
-    }
-  }
-  return height;
+  return share;
 }
 
 void fall_outside(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,

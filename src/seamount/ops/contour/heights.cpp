@@ -108,8 +108,10 @@ Tin heights(Tin tin, const HeightField* terrain, const HeightsParams& params, co
   const geom::NodeGraph graph = geom::make_node_graph(tin.triangles, tin.nodes.size());
   run.report(0.2);
   const std::vector<Shore> shores = find_shores(tin, graph);
-  const Limits limits = find_limits(tin, bands, shores);
+  Limits limits = find_limits(tin, bands, shores);
+  limit_rivers(tin, graph, limits);
   std::vector<double> height = band_heights(tin, bands, shores, distribution, params, run);
+  stand_on_rivers(tin, graph, bands, height, run);
   apply(limits, tin, height);
   run.report(0.5);
   std::vector<uint8_t> known(tin.nodes.size(), 0);

@@ -35,7 +35,7 @@ Ring blob(double radius, Vec2 centre = {}, double wobble = 0.1, double phase = 0
 Tin grown(const std::vector<RegionOutline>& outlines, int particles = 4000, uint64_t seed = 3) {
   GrowParams params;
   params.particles = particles;
-  return grow(regions_from_outlines(outlines, kDomain, "outlines"), kDomain, nullptr, params, Seed{seed}, {});
+  return grow(regions_from_outlines(outlines, kDomain, "outlines"), kDomain, nullptr, {}, params, Seed{seed}, {});
 }
 
 std::string message(const Tin& tin, const HeightsParams& params, const HeightField* terrain = nullptr) {

@@ -9,6 +9,7 @@
 #include "seamount/ops/contour/heights.h"
 #include "seamount/ops/contour/pattern.h"
 #include "seamount/ops/contour/probability.h"
+#include "seamount/ops/contour/rivers.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
@@ -63,7 +64,9 @@ Values grow(const contour::GrowParams& params, const Call& call) {
     painted = contour::painted_probability(io::read_image(call.resolve(params.probability_picture)), frame);
     probability = &painted;
   }
-  return {{"tin", Value::tin(contour::grow(tree, frame, probability, params, call.seed, call.run))}};
+  const Drawing* drawn = call.shapes("rivers");
+  const std::vector<RiverLine> rivers = drawn == nullptr ? std::vector<RiverLine>{} : contour::river_lines(*drawn);
+  return {{"tin", Value::tin(contour::grow(tree, frame, probability, rivers, params, call.seed, call.run))}};
 }
 
 Values heights(const contour::HeightsParams& params, const Call& call) {
@@ -95,6 +98,8 @@ void add_contour_operators(Registry& registry) {
               {"contours", ValueKind::contours, "contours whose insides are the regions", false},
               {"mask", ValueKind::field, "a picture of nested regions, darker lower, laid over the domain", false},
               {"probability", ValueKind::field, "in [0, 1]: where it is high growth runs ahead and cuts valleys",
+               false},
+              {"rivers", ValueKind::drawing, "lines from source to mouth, with their beds and widths as numbers",
                false}},
        .out = {{"tin", ValueKind::tin, "a network with a rank per node and no heights yet"}}},
       grow);
