@@ -9,9 +9,11 @@
 #include "seamount/geom/blend.h"
 #include "seamount/geom/distance.h"
 #include "seamount/geom/gullies.h"
+#include "seamount/geom/height_layers.h"
 #include "seamount/geom/noise.h"
 #include "seamount/geom/poisson.h"
 #include "seamount/geom/resample.h"
+#include "seamount/geom/surface.h"
 
 namespace seamount::geom {
 namespace {
@@ -38,6 +40,18 @@ class Bits : public testing::Test {
 TEST_F(Bits, Noise) {
   EXPECT_EQ(fingerprint(noise_), 0x62bae0dbc40b125fULL);
   EXPECT_EQ(fingerprint(ridged_grid(frame_, Seed{2}, {.wavelength_m = 2000}, run_)), 0x7eb80808a49761e6ULL);
+}
+
+TEST_F(Bits, SurfaceAndLayers) {
+  HeightField terrain = noise_;
+  for (float& z : terrain.cells()) z *= 300.0F;
+  EXPECT_EQ(fingerprint(slope_deg(terrain, run_)), 0x8f55e50782bbcfcULL);
+  EXPECT_EQ(fingerprint(aspect_deg(terrain, run_)), 0xa934c8f9b4d46e7ULL);
+  EXPECT_EQ(fingerprint(curvature(terrain, Curvature::plan, run_)), 0xa03ebba96b8324e7ULL);
+  EXPECT_EQ(fingerprint(at_scale(terrain, 90.0, run_)), 0x2b3a7f9cf746c1e2ULL);
+  const Layers layers = height_layers(terrain, {20.0, 30.0, 60.0, 15.0}, true, 0.5, run_);
+  EXPECT_EQ(fingerprint(layers.low), 0x9419dd22bbf5babaULL);
+  EXPECT_EQ(fingerprint(layers.high), 0xbbb9da2df5fbd71ULL);
 }
 
 TEST_F(Bits, Gullies) {

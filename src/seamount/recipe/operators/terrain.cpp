@@ -90,6 +90,7 @@ Values compose(const terrain::ComposeParams& params, const Call& call) {
 
 std::vector<Port> compose_ports() {
   std::vector<Port> ports;
+  ports.reserve(kMostTerrains);
   for (int i = 0; i < kMostTerrains; ++i) {
     ports.push_back({numbered("terrain", i), ValueKind::terrain,
                      i == 0 ? "the lowest terrain" : "a terrain over those before it", i == 0});
