@@ -34,8 +34,7 @@ struct Amount {
 /// Says what was limited, or refuses.
 void move_or_refuse(const Amount& amount, const PlaneMap& map, double strength, ContourSet& set,
                     const ToolContext& context) {
-  std::vector<Contour> moved = set.contours;
-  const Moved result = move_contours(moved, map, strength, context.run);
+  const Moved result = move_contours(set.contours, map, strength, context.run);
   if (result.crossing) {
     const std::string where = "contours would cross at " + place_text(*result.crossing);
     const std::string given = std::string(amount.field) + " = " + format_number(amount.value);
@@ -46,7 +45,6 @@ void move_or_refuse(const Amount& amount, const PlaneMap& map, double strength, 
     context.run.say(context.name + " (" + amount.tool + "): " + where + " with " + given + "; applied with " +
                     possible);
   }
-  set.contours = std::move(moved);
 }
 
 void check_stroke(const Polyline& stroke, size_t least, const GridFrame& frame, const std::string& name) {
@@ -107,8 +105,7 @@ void apply(const SlopeTool& tool, ContourSet& set, const ToolContext& context) {
 
 void apply(const SmoothTool& tool, ContourSet& set, const ToolContext& context) {
   const std::vector<size_t> chosen = select(set, tool.select, context.name + ".select");
-  ContourSet smoothed = set;
-  const Smoothed result = smooth_contours(smoothed, chosen, {tool.radius_m, tool.strength, tool.rounds}, context.run);
+  const Smoothed result = smooth_contours(set, chosen, {tool.radius_m, tool.strength, tool.rounds}, context.run);
   if (result.where) {
     const std::string where = "contours would cross near " + place_text(*result.where);
     if (context.on_crossing == OnCrossing::refuse)
@@ -118,7 +115,6 @@ void apply(const SmoothTool& tool, ContourSet& set, const ToolContext& context) 
     context.run.say(context.name + " (smooth): " + where + "; " + std::to_string(result.limited) +
                     " points were smoothed by less");
   }
-  set = std::move(smoothed);
 }
 
 namespace {

@@ -18,6 +18,7 @@ struct ToolContext {
   const RunContext& run;
 };
 
+// A tool that throws may leave the set half edited: a session is given up then.
 void apply(const WarpTool& tool, ContourSet& set, const ToolContext& context);
 void apply(const SlopeTool& tool, ContourSet& set, const ToolContext& context);
 void apply(const SmoothTool& tool, ContourSet& set, const ToolContext& context);

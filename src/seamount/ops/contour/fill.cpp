@@ -13,6 +13,7 @@
 #include "seamount/geom/poisson.h"
 #include "seamount/geom/polygon.h"
 #include "seamount/geom/resample.h"
+#include "seamount/ops/contour/roughen.h"
 #include "seamount/ops/contour/selection.h"
 #include "seamount/ops/contour/site.h"
 
@@ -117,6 +118,11 @@ std::vector<size_t> models_for(const ContourSet& set, size_t filled) {
 
 constexpr std::array<std::array<int, 2>, 4> kNeighbours = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
+/// Is the node of the patch and no corner of its border?
+bool is_inner(const Patch& patch, int x, int y) {
+  return patch.has(x - 1, y - 1) && patch.has(x, y - 1) && patch.has(x - 1, y) && patch.has(x, y);
+}
+
 /// Nodes of the patch that are no corner of its border, in the order in which they are reached from it when always the
 /// one with the lowest key comes next.
 std::vector<int32_t> grown_order(const Patch& patch, const ScalarField& key, const RunContext& run) {
@@ -124,14 +130,11 @@ std::vector<int32_t> grown_order(const Patch& patch, const ScalarField& key, con
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
   const int width = patch.nodes.width;
   Grid<uint8_t> seen(patch.nodes, 0);
-  const auto inner = [&](int x, int y) {
-    return patch.has(x - 1, y - 1) && patch.has(x, y - 1) && patch.has(x - 1, y) && patch.has(x, y);
-  };
   const auto push_neighbours = [&](int x, int y) {
     for (const auto& step : kNeighbours) {
       const int nx = x + step[0];
       const int ny = y + step[1];
-      if (!seen.contains(nx, ny) || seen(nx, ny) != 0 || !inner(nx, ny)) continue;
+      if (!seen.contains(nx, ny) || seen(nx, ny) != 0 || !is_inner(patch, nx, ny)) continue;
       seen(nx, ny) = 1;
       open.emplace(key(nx, ny), ny * width + nx);
     }
@@ -153,19 +156,71 @@ std::vector<int32_t> grown_order(const Patch& patch, const ScalarField& key, con
 }
 
 geom::Fbm landforms(double wavelength_m, double cell_m) {
-  return {.wavelength_m = wavelength_m, .octaves = 6, .gain = 0.5, .lacunarity = 2.0, .cell_m = cell_m};
+  return {.wavelength_m = wavelength_m, .octaves = 6, .gain = 0.5, .lacunarity = 2.0, .cell_m = 2.0 * cell_m};
 }
 
-/// Smooth distance to the border: the root of the solution of laplace(u) = -2, which is about the distance near it.
-ScalarField smooth_distance(const Site& site, const RunContext& run) {
-  const GridFrame& frame = site.patch.nodes;
-  ScalarField u(frame, 0.0F);
-  Grid<uint8_t> fixed(frame, 0);
-  for (size_t i = 0; i < u.size(); ++i) fixed.cells()[i] = site.inward.cells()[i] <= 0.0F ? 1 : 0;
-  geom::solve_poisson(u, fixed, ScalarField(frame, -2.0F), run);
-  for (float& value : u.cells()) value = std::sqrt(std::max(value, 0.0F));
-  return u;
-}
+/// Time at which a front from the patch's border arrives at each inner node, with this speed there: |grad T| speed = 1,
+/// by fast marching (Sethian 1996). Every node has a neighbour that is reached before it. `order` gets the inner nodes
+/// in the order of their arrival.
+class Front {
+ public:
+  Front(const Patch& patch, const ScalarField& speed) : patch_(patch), speed_(speed), time_(patch.nodes, kNever) {
+    for (int y = 0; y < patch.nodes.height; ++y) {
+      for (int x = 0; x < patch.nodes.width; ++x) {
+        if (patch.at_border(x, y)) time_(x, y) = 0.0;
+      }
+    }
+  }
+
+  std::vector<int32_t> run(const RunContext& run) {
+    for (int y = 0; y < patch_.nodes.height; ++y) {
+      for (int x = 0; x < patch_.nodes.width; ++x) {
+        if (patch_.at_border(x, y)) push_neighbours(x, y);
+      }
+    }
+    std::vector<int32_t> order;
+    while (!open_.empty()) {
+      const auto [time, at] = open_.top();
+      open_.pop();
+      const int x = at % patch_.nodes.width;
+      const int y = at / patch_.nodes.width;
+      if (time_(x, y) != kNever) continue;
+      time_(x, y) = time;
+      order.push_back(at);
+      if (order.size() % 65536 == 0) run.check_cancelled();
+      push_neighbours(x, y);
+    }
+    return order;
+  }
+
+ private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  void push_neighbours(int x, int y) {
+    for (const auto& step : kNeighbours) {
+      const int nx = x + step[0];
+      const int ny = y + step[1];
+      if (!time_.contains(nx, ny) || time_(nx, ny) != kNever || !is_inner(patch_, nx, ny)) continue;
+      open_.emplace(arrival(nx, ny), ny * patch_.nodes.width + nx);
+    }
+  }
+
+  double known(int x, int y) const { return time_.contains(x, y) ? time_(x, y) : kNever; }
+
+  double arrival(int x, int y) const {
+    const double a = std::min(known(x - 1, y), known(x + 1, y));
+    const double b = std::min(known(x, y - 1), known(x, y + 1));
+    const double step = 1.0 / static_cast<double>(speed_(x, y));
+    if (std::abs(a - b) >= step) return std::min(a, b) + step;
+    return 0.5 * (a + b + std::sqrt(2.0 * step * step - (a - b) * (a - b)));
+  }
+
+  const Patch& patch_;
+  const ScalarField& speed_;
+  Grid<double> time_;
+  using Open = std::pair<double, int32_t>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+};
 
 /// The inside of a contour.
 void fill_contour(size_t contour, const FillTool& tool, ContourSet& set, const std::string& name, Seed seed,
@@ -184,10 +239,10 @@ void fill_contour(size_t contour, const FillTool& tool, ContourSet& set, const s
   remove_contours(set, gone);
   const Site site = make_site(set, outline, true, 0.0, name, run);
   const GridFrame& frame = site.patch.nodes;
-  ScalarField key = smooth_distance(site, run);
-  const ScalarField noise = geom::fbm_grid(frame, seed.derive("fill"), landforms(tool.wavelength_m, frame.cell_m), run);
-  for (size_t i = 0; i < key.size(); ++i) key.cells()[i] *= std::max(0.05F, 1.0F + 1.1F * noise.cells()[i]);
-  const std::vector<int32_t> order = grown_order(site.patch, key, run);
+  constexpr float kContrast = 2.5F;  // of the logarithm of the speed over the noise
+  ScalarField speed = geom::fbm_grid(frame, seed.derive("fill"), landforms(tool.wavelength_m, frame.cell_m), run);
+  for (float& value : speed.cells()) value = std::exp(kContrast * value);
+  const std::vector<int32_t> order = Front(site.patch, speed).run(run);
   ScalarField heights = site.ground;
   const double border = std::abs(static_cast<double>(least_gap(levels))) * 0.02;
   double top = base;
@@ -199,6 +254,16 @@ void fill_contour(size_t contour, const FillTool& tool, ContourSet& set, const s
   }
   levels = levels_covering(levels, std::min(base, top), std::max(base, top), name);
   replace_patch(set, site.patch, heights, levels, name, run);
+}
+
+/// Raises inner nodes until each has a neighbour that is lower, by `step` where it was not.
+void fill_basins(ScalarField& heights, const Patch& patch, float step, const RunContext& run) {
+  float water = -std::numeric_limits<float>::infinity();
+  const ScalarField wanted = heights;
+  for (const int32_t at : grown_order(patch, wanted, run)) {
+    water = std::max(water + step, wanted.cells()[static_cast<size_t>(at)]);
+    heights.cells()[static_cast<size_t>(at)] = water;
+  }
 }
 
 /// Bends values to another distribution: each to the height that as large a share of `like` lies below.
@@ -213,7 +278,7 @@ float bent(float value, const std::vector<float>& own, const std::vector<float>&
 /// Root of the mean square of what a blur over one wavelength takes from the ground outside.
 double roughness(const Site& site, double wavelength_m, const RunContext& run) {
   ScalarField smooth = site.ground;
-  geom::gaussian_blur(smooth, 0.25 * wavelength_m, run);
+  geom::gaussian_blur(smooth, 0.5 * wavelength_m, run);
   double sum = 0.0;
   double count = 0.0;
   for (size_t i = 0; i < smooth.size(); ++i) {
@@ -225,43 +290,58 @@ double roughness(const Site& site, double wavelength_m, const RunContext& run) {
   return count > 0.0 ? std::sqrt(sum / count) : 0.0;
 }
 
+/// Ground stretched smoothly over the outline, read at places that noise displaces one to one: rough, and as free of
+/// basins as it was.
+ScalarField stretched(const Site& site, const ScalarField& share, double share_slope, double wavelength_m, Seed seed,
+                      const RunContext& run) {
+  const GridFrame& frame = site.patch.nodes;
+  ScalarField smooth = site.ground;
+  Grid<uint8_t> fixed(frame, 0);
+  for (size_t i = 0; i < smooth.size(); ++i) fixed.cells()[i] = site.inward.cells()[i] <= 0.0F ? 1 : 0;
+  geom::solve_laplace(smooth, fixed, run);
+  constexpr double kAmplitude = 0.2;
+  const Roughen roughen({kAmplitude * wavelength_m, wavelength_m, 5, 0.5}, share, share_slope, seed);
+  Polyline places;
+  places.reserve(smooth.size());
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) places.push_back({frame.x(x), frame.y(y)});
+  roughen.move(1.0, places, run);
+  ScalarField heights(frame);
+  for (size_t i = 0; i < heights.size(); ++i)
+    heights.cells()[i] = geom::sample_bilinear(smooth, frame.column(places[i].x), frame.row(places[i].y));
+  return heights;
+}
+
+/// A polygon that may cross contours.
 void fill_polygon(const Polygon& outline, const FillTool& tool, ContourSet& set, const std::string& name, Seed seed,
                   const RunContext& run) {
   const double reach = 0.5 * std::sqrt(std::abs(geom::signed_area(outline.outer)));
   const Site site = make_site(set, outline, false, reach, name, run);
   const GridFrame& frame = site.patch.nodes;
-  ScalarField heights = site.ground;
-  Grid<uint8_t> fixed(frame, 0);
-  for (size_t i = 0; i < heights.size(); ++i) fixed.cells()[i] = site.inward.cells()[i] <= 0.0F ? 1 : 0;
-  geom::solve_laplace(heights, fixed, run);
-  const ScalarField noise = geom::fbm_grid(frame, seed.derive("fill"), landforms(tool.wavelength_m, frame.cell_m), run);
-  constexpr double kDeviation = 0.35;  // of fbm
-  const double amplitude = tool.relief * roughness(site, tool.wavelength_m, run) / kDeviation;
   const double rim = std::max(0.25 * tool.wavelength_m, 4.0 * frame.cell_m);
-  std::vector<float> own;
-  std::vector<float> like;
-  ScalarField share(frame, 0.0F);
-  for (size_t i = 0; i < heights.size(); ++i) {
+  ScalarField share(frame);
+  for (size_t i = 0; i < share.size(); ++i) {
     const double t = std::clamp(static_cast<double>(site.inward.cells()[i]) / rim, 0.0, 1.0);
     share.cells()[i] = static_cast<float>(t * t * (3.0 - 2.0 * t));
+  }
+  ScalarField heights = stretched(site, share, 1.5 / rim, tool.wavelength_m, seed.derive("stretch"), run);
+  const ScalarField noise = geom::fbm_grid(frame, seed.derive("fill"), landforms(tool.wavelength_m, frame.cell_m), run);
+  constexpr double kDeviation = 0.35;  // of fbm
+  constexpr double kRelief = 0.5;      // the rest comes from the displacement
+  const double amplitude = kRelief * tool.relief * roughness(site, tool.wavelength_m, run) / kDeviation;
+  std::vector<float> own;
+  std::vector<float> like;
+  for (size_t i = 0; i < heights.size(); ++i) {
     heights.cells()[i] += share.cells()[i] * static_cast<float>(amplitude) * noise.cells()[i];
     (site.inward.cells()[i] > 0.0F ? own : like).push_back(heights.cells()[i]);
   }
   std::sort(own.begin(), own.end());
   std::sort(like.begin(), like.end());
-  const ScalarField rough = heights;
   for (size_t i = 0; i < heights.size(); ++i) {
-    if (share.cells()[i] > 0.0F)
-      heights.cells()[i] += share.cells()[i] * (bent(rough.cells()[i], own, like) - rough.cells()[i]);
+    float& height = heights.cells()[i];
+    if (share.cells()[i] > 0.0F) height += share.cells()[i] * (bent(height, own, like) - height);
   }
-  // No basins: a place reached late from the border is at least as high as the ones on the way.
-  const auto step = static_cast<float>(1e-5 * least_gap(levels_of(set)));
-  float water = -std::numeric_limits<float>::infinity();
-  const ScalarField wanted = heights;
-  for (const int32_t at : grown_order(site.patch, wanted, run)) {
-    water = std::max(water + step, wanted.cells()[static_cast<size_t>(at)]);
-    heights.cells()[static_cast<size_t>(at)] = water;
-  }
+  fill_basins(heights, site.patch, static_cast<float>(1e-5 * least_gap(levels_of(set))), run);
   const std::vector<double> levels =
       levels_covering(levels_of(set), static_cast<double>(std::min(own.front(), like.front())),
                       static_cast<double>(std::max(own.back(), like.back())), name);

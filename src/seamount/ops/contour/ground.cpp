@@ -6,6 +6,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/poisson.h"
+#include "seamount/geom/resample.h"
 
 namespace seamount::contour {
 namespace {
@@ -14,10 +15,12 @@ constexpr float kFar = std::numeric_limits<float>::infinity();
 
 /// What each node knows of the nearest line within a cell's length.
 struct Nearest {
-  explicit Nearest(const GridFrame& frame) : distance(frame, kFar), signed_distance(frame, 0.0F), height(frame, 0.0F) {}
+  explicit Nearest(const GridFrame& frame)
+      : distance(frame, kFar), signed_distance(frame, 0.0F), height(frame, 0.0F), foot(frame, Vec2{}) {}
   ScalarField distance;         ///< metres; infinite where no line is near
   ScalarField signed_distance;  ///< above 0 on the higher side
   ScalarField height;           ///< of that line
+  Grid<Vec2> foot;              ///< the nearest place on it
 };
 
 Vec2 unit(Vec2 a) {
@@ -47,12 +50,14 @@ void enter(const LineEdge& edge, const GridFrame& frame, Nearest& nearest) {
       const Vec2 p = {frame.x(x), frame.y(y)};
       const double t = squared > 0.0 ? dot(p - edge.a, d) / squared : 0.0;
       const Vec2 along = t <= 0.0 ? edge.before + unit(d) : t >= 1.0 ? unit(d) + edge.after : d;
-      const Vec2 off = p - (edge.a + std::clamp(t, 0.0, 1.0) * d);
+      const Vec2 foot = edge.a + std::clamp(t, 0.0, 1.0) * d;
+      const Vec2 off = p - foot;
       const auto distance = static_cast<float>(std::hypot(off.x, off.y));
       if (!(static_cast<double>(distance) <= cell) || !(distance < nearest.distance(x, y))) continue;
       nearest.distance(x, y) = distance;
       nearest.signed_distance(x, y) = cross(along, off) >= 0.0 ? distance : -distance;
       nearest.height(x, y) = static_cast<float>(edge.height_m);
+      nearest.foot(x, y) = foot;
     }
   }
 }
@@ -187,9 +192,17 @@ ScalarField ground(const std::vector<LevelLine>& lines, const GridFrame& frame, 
   if (!any) return ScalarField(frame, static_cast<float>(without));
   geom::solve_laplace(u, fixed, run);
   const ScalarField first = u;
+  ScalarField slope(frame);
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) slope(x, y) = static_cast<float>(slope_at(first, x, y));
+  // The slope is read where the line is: nodes on either side of it rise and fall alike, and a contour between them
+  // runs through that place.
+  const double least = 0.02 * gap_m / frame.cell_m;
   fix_all([&](int x, int y) {
+    const Vec2 foot = nearest.foot(x, y);
     const double off = static_cast<double>(nearest.signed_distance(x, y));
-    const double rise = std::clamp(std::abs(off) * slope_at(first, x, y), 0.01 * gap_m, 0.45 * gap_m);
+    const auto there = static_cast<double>(geom::sample_bilinear(slope, frame.column(foot.x), frame.row(foot.y)));
+    const double rise = std::clamp(std::abs(off) * std::max(there, least), 5e-3 * gap_m, 0.45 * gap_m);
     return static_cast<float>(static_cast<double>(nearest.height(x, y)) + std::copysign(rise, off));
   });
   geom::solve_laplace(u, fixed, run);

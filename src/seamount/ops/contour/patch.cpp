@@ -45,10 +45,12 @@ class PatchMesh {
     return static_cast<int32_t>(mesh_.nodes.size()) - 1;
   }
 
-  /// A height a little off every level: lines of two levels keep apart, and none passes through a node.
+  /// A height a little off every level, on its own side of it: lines of two levels keep apart, and none passes through
+  /// a node.
   double off_levels(double height) const {
-    const auto above = std::lower_bound(levels_.begin(), levels_.end(), height - tiny_);
-    return above != levels_.end() && std::abs(*above - height) < tiny_ ? *above + tiny_ : height;
+    const auto level = std::lower_bound(levels_.begin(), levels_.end(), height - tiny_);
+    if (level == levels_.end() || std::abs(*level - height) >= tiny_) return height;
+    return height >= *level ? *level + tiny_ : *level - tiny_;
   }
 
   void add_nodes(const ScalarField& heights) {
@@ -196,12 +198,15 @@ void replace_patch(ContourSet& set, const Patch& patch, const ScalarField& heigh
   const std::vector<LevelChain> chains = level_chains(mesh.mesh(), levels);
   run.check_cancelled();
   const double tolerance = 0.03 * patch.nodes.cell_m;
+  // What a few nodes more or less would make come and go is no landform.
+  const double least_area = 2.0 * patch.nodes.cell_m * patch.nodes.cell_m;
   std::vector<Contour> contours = cut->whole;
   std::vector<const LevelChain*> chain_from(cut->cuts.size(), nullptr);
   for (const LevelChain& chain : chains) {
     if (chain.closed) {
       Ring ring = geom::simplify(chain.points, tolerance);
-      if (ring.size() >= 3) contours.push_back({chain.height_m, std::move(ring), -1});
+      if (ring.size() >= 3 && std::abs(geom::signed_area(ring)) >= least_area)
+        contours.push_back({chain.height_m, std::move(ring), -1});
     } else if (const int c = mesh.cut_at(chain.first_node); c >= 0) {
       chain_from[static_cast<size_t>(c)] = &chain;
     }
