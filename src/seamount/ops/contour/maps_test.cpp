@@ -21,8 +21,8 @@ template <class Map>
 double least_jacobian(const Map& map) {
   double least = 1.0;
   constexpr double h = 1e-4;
-  for (double y = -4500; y <= 4500; y += 93.7) {
-    for (double x = -4500; x <= 4500; x += 91.3) {
+  for (double y = -4500; y <= 4500; y += 187.3) {
+    for (double x = -4500; x <= 4500; x += 181.1) {
       const Vec2 dx = (0.5 / h) * (map({x + h, y}) - map({x - h, y}));
       const Vec2 dy = (0.5 / h) * (map({x, y + h}) - map({x, y - h}));
       least = std::min(least, cross(dx, dy));
@@ -162,7 +162,7 @@ TEST(Roughen, IsOneToOneAndFadesWithItsWeight) {
   for (int y = 1; y < 89; ++y)
     for (int x = 1; x < 89; ++x)
       weight(x, y) = std::min(1.0F, 0.1F * static_cast<float>(std::min({x, y, 89 - x, 89 - y})));
-  for (uint64_t seed = 0; seed < 6; ++seed) {
+  for (uint64_t seed = 0; seed < 3; ++seed) {
     const Roughen roughen({300, 800, 5, 0.5}, weight, 0.001, Seed{seed});
     const auto map = [&](Vec2 p) {
       Polyline place = {p};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -17,7 +18,7 @@ namespace {
 using geom::Box;
 
 constexpr size_t kChunk = 64;   ///< edges that are asked about together
-constexpr int kBisections = 9;  ///< of the strength: to a five-hundredth
+constexpr int kBisections = 8;  ///< of the strength: to a 256th
 
 /// How often an edge of a contour is halved after it was subdivided. Only where it is not are points taken out again.
 using Fineness = uint8_t;
@@ -65,7 +66,7 @@ class Mover {
       members_.push_back(std::move(member));
     }
     for (Member& member : members_) subdivide(member);
-    most_ = 3 * total_ + 100000;
+    most_ = 2 * total_ + 20000;
   }
 
   bool reaches_nothing() const { return members_.empty(); }
@@ -80,10 +81,14 @@ class Mover {
       std::fill(member.fineness.begin(), member.fineness.end(), Fineness{0});
       subdivide(member);
     }
-    for (;;) {
+    size_t fewest = std::numeric_limits<size_t>::max();
+    for (int stalled = 0;;) {
       move(strength, changed);
       std::vector<NestingDefect> found = defects();
-      if (found.empty()) return found;
+      // Where a one to one map is only followed too coarsely, each step leaves about a quarter of what meets.
+      stalled = 2 * found.size() > fewest ? stalled + 1 : 0;
+      fewest = std::min(fewest, found.size());
+      if (found.empty() || stalled == 2) return found;
       changed = refine(found);
       if (changed.empty()) return found;
     }
