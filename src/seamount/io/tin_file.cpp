@@ -1,5 +1,8 @@
 #include "seamount/io/tin_file.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstring>
 #include <type_traits>
 #include <vector>
@@ -32,9 +35,29 @@ class Bytes {
   std::vector<uint8_t> bytes_;
 };
 
+/// Lines that read_tin() understands and other programs pass over. Names and systems go to the end of their line.
+std::string comments(const Tin& tin) {
+  const auto one_line = [](std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
+    return text;
+  };
+  const GridFrame& f = tin.frame;
+  std::string text = fmt::format("comment frame {} {} {} {} {}\n", f.width, f.height, f.cell_m, f.west_m, f.north_m);
+  if (!f.crs.empty()) text += "comment crs " + one_line(f.crs) + "\n";
+  if (tin.height_m.empty()) text += "comment no heights\n";
+  for (const TinRegion& region : tin.regions) {
+    text += fmt::format("comment region {} {} {} {}\n", region.parent,
+                        region.height_m ? fmt::format("{}", *region.height_m) : "-", region.basin ? "basin" : "hill",
+                        one_line(region.name));
+  }
+  return text;
+}
+
 std::string header(const Tin& tin) {
-  std::string text = "ply\nformat binary_little_endian 1.0\ncomment metres, z up, sea level at z = 0\nelement vertex " +
-                     std::to_string(tin.nodes.size()) + "\nproperty double x\nproperty double y\nproperty float z\n";
+  std::string text = "ply\nformat binary_little_endian 1.0\ncomment metres, z up, sea level at z = 0\n" +
+                     comments(tin) + "element vertex " + std::to_string(tin.nodes.size()) +
+                     "\nproperty double x\nproperty double y\nproperty float z\n";
   if (!tin.region.empty()) text += "property int region\n";
   if (!tin.rank.empty()) text += "property float rank\n";
   return text + "element face " + std::to_string(tin.triangles.size()) +

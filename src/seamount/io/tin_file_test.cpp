@@ -45,6 +45,57 @@ TEST(TinFile, HoldsNodesAndTriangles) {
   EXPECT_EQ(grown.size() - grown.find("end_header\n") - 11, 4U * 28U + 2U * 13U);
 }
 
+Tin grown() {
+  Tin tin = square();
+  tin.frame = {10, 20, 0.1, -0.05, 1e6 / 3, "LOCAL_CS[\"here\"]"};
+  tin.regions = {{"low land", -1, 12.25, false}, {"", 0, std::nullopt, true}};
+  tin.region = {0, 1, 0, -1};
+  tin.rank = {0.1F, 0.375F, 0.625F, 0.0F};
+  return tin;
+}
+
+TEST(TinFile, ComesBackAsItWas) {
+  const TestFolder folder;
+  Tin tin = grown();
+  for (const bool heights : {false, true}) {
+    if (heights) tin.height_m = {1.5F, -2.0F, 3.25F, 0.1F};
+    write_tin(tin, folder("t.ply"));
+    EXPECT_EQ(read_tin(folder("t.ply")), tin);
+  }
+}
+
+Tin from_text(const std::string& text) {
+  return read_tin({reinterpret_cast<const uint8_t*>(text.data()), text.size()}, "t.ply");
+}
+
+const std::string kText =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar "
+    "red\n"
+    "element face 1\nproperty list uchar uint vertex_index\nend_header\n0 0 5 255\n0 10 6 0\n10 0 7.5 0\n3 0 1 2\n";
+
+TEST(TinFile, TextOfOtherProgramsIsTurnedCounterClockwise) {
+  const Tin tin = from_text(kText);
+  EXPECT_EQ(tin.height_m, (std::vector<float>{5, 6, 7.5F}));
+  EXPECT_EQ(tin.triangles.at(0), (std::array<int32_t, 3>{0, 2, 1}));
+}
+
+TEST(TinFile, DamagedFilesAreRefusedAtEveryLength) {
+  const std::string whole = written(grown());
+  for (size_t length = 0; length < whole.size(); ++length) EXPECT_THROW(from_text(whole.substr(0, length)), IoError);
+  for (size_t length = 0; length + 2 < kText.size(); ++length)
+    EXPECT_THROW(from_text(kText.substr(0, length)), IoError) << length;
+  const auto with = [](const std::string& what, const std::string& instead) {
+    std::string text = kText;
+    return from_text(text.replace(text.find(what), what.size(), instead));
+  };
+  EXPECT_THROW(with("vertex 3", "vertex 99999999"), IoError);
+  EXPECT_THROW(with("3 0 1 2", "3 0 1 3"), IoError);
+  EXPECT_THROW(with("3 0 1 2", "4 0 1 2 0"), IoError);
+  EXPECT_THROW(with("ascii", "binary_big_endian"), IoError);
+  EXPECT_THROW(with("7.5", "nan"), IoError);
+  EXPECT_THROW(with("float z", "quad z"), IoError);
+}
+
 TEST(TinFile, SaysWhereItCouldNotBeWritten) {
   const TestFolder folder;
   write_tin(square(), folder("t.ply"));

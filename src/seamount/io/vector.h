@@ -18,7 +18,7 @@ struct VectorOptions {
 /// Areas and lines in metres. Longitude and latitude become a local transverse Mercator (projection.h) centred on what
 /// was selected; a metric system is kept; a file without a system is taken as metres. Names come from an attribute
 /// called "name" (any case), else the first text attribute; values of lines and points from "value", "elevation",
-/// "elev" or "height"; other numbers become attributes.
+/// "elev", "height" or "height_m", else a shape's own z; other numbers become attributes.
 /// Shapes across the 180th meridian are joined. Self-intersections are the caller's to find.
 /// Throws IoError{path}: missing, truncated, nothing drawn, unknown feature (with the nearest name), more than 20
 /// degrees of longitude at once.
@@ -34,7 +34,8 @@ std::vector<std::string> feature_names(const std::string& path);
 
 /// By extension: .geojson/.json (longitude and latitude as RFC 7946 wants where a CRS is known, else metres and a
 /// "crs" member that says so), .gpkg (layers "areas", "lines" and "points" in the drawing's CRS), .svg (one unit a
-/// metre, north up). Areas carry "name", lines and points "value", all of them their attributes.
+/// metre, north up). Areas carry "name", lines and points "value" (or "height_m" and z, see Drawing), all of
+/// them their attributes.
 void write_drawing(const Drawing& drawing, const std::string& path);
 
 }  // namespace seamount::io

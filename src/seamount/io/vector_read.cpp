@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
@@ -65,8 +66,8 @@ class Collector {
  public:
   explicit Collector(const GdalCall& call) : call_(call) {}
 
-  /// Of the feature whose shapes are added from now on.
-  void begin(double value, Attributes attributes) {
+  /// Of the feature whose shapes are added from now on. Without a value a line's or point's own z stands for it.
+  void begin(std::optional<double> value, Attributes attributes) {
     value_ = value;
     attributes_ = std::move(attributes);
   }
@@ -133,19 +134,23 @@ class Collector {
   void add_point(const OGRPoint& from) {
     if (from.IsEmpty() != 0) return;
     count(1);
-    drawing_.points.push_back({finite({from.getX(), from.getY()}), value_, attributes_});
+    drawing_.points.push_back(
+        {finite({from.getX(), from.getY()}), value_or(from.Is3D() != 0 ? from.getZ() : 0.0), attributes_});
   }
+
+  double value_or(double z) const { return value_.value_or(std::isfinite(z) ? z : 0.0); }
 
   void add_line(const OGRLineString& from) {
     Polyline points = points_of(from);
     const bool closed = points.size() > 3 && points.front() == points.back();
     if (closed) points.pop_back();
-    if (points.size() >= 2) drawing_.lines.push_back({std::move(points), value_, closed, attributes_});
+    const double z = from.Is3D() != 0 && from.getNumPoints() > 0 ? from.getZ(0) : 0.0;
+    if (points.size() >= 2) drawing_.lines.push_back({std::move(points), value_or(z), closed, attributes_});
   }
 
   const GdalCall& call_;
   Drawing drawing_;
-  double value_ = 0.0;
+  std::optional<double> value_;
   Attributes attributes_;
   size_t total_ = 0;
 };
@@ -263,7 +268,7 @@ Drawing read_layer(const std::string& place, const GdalCall& call, const VectorO
   OGRLayer& layer = choose_layer(*dataset, options.layer, call);
   const OGRFeatureDefn& definition = *layer.GetLayerDefn();
   const int name_at = name_field(definition);
-  const int value_at = find_field(definition, {"value", "elevation", "elev", "height"});
+  const int value_at = find_field(definition, {"value", "height_m", "elevation", "elev", "height"});
   Collector collector(call);
   std::vector<std::string> names;
   bool found = false;
@@ -276,7 +281,8 @@ Drawing read_layer(const std::string& place, const GdalCall& call, const VectorO
     found = true;
     const Attributes numbers = field_numbers(*feature, value_at);
     NamedArea area{name, {}, numbers};
-    collector.begin(value_at >= 0 ? feature->GetFieldAsDouble(value_at) : 0.0, numbers);
+    const bool valued = value_at >= 0 && feature->IsFieldSetAndNotNull(value_at) != 0;
+    collector.begin(valued ? std::optional(feature->GetFieldAsDouble(value_at)) : std::nullopt, numbers);
     if (const OGRGeometry* geometry = feature->GetGeometryRef()) collector.add(*geometry, area);
     if (!area.parts.empty()) collector.drawing().areas.push_back(std::move(area));
   }

@@ -89,20 +89,26 @@ Drawing in_degrees(Drawing drawing) {
   return drawing;
 }
 
-void append_point(std::string& text, Vec2 p, int digits) {
+/// What the values of lines and points are called in files.
+const char* value_name(const Drawing& drawing) { return drawing.heights ? "height_m" : "value"; }
+
+/// "[x,y]", or "[x,y,z]" with the height that goes before the bracket.
+void append_point(std::string& text, Vec2 p, int digits, const std::string& height = "") {
   text += '[';
   append_decimal(text, p.x, digits);
   text += ',';
   append_decimal(text, p.y, digits);
+  text += height;
   text += ']';
 }
 
 /// "[[x,y],...]".
-void append_points(std::string& text, const std::vector<Vec2>& points, bool close, int digits) {
+void append_points(std::string& text, const std::vector<Vec2>& points, bool close, int digits,
+                   const std::string& height = "") {
   text += '[';
   for (size_t i = 0; i < points.size() + (close ? 1 : 0); ++i) {
     if (i > 0) text += ',';
-    append_point(text, points[i % points.size()], digits);
+    append_point(text, points[i % points.size()], digits, height);
   }
   text += ']';
 }
@@ -123,6 +129,8 @@ std::string to_geojson(const Drawing& metres) {
     text += "{\"type\":\"Feature\",\"properties\":{" + properties + "},\"geometry\":{\"type\":\"" + type +
             "\",\"coordinates\":";
   };
+  const std::string value_key = std::string("\"") + value_name(drawing) + "\":";
+  const auto z = [&](double value) { return drawing.heights ? "," + format_number(value) : std::string(); };
   for (const NamedArea& area : drawing.areas) {
     begin("\"name\":" + quoted(area.name), area.attributes, "MultiPolygon");
     text += '[';
@@ -138,13 +146,13 @@ std::string to_geojson(const Drawing& metres) {
     text += "]}}";
   }
   for (const ValuedLine& line : drawing.lines) {
-    begin("\"value\":" + format_number(line.value), line.attributes, "LineString");
-    append_points(text, line.points, line.closed, digits);
+    begin(value_key + format_number(line.value), line.attributes, "LineString");
+    append_points(text, line.points, line.closed, digits, z(line.value));
     text += "}}";
   }
   for (const ValuedPoint& point : drawing.points) {
-    begin("\"value\":" + format_number(point.value), point.attributes, "Point");
-    append_point(text, point.place, digits);
+    begin(value_key + format_number(point.value), point.attributes, "Point");
+    append_point(text, point.place, digits, z(point.value));
     text += "}}";
   }
   return text + "\n]}\n";
@@ -240,6 +248,11 @@ void add_points(OGRSimpleCurve& curve, const std::vector<Vec2>& points, bool clo
   if (close && !points.empty()) curve.addPoint(points.front().x, points.front().y);
 }
 
+void add_points_at(OGRSimpleCurve& curve, const std::vector<Vec2>& points, bool close, double z) {
+  for (const Vec2& p : points) curve.addPoint(p.x, p.y, z);
+  if (close && !points.empty()) curve.addPoint(points.front().x, points.front().y, z);
+}
+
 OGRLayer& add_layer(GDALDataset& dataset, const char* name, OGRwkbGeometryType type, const char* field,
                     OGRFieldType field_type, const std::vector<std::string>& numbers, OGRSpatialReference* system,
                     const GdalCall& call) {
@@ -285,24 +298,29 @@ void add_areas(GDALDataset& dataset, const Drawing& drawing, OGRSpatialReference
 }
 
 void add_lines(GDALDataset& dataset, const Drawing& drawing, OGRSpatialReference* system, const GdalCall& call) {
-  OGRLayer& layer =
-      add_layer(dataset, "lines", wkbLineString, "value", OFTReal, attribute_names(drawing.lines), system, call);
+  OGRLayer& layer = add_layer(dataset, "lines", drawing.heights ? wkbLineString25D : wkbLineString, value_name(drawing),
+                              OFTReal, attribute_names(drawing.lines), system, call);
   for (const ValuedLine& line : drawing.lines) {
     OGRFeature feature(layer.GetLayerDefn());
-    feature.SetField("value", line.value);
+    feature.SetField(value_name(drawing), line.value);
     OGRLineString geometry;
-    add_points(geometry, line.points, line.closed);
+    if (drawing.heights)
+      add_points_at(geometry, line.points, line.closed, line.value);
+    else
+      add_points(geometry, line.points, line.closed);
     add_feature(layer, feature, line.attributes, geometry, call);
   }
 }
 
 void add_places(GDALDataset& dataset, const Drawing& drawing, OGRSpatialReference* system, const GdalCall& call) {
-  OGRLayer& layer =
-      add_layer(dataset, "points", wkbPoint, "value", OFTReal, attribute_names(drawing.points), system, call);
+  OGRLayer& layer = add_layer(dataset, "points", drawing.heights ? wkbPoint25D : wkbPoint, value_name(drawing), OFTReal,
+                              attribute_names(drawing.points), system, call);
   for (const ValuedPoint& point : drawing.points) {
     OGRFeature feature(layer.GetLayerDefn());
-    feature.SetField("value", point.value);
-    add_feature(layer, feature, point.attributes, OGRPoint(point.place.x, point.place.y), call);
+    feature.SetField(value_name(drawing), point.value);
+    const Vec2 p = point.place;
+    const OGRPoint geometry = drawing.heights ? OGRPoint(p.x, p.y, point.value) : OGRPoint(p.x, p.y);
+    add_feature(layer, feature, point.attributes, geometry, call);
   }
 }
 

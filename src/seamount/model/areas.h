@@ -42,12 +42,14 @@ struct ValuedPoint {
   bool operator==(const ValuedPoint&) const = default;
 };
 
-/// A drawing in one metric coordinate system; `crs` as in GridFrame.
+/// A drawing in one metric coordinate system; `crs` as in GridFrame. Where `heights` is set, values of lines and points
+/// are heights in metres: files name them "height_m" and carry them as z too.
 struct Drawing {
   std::vector<NamedArea> areas;
   std::vector<ValuedLine> lines;
   std::string crs;
   std::vector<ValuedPoint> points = {};
+  bool heights = false;
   bool operator==(const Drawing&) const = default;
 };
 

@@ -4,10 +4,14 @@
 #include <fstream>
 #include <vector>
 
+#include "seamount/geom/contour_lines.h"
+#include "seamount/geom/frame_around.h"
+#include "seamount/geom/marching_triangles.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
 #include "seamount/io/label_image.h"
 #include "seamount/io/raster.h"
+#include "seamount/io/tin_file.h"
 #include "seamount/io/vector.h"
 
 namespace seamount::recipe {
@@ -21,6 +25,25 @@ void hash_file(const std::string& path, Hasher& hasher) {
     file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     hasher.bytes(std::as_bytes(std::span(buffer.data(), static_cast<size_t>(file.gcount()))));
   }
+}
+
+ContourSet read_contour_file(const std::string& path, const GridFrame& frame) {
+  try {
+    return geom::contours_from_lines(io::read_drawing(path), frame, "contours");
+  } catch (const InvalidArgument& error) {
+    throw IoError(path, error.what());
+  }
+}
+
+Tin read_tin_file(const std::string& path, const GridFrame& frame) {
+  Tin tin = io::read_tin(path);
+  if (tin.frame.cells() == 0) {
+    const std::string crs = tin.frame.crs;
+    tin.frame = geom::frame_around(tin.nodes, frame);
+    if (!crs.empty()) tin.frame.crs = crs;
+  }
+  if (const auto defect = geom::find_tin_defect(tin)) throw IoError(path, *defect);
+  return tin;
 }
 
 }  // namespace
@@ -40,9 +63,10 @@ Value read_value_file(const std::string& path, ValueKind kind, const GridFrame& 
       return Value::image(io::read_image(path));
     case ValueKind::drawing:
       return Value::drawing(io::read_drawing(path));
-    case ValueKind::tin:
     case ValueKind::contours:
-      throw IoError(path, "networks and contours are not read from files yet");
+      return Value::contours(read_contour_file(path, frame));
+    case ValueKind::tin:
+      return Value::tin(read_tin_file(path, frame));
   }
   throw Error("unknown kind of value");
 }

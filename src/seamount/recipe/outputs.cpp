@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "seamount/geom/contour_lines.h"
 #include "seamount/geom/resample.h"
 #include "seamount/io/engine.h"
 #include "seamount/io/image_file.h"
@@ -310,6 +311,14 @@ std::vector<OutputFormat> make_formats() {
       format<NoParams>(
           {"drawing", "areas and lines: GeoJSON, GeoPackage, SVG", drawings, drawings, {drawing}},
           [](const NoParams&, const OutputCall& call) { io::write_drawing(call.value.shapes(), call.path); }),
+      format<NoParams>({"contours",
+                        "contours with their heights, as attribute and as z: GeoPackage, GeoJSON, SVG",
+                        drawings,
+                        drawings,
+                        {contours}},
+                       [](const NoParams&, const OutputCall& call) {
+                         io::write_drawing(geom::to_lines(call.value.contour_set()), call.path);
+                       }),
       format<NoParams>(
           {"network", "a network as PLY: x, y, z, and of each node its region and rank", {".ply"}, {".ply"}, {tin}},
           [](const NoParams&, const OutputCall& call) { io::write_tin(call.value.network(), call.path); }),

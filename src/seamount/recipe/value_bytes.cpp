@@ -174,6 +174,7 @@ void write_drawing(Writer& writer, const Drawing& drawing) {
     writer.plain(point.value);
     write_attributes(writer, point.attributes);
   }
+  writer.plain(static_cast<uint8_t>(drawing.heights));
 }
 
 Drawing read_drawing(Reader& reader) {
@@ -203,6 +204,7 @@ Drawing read_drawing(Reader& reader) {
     point.value = reader.plain<double>();
     point.attributes = read_attributes(reader);
   }
+  drawing.heights = reader.plain<uint8_t>() != 0;
   return drawing;
 }
 
