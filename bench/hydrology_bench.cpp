@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "seamount/geom/flow.h"
+#include "seamount/ops/hydrology/describe.h"
 #include "seamount/ops/hydrology/flow.h"
 #include "seamount/ops/hydrology/rivers.h"
 #include "seamount/ops/sketch/extract.h"
@@ -64,6 +65,12 @@ void ridges(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(hydrology::ridges(terrain, {.min_area_m2 = 1e6}, {}));
 }
 BENCHMARK(ridges)->Name("hydrology/ridges")->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void describe(benchmark::State& state) {
+  const HeightField terrain = mountains(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(hydrology::describe(terrain, nullptr, {}, {}));
+}
+BENCHMARK(describe)->Name("hydrology/describe")->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void extract(benchmark::State& state) {
   const HeightField terrain = mountains(static_cast<int>(state.range(0)));

@@ -52,6 +52,8 @@ std::string file_for(const recipe::Port& port) {
       return port.name + ".gpkg";
     case recipe::ValueKind::tin:
       return port.name + ".ply";
+    case recipe::ValueKind::report:
+      return port.name + ".html";
     default:
       return port.name + ".png";
   }
@@ -82,8 +84,11 @@ Json make_document(const Operator& op, const OperatorFlags& flags) {
   Json document = {{"seamount", 1}, {"domain", Json::object()}, {"steps", {step}}, {"outputs", Json::array()}};
   if (!flags.domain.empty()) set_domain(document["domain"], flags.domain);
   if (flags.cell_m) document["domain"]["cell_m"] = *flags.cell_m;
-  for (const recipe::Port& port : op.out)
+  for (const recipe::Port& port : op.out) {
     document["outputs"].push_back({{"from", id + "." + port.name}, {"path", file_for(port)}});
+    if (port.kind == recipe::ValueKind::report)
+      document["outputs"].push_back({{"from", id + "." + port.name}, {"path", port.name + ".json"}});
+  }
   return document;
 }
 

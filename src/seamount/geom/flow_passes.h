@@ -1,5 +1,5 @@
-// Basins of a raster and the passes between them: what filling and routing through depressions are made of. Internal to
-// geom/flow*.
+// Basins of a raster and the passes between them: what filling depressions, routing through them, and the prominence of
+// summits are made of.
 #pragma once
 
 #include <cstdint>

@@ -67,6 +67,8 @@ Value read_value_file(const std::string& path, ValueKind kind, const GridFrame& 
       return Value::contours(read_contour_file(path, frame));
     case ValueKind::tin:
       return Value::tin(read_tin_file(path, frame));
+    case ValueKind::report:
+      throw IoError(path, "reports are written, never read");
   }
   throw Error("unknown kind of value");
 }

@@ -11,6 +11,7 @@
 #include "seamount/io/image_file.h"
 #include "seamount/io/mesh.h"
 #include "seamount/io/raster.h"
+#include "seamount/io/report.h"
 #include "seamount/io/splat.h"
 #include "seamount/io/tiles.h"
 #include "seamount/io/tin_file.h"
@@ -319,6 +320,9 @@ std::vector<OutputFormat> make_formats() {
                        [](const NoParams&, const OutputCall& call) {
                          io::write_drawing(geom::to_lines(call.value.contour_set()), call.path);
                        }),
+      format<NoParams>(
+          {"report", "measured numbers: JSON, or a page with plots", {".html", ".json"}, {".html", ".json"}, {report}},
+          [](const NoParams&, const OutputCall& call) { io::write_report(call.value.measured(), call.path); }),
       format<NoParams>(
           {"network", "a network as PLY: x, y, z, and of each node its region and rank", {".ply"}, {".ply"}, {tin}},
           [](const NoParams&, const OutputCall& call) { io::write_tin(call.value.network(), call.path); }),

@@ -42,6 +42,12 @@ size_t Value::bytes() const {
       for (const Contour& contour : contour_set().contours) points += contour.ring.size();
       return points * sizeof(Vec2);
     }
+    case ValueKind::report: {
+      size_t numbers = 0;
+      for (const Descriptor& descriptor : measured().descriptors)
+        for (const PlotLine& line : descriptor.plot.lines) numbers += line.x.size() + line.y.size();
+      return numbers * sizeof(double);
+    }
   }
   return 0;
 }

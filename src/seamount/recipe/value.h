@@ -13,13 +13,14 @@
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
+#include "seamount/model/report.h"
 #include "seamount/model/tin.h"
 
 namespace seamount::recipe {
 
 /// terrain: heights in metres; labels: regions; field: any other scalar per cell; image: a picture; drawing: areas and
-/// lines; tin: a triangulated network; contours: nested closed contours.
-enum class ValueKind { terrain, labels, field, image, drawing, tin, contours };
+/// lines; tin: a triangulated network; contours: nested closed contours; report: measured numbers and plots.
+enum class ValueKind { terrain, labels, field, image, drawing, tin, contours, report };
 
 /// A value and its kind. terrain and field are both rasters of float and differ in what they may be connected to.
 class Value {
@@ -41,6 +42,10 @@ class Value {
     return {ValueKind::contours, std::make_shared<const ContourSet>(std::move(set))};
   }
 
+  static Value report(Report measured) {
+    return {ValueKind::report, std::make_shared<const Report>(std::move(measured))};
+  }
+
   ValueKind kind() const { return kind_; }
   /// REQUIRES: kind() holds that type.
   const HeightField& heights() const { return get<HeightField>(); }
@@ -50,16 +55,17 @@ class Value {
   const Drawing& shapes() const { return get<Drawing>(); }
   const Tin& network() const { return get<Tin>(); }
   const ContourSet& contour_set() const { return get<ContourSet>(); }
+  const Report& measured() const { return get<Report>(); }
 
-  /// Where the value lies; nullptr for pictures and drawings.
+  /// Where the value lies; nullptr for pictures, drawings and reports.
   const GridFrame* frame() const;
   /// Bytes of the payload.
   size_t bytes() const;
 
  private:
-  using Data =
-      std::variant<std::shared_ptr<const Grid<float>>, std::shared_ptr<const LabelMap>, std::shared_ptr<const Image>,
-                   std::shared_ptr<const Drawing>, std::shared_ptr<const Tin>, std::shared_ptr<const ContourSet>>;
+  using Data = std::variant<std::shared_ptr<const Grid<float>>, std::shared_ptr<const LabelMap>,
+                            std::shared_ptr<const Image>, std::shared_ptr<const Drawing>, std::shared_ptr<const Tin>,
+                            std::shared_ptr<const ContourSet>, std::shared_ptr<const Report>>;
   Value(ValueKind kind, Data data) : kind_(kind), data_(std::move(data)) {}
   template <class T>
   const T& get() const {
@@ -78,6 +84,6 @@ std::string_view kind_name(ValueKind kind);
 
 template <>
 struct seamount::Choices<seamount::recipe::ValueKind> {
-  static constexpr std::array<std::string_view, 7> names = {"terrain", "labels", "field",   "image",
-                                                            "drawing", "tin",    "contours"};
+  static constexpr std::array<std::string_view, 8> names = {"terrain", "labels", "field",    "image",
+                                                            "drawing", "tin",    "contours", "report"};
 };

@@ -1,99 +1,16 @@
 #include "seamount/recipe/value_bytes.h"
 
 #include <array>
-#include <cstring>
 #include <istream>
 #include <ostream>
 #include <vector>
 
-#include "seamount/base/hash.h"
+#include "seamount/recipe/value_stream.h"
 
 namespace seamount::recipe {
 namespace {
 
 constexpr uint64_t kMagic = 0x31304d5354414d53ULL;  // "SMATSM01"
-constexpr uint64_t kMostBytes = uint64_t{1} << 36;
-
-class Writer {
- public:
-  explicit Writer(std::ostream& out) : out_(out) {}
-  void raw(const void* data, size_t bytes) {
-    const auto* first = static_cast<const std::byte*>(data);
-    hasher_.bytes({first, bytes});
-    out_.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
-  }
-  template <class T>
-  void plain(const T& value) {
-    raw(&value, sizeof value);
-  }
-  void text(const std::string& value) {
-    plain(static_cast<uint64_t>(value.size()));
-    raw(value.data(), value.size());
-  }
-  template <class T>
-  void list(const std::vector<T>& items) {
-    plain(static_cast<uint64_t>(items.size()));
-    raw(items.data(), items.size() * sizeof(T));
-  }
-  void finish() {
-    const Digest digest = hasher_.digest();
-    out_.write(reinterpret_cast<const char*>(&digest), sizeof digest);
-  }
-
- private:
-  std::ostream& out_;
-  Hasher hasher_;
-};
-
-struct Damaged {};
-
-class Reader {
- public:
-  explicit Reader(std::istream& in) : in_(in) {
-    in_.seekg(0, std::ios::end);
-    left_ = static_cast<uint64_t>(std::max<std::streamoff>(0, in_.tellg()));
-    in_.seekg(0);
-  }
-  void raw(void* data, uint64_t bytes) {
-    if (bytes > left_ || !in_.read(static_cast<char*>(data), static_cast<std::streamsize>(bytes))) throw Damaged();
-    left_ -= bytes;
-    hasher_.bytes({static_cast<const std::byte*>(data), bytes});
-  }
-  template <class T>
-  T plain() {
-    T value;
-    raw(&value, sizeof value);
-    return value;
-  }
-  /// A count of items of `size` bytes that the rest of the file can hold.
-  uint64_t count(uint64_t size) {
-    const auto n = plain<uint64_t>();
-    if (n > kMostBytes / size || n * size > left_) throw Damaged();
-    return n;
-  }
-  std::string text() {
-    std::string value(count(1), '\0');
-    raw(value.data(), value.size());
-    return value;
-  }
-  template <class T>
-  std::vector<T> list() {
-    std::vector<T> items(count(sizeof(T)));
-    raw(items.data(), items.size() * sizeof(T));
-    return items;
-  }
-  void finish() {
-    const Digest expected = hasher_.digest();
-    Digest found;
-    if (!in_.read(reinterpret_cast<char*>(&found), sizeof found) || !(found == expected)) throw Damaged();
-  }
-  uint64_t left() const { return left_; }
-
- private:
-  std::istream& in_;
-  Hasher hasher_;
-  uint64_t left_ = 0;
-};
 
 void write_frame(Writer& writer, const GridFrame& frame) {
   writer.plain(frame.width);
@@ -271,6 +188,81 @@ ContourSet read_contours(Reader& reader) {
   return set;
 }
 
+void write_plot(Writer& writer, const Plot& plot) {
+  writer.plain(static_cast<uint8_t>(plot.kind));
+  writer.text(plot.x_title);
+  writer.text(plot.y_title);
+  writer.plain(static_cast<uint8_t>(plot.log_x));
+  writer.plain(static_cast<uint8_t>(plot.log_y));
+  writer.plain(static_cast<uint64_t>(plot.lines.size()));
+  for (const PlotLine& line : plot.lines) {
+    writer.list(line.x);
+    writer.list(line.y);
+  }
+}
+
+Plot read_plot(Reader& reader) {
+  Plot plot;
+  const auto kind = reader.plain<uint8_t>();
+  if (kind > static_cast<uint8_t>(PlotKind::bars)) throw Damaged();
+  plot.kind = static_cast<PlotKind>(kind);
+  plot.x_title = reader.text();
+  plot.y_title = reader.text();
+  plot.log_x = reader.plain<uint8_t>() != 0;
+  plot.log_y = reader.plain<uint8_t>() != 0;
+  plot.lines.resize(reader.count(16));
+  for (PlotLine& line : plot.lines) {
+    line.x = reader.list<double>();
+    line.y = reader.list<double>();
+  }
+  return plot;
+}
+
+void write_report(Writer& writer, const Report& report) {
+  writer.text(report.title);
+  writer.plain(static_cast<uint64_t>(report.subjects.size()));
+  for (const std::string& subject : report.subjects) writer.text(subject);
+  writer.plain(static_cast<uint64_t>(report.descriptors.size()));
+  for (const Descriptor& descriptor : report.descriptors) {
+    writer.text(descriptor.name);
+    writer.text(descriptor.title);
+    writer.text(descriptor.meaning);
+    write_plot(writer, descriptor.plot);
+    writer.plain(static_cast<uint64_t>(descriptor.measures.size()));
+    for (const Measure& measure : descriptor.measures) {
+      writer.text(measure.name);
+      writer.text(measure.unit);
+      writer.list(measure.values);
+    }
+    writer.plain(static_cast<uint8_t>(descriptor.distance.has_value()));
+    writer.plain(descriptor.distance.value_or(0.0));
+  }
+}
+
+Report read_report(Reader& reader) {
+  Report report;
+  report.title = reader.text();
+  report.subjects.resize(reader.count(8));
+  for (std::string& subject : report.subjects) subject = reader.text();
+  report.descriptors.resize(reader.count(64));
+  for (Descriptor& descriptor : report.descriptors) {
+    descriptor.name = reader.text();
+    descriptor.title = reader.text();
+    descriptor.meaning = reader.text();
+    descriptor.plot = read_plot(reader);
+    descriptor.measures.resize(reader.count(24));
+    for (Measure& measure : descriptor.measures) {
+      measure.name = reader.text();
+      measure.unit = reader.text();
+      measure.values = reader.list<double>();
+    }
+    const bool has_distance = reader.plain<uint8_t>() != 0;
+    const auto distance = reader.plain<double>();
+    if (has_distance) descriptor.distance = distance;
+  }
+  return report;
+}
+
 void write_value(Writer& writer, const Value& value) {
   writer.plain(static_cast<uint8_t>(value.kind()));
   switch (value.kind()) {
@@ -289,6 +281,8 @@ void write_value(Writer& writer, const Value& value) {
       return write_tin(writer, value.network());
     case ValueKind::contours:
       return write_contours(writer, value.contour_set());
+    case ValueKind::report:
+      return write_report(writer, value.measured());
   }
 }
 
@@ -313,6 +307,8 @@ Value read_value(Reader& reader) {
       return Value::tin(read_tin(reader));
     case ValueKind::contours:
       return Value::contours(read_contours(reader));
+    case ValueKind::report:
+      return Value::report(read_report(reader));
   }
   throw Damaged();
 }

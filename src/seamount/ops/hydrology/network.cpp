@@ -109,11 +109,12 @@ std::vector<Link> find_links(const geom::FlowDirections& directions, const Scala
   return NetworkBuilder(directions, accumulation, threshold, mask).build(run);
 }
 
-std::vector<int> links_by_order(const std::vector<Link>& links) {
+std::vector<int> streams_by_order(const std::vector<Link>& links) {
   std::vector<int> counts;
   for (const Link& link : links) {
     counts.resize(std::max(counts.size(), static_cast<size_t>(link.order)), 0);
-    ++counts[static_cast<size_t>(link.order - 1)];
+    const bool goes_on = link.next >= 0 && links[static_cast<size_t>(link.next)].order == link.order;
+    if (!goes_on) ++counts[static_cast<size_t>(link.order - 1)];
   }
   return counts;
 }

@@ -24,7 +24,7 @@ struct Link {
 std::vector<Link> find_links(const geom::FlowDirections& directions, const ScalarField& accumulation, double threshold,
                              const Grid<uint8_t>* mask, const RunContext& run);
 
-/// Number of links of each order, from order 1 on.
-std::vector<int> links_by_order(const std::vector<Link>& links);
+/// Number of streams of each order, from order 1 on: links of one order that follow each other are one stream.
+std::vector<int> streams_by_order(const std::vector<Link>& links);
 
 }  // namespace seamount::hydrology

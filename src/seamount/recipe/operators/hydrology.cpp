@@ -1,4 +1,5 @@
 // Registration of the hydrology family.
+#include "seamount/ops/hydrology/describe.h"
 #include "seamount/ops/hydrology/fill.h"
 #include "seamount/ops/hydrology/flow.h"
 #include "seamount/ops/hydrology/rivers.h"
@@ -31,6 +32,12 @@ Values rivers(const hydrology::RiversParams& params, const Call& call) {
 
 Values ridges(const hydrology::RidgesParams& params, const Call& call) {
   return {{"ridges", Value::drawing(hydrology::ridges(terrain_of(call), params, call.run))}};
+}
+
+Values describe(const hydrology::DescribeParams& params, const Call& call) {
+  const Value* reference = call.input("reference");
+  return {{"report", Value::report(hydrology::describe(
+                         terrain_of(call), reference == nullptr ? nullptr : &reference->heights(), params, call.run))}};
 }
 
 }  // namespace
@@ -72,6 +79,13 @@ void add_hydrology_operators(Registry& registry) {
        .in = {terrain_in},
        .out = {{"ridges", ValueKind::drawing, "lines uphill with order, length_m, area_m2 and rise_m"}}},
       ridges);
+  registry.add<hydrology::DescribeParams>(
+      {.name = "hydrology.describe",
+       .summary = "What a terrain is like in numbers and curves, and how far it is from a reference",
+       .source = "P2 sec. 6.5; Argudo, Guerin, Schott and Galin 2025",
+       .in = {terrain_in, {"reference", ValueKind::terrain, "another terrain to compare with", false}},
+       .out = {{"report", ValueKind::report, "descriptors with curves, measures and distances"}}},
+      describe);
 }
 
 }  // namespace seamount::recipe

@@ -1,0 +1,218 @@
+#include "seamount/ops/hydrology/describe.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "seamount/base/rng.h"
+#include "seamount/geom/flow.h"
+#include "seamount/geom/noise.h"
+#include "seamount/ops/hydrology/histogram.h"
+#include "seamount/ops/hydrology/local_relief.h"
+#include "seamount/ops/hydrology/network.h"
+#include "seamount/ops/hydrology/peaks.h"
+
+namespace seamount::hydrology {
+namespace {
+
+HeightField hills(int width, int height, uint64_t seed, float base = 300.0F, float relief = 300.0F) {
+  HeightField terrain =
+      geom::fbm_grid(GridFrame::centred(width, height, 30), Seed{seed}, {.wavelength_m = 900, .octaves = 6}, {});
+  for (float& z : terrain.cells()) z = base + relief * z;
+  return terrain;
+}
+
+const Descriptor& find(const Report& report, std::string_view name) {
+  for (const Descriptor& descriptor : report.descriptors)
+    if (descriptor.name == name) return descriptor;
+  ADD_FAILURE() << "no " << name;
+  return report.descriptors.front();
+}
+
+double value(const Report& report, std::string_view descriptor, std::string_view name, size_t subject = 0) {
+  for (const Measure& measure : find(report, descriptor).measures)
+    if (measure.name == name) return measure.values[subject];
+  ADD_FAILURE() << "no " << name;
+  return NAN;
+}
+
+TEST(Histogram, KnowsItsMoments) {
+  Histogram histogram(0, 10, 1000);
+  for (int i = 0; i < 1000; ++i) histogram.add(0.005 + 0.01 * i);
+  EXPECT_NEAR(histogram.mean(), 5.0, 1e-9);
+  EXPECT_NEAR(histogram.deviation(), 10.0 / std::sqrt(12.0), 1e-3);
+  EXPECT_NEAR(histogram.quantile(0.25), 2.5, 1e-9);
+  EXPECT_EQ(histogram.coarser(10).counts[3], 100);
+  histogram.add(-5);
+  histogram.add(50);
+  EXPECT_EQ(histogram.counts.front(), 2);
+  EXPECT_EQ(histogram.counts.back(), 2);
+}
+
+TEST(Histogram, WassersteinIsTheDistanceMoved) {
+  Histogram a(0, 100, 1000), b = a;
+  for (int i = 0; i < 200; ++i) a.add(20.05 + 0.1 * i), b.add(57.05 + 0.1 * i);
+  EXPECT_NEAR(wasserstein(a, b), 37.0, 1e-9);
+  EXPECT_EQ(wasserstein(a, a), 0.0);
+  Histogram north(0, 360, 72), also_north = north;
+  north.add(357.5);
+  also_north.add(2.5);
+  EXPECT_NEAR(circular_wasserstein(north, also_north), 5.0, 1e-9);
+}
+
+TEST(LocalRelief, IsTheRangeOverTheSquare) {
+  for (const auto& [width, height, radius] : {std::tuple{23, 17, 3}, {1, 9, 2}, {9, 1, 2}, {5, 6, 20}, {8, 8, 0}}) {
+    const HeightField terrain = hills(width, height, 4);
+    const ScalarField relief = local_relief(terrain, radius, {});
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        float low = INFINITY, high = -INFINITY;
+        for (int v = std::max(0, y - radius); v <= std::min(height - 1, y + radius); ++v) {
+          for (int u = std::max(0, x - radius); u <= std::min(width - 1, x + radius); ++u) {
+            low = std::min(low, terrain(u, v));
+            high = std::max(high, terrain(u, v));
+          }
+        }
+        ASSERT_EQ(relief(x, y), high - low) << x << ' ' << y;
+      }
+    }
+  }
+}
+
+/// Cells that can be reached from a cell without going below `level`.
+bool reaches_higher(const HeightField& terrain, int32_t from, double level) {
+  std::vector<int32_t> stack{from};
+  std::vector<bool> seen(terrain.size());
+  seen[static_cast<size_t>(from)] = true;
+  while (!stack.empty()) {
+    const int32_t cell = stack.back();
+    stack.pop_back();
+    if (terrain.data()[cell] > terrain.data()[from]) return true;
+    for (size_t k = 0; k < 8; ++k) {
+      const int x = cell % terrain.width() + geom::kFlowDx[k], y = cell / terrain.width() + geom::kFlowDy[k];
+      if (!terrain.contains(x, y) || static_cast<double>(terrain(x, y)) < level) continue;
+      const int32_t other = y * terrain.width() + x;
+      if (seen[static_cast<size_t>(other)]) continue;
+      seen[static_cast<size_t>(other)] = true;
+      stack.push_back(other);
+    }
+  }
+  return false;
+}
+
+TEST(Peaks, ProminenceAndIsolationAsDefined) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    const HeightField terrain = hills(40, 33, seed);
+    const std::vector<Peak> peaks = find_peaks(terrain, geom::kNoSea, 1.0, {});
+    ASSERT_GT(peaks.size(), 3U);
+    EXPECT_EQ(peaks.front().height_m,
+              static_cast<double>(*std::max_element(terrain.cells().begin(), terrain.cells().end())));
+    for (size_t i = 1; i < peaks.size(); ++i) {
+      const Peak& peak = peaks[i];
+      // A little below the key pass higher ground is reached, at it too, and above it not.
+      EXPECT_TRUE(reaches_higher(terrain, peak.cell, peak.height_m - peak.prominence_m - 1e-3));
+      EXPECT_FALSE(reaches_higher(terrain, peak.cell, peak.height_m - peak.prominence_m + 1e-3));
+      double nearest = INFINITY;
+      for (int y = 0; y < terrain.height(); ++y)
+        for (int x = 0; x < terrain.width(); ++x)
+          if (static_cast<double>(terrain(x, y)) > peak.height_m)
+            nearest = std::min(nearest, std::hypot(x - peak.cell % terrain.width(), y - peak.cell / terrain.width()));
+      EXPECT_NEAR(peak.isolation_m, 30 * nearest, 1e-9);
+    }
+    EXPECT_NEAR(peaks.front().isolation_m, std::hypot(40 * 30.0, 33 * 30.0), 1e-9);
+  }
+}
+
+TEST(Peaks, OfIslandsStandOverTheSea) {
+  HeightField terrain(GridFrame::centred(20, 9, 10), -50.0F);
+  terrain(4, 4) = 30.0F;
+  terrain(5, 4) = 10.0F;
+  terrain(14, 4) = 80.0F;
+  const std::vector<Peak> peaks = find_peaks(terrain, 0.0F, 1.0, {});
+  ASSERT_EQ(peaks.size(), 2U);
+  EXPECT_EQ(peaks[0].prominence_m, 80.0);
+  EXPECT_EQ(peaks[1].prominence_m, 30.0);
+  EXPECT_EQ(peaks[1].isolation_m, 100.0);
+}
+
+TEST(Describe, ATerrainIsNoDistanceFromItself) {
+  const HeightField terrain = hills(128, 96, 6);
+  const Report report = describe(terrain, &terrain, {}, {});
+  EXPECT_EQ(report.subjects.size(), 2U);
+  EXPECT_EQ(report.descriptors.size(), 13U);
+  for (const Descriptor& descriptor : report.descriptors) {
+    ASSERT_TRUE(descriptor.distance.has_value()) << descriptor.name;
+    EXPECT_NEAR(*descriptor.distance, 0.0, 1e-12) << descriptor.name;
+    EXPECT_EQ(descriptor.plot.lines.size(), 2U);
+    for (const Measure& measure : descriptor.measures) EXPECT_EQ(measure.values.size(), 2U);
+  }
+}
+
+TEST(Describe, DistancesMeanWhatTheySay) {
+  const HeightField terrain = hills(128, 128, 6);
+  HeightField raised = terrain, steeper = terrain;
+  for (float& z : raised.cells()) z += 100.0F;
+  for (float& z : steeper.cells()) z = 300.0F + 3.0F * (z - 300.0F);
+  const Report lift = describe(raised, &terrain, {.sea = false}, {});
+  EXPECT_NEAR(*find(lift, "elevation").distance, 100.0 / value(lift, "elevation", "deviation", 1), 0.02);
+  for (const char* name :
+       {"slope", "curvature", "aspect", "drainage_area", "prominence", "isolation", "roughness", "strahler"})
+    EXPECT_NEAR(*find(lift, name).distance, 0.0, 0.02) << name;
+  const Report stretch = describe(steeper, &terrain, {.sea = false}, {});
+  EXPECT_NEAR(*find(stretch, "roughness").distance, std::log10(3.0), 1e-3);
+  EXPECT_NEAR(*find(stretch, "aspect").distance, 0.0, 1e-2);
+  EXPECT_NEAR(*find(stretch, "hypsometry").distance, 0.0, 1e-2);
+  EXPECT_GT(*find(stretch, "slope").distance, 1.0);
+}
+
+TEST(Describe, APlaneHasOneSlope) {
+  HeightField terrain(GridFrame::centred(64, 64, 10));
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) terrain(x, y) = 1000.0F - 10.0F * static_cast<float>(x);
+  const Report report = describe(terrain, nullptr, {}, {});
+  EXPECT_NEAR(value(report, "slope", "median"), 45.0, 0.1);
+  EXPECT_NEAR(value(report, "curvature", "deviation"), 0.0, 1e-6);
+  EXPECT_NEAR(value(report, "roughness", "hurst_exponent"), 1.0, 1e-3);
+  for (const Descriptor& descriptor : report.descriptors) EXPECT_FALSE(descriptor.distance.has_value());
+}
+
+TEST(Describe, ComparesAtTheCoarserCell) {
+  HeightField fine = hills(256, 256, 6);
+  GridFrame frame = fine.frame();
+  frame.cell_m = 15.0;
+  fine.set_frame(frame);
+  const HeightField coarse = hills(128, 128, 6);
+  const Report report = describe(fine, &coarse, {}, {});
+  EXPECT_EQ(find(report, "roughness").plot.lines[0].x.front(), 30.0);
+}
+
+TEST(Describe, BearsWhatHasNothingToMeasure) {
+  const HeightField reference = hills(60, 60, 1);
+  for (const auto& [width, height] : {std::pair{1, 1}, {1, 12}, {12, 1}, {3, 4}}) {
+    for (const float z : {-20.0F, 5.0F}) {
+      const HeightField terrain(GridFrame::centred(width, height, 30), z);
+      const Report report = describe(terrain, &reference, {}, {});
+      for (const Descriptor& descriptor : report.descriptors) {
+        EXPECT_TRUE(std::isfinite(descriptor.distance.value_or(0.0))) << descriptor.name;
+        for (const PlotLine& line : descriptor.plot.lines)
+          for (const double y : line.y) EXPECT_TRUE(std::isfinite(y)) << descriptor.name;
+      }
+      EXPECT_EQ(describe(reference, &terrain, {}, {}).descriptors.size(), 13U);
+    }
+  }
+}
+
+TEST(Network, StreamsCountLinksOfOneOrderOnce) {
+  // A river of order 2 that takes in two more heads on its way: three links, one stream.
+  std::vector<Link> links(7);
+  for (size_t i = 0; i < 4; ++i) links[i].order = 1;
+  for (size_t i = 4; i < 7; ++i) links[i].order = 2;
+  links[0].next = links[1].next = 4;
+  links[2].next = links[4].next = 5;
+  links[3].next = links[5].next = 6;
+  EXPECT_THAT(streams_by_order(links), ::testing::ElementsAre(4, 1));
+}
+
+}  // namespace
+}  // namespace seamount::hydrology

@@ -1,0 +1,14 @@
+// The descriptors of hydrology.describe, each from the surveys of one or two terrains.
+#pragma once
+
+#include <vector>
+
+#include "seamount/model/report.h"
+#include "seamount/ops/hydrology/survey.h"
+
+namespace seamount::hydrology {
+
+/// All of them, in the order of the page. `surveys` are of the terrain and, where there is one, the reference.
+std::vector<Descriptor> make_descriptors(const std::vector<Survey>& surveys, const SurveyPlan& plan);
+
+}  // namespace seamount::hydrology

@@ -1,0 +1,188 @@
+#include "seamount/ops/hydrology/survey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
+
+#include "seamount/base/parallel.h"
+#include "seamount/geom/flow.h"
+#include "seamount/geom/polygon.h"
+#include "seamount/geom/skeleton.h"
+#include "seamount/geom/surface.h"
+#include "seamount/ops/hydrology/local_relief.h"
+#include "seamount/ops/hydrology/network.h"
+#include "seamount/ops/hydrology/ridge_flow.h"
+
+namespace seamount::hydrology {
+namespace {
+
+constexpr int kBins = 1536;  // divides into the plots' bins
+constexpr int kAspectBins = 72;
+constexpr int kAreaBinsPerDecade = 4;
+
+/// Length of the lines through a network's links, in metres.
+double length_of(const std::vector<Link>& links, const GridFrame& frame) {
+  double length = 0.0;
+  for (const Link& link : links) length += geom::line_length(geom::smooth_chain(link.cells, frame));
+  return length;
+}
+
+std::vector<SlopeOfArea> slope_by_area(const ScalarField& slope_deg, const ScalarField& cells, float sea,
+                                       const HeightField& terrain) {
+  struct Sum {
+    double slope = 0.0, log_area = 0.0;
+    int64_t count = 0;
+  };
+  constexpr size_t kDecades = 16;
+  constexpr int64_t kFewest = 8;
+  std::vector<Sum> sums(kDecades * kAreaBinsPerDecade);
+  const double cell_m2 = terrain.cell_m() * terrain.cell_m();
+  for (size_t i = 0; i < terrain.size(); ++i) {
+    if (terrain.data()[i] <= sea) continue;
+    const double log_area = std::log10(static_cast<double>(cells.data()[i]) * cell_m2);
+    const double bin = std::floor(std::max(0.0, log_area) * kAreaBinsPerDecade);
+    Sum& sum = sums[static_cast<size_t>(std::min(bin, static_cast<double>(sums.size() - 1)))];
+    sum.slope += std::tan(static_cast<double>(slope_deg.data()[i]) * std::numbers::pi / 180.0);
+    sum.log_area += log_area;
+    ++sum.count;
+  }
+  std::vector<SlopeOfArea> line;
+  for (const Sum& sum : sums) {
+    if (sum.count < kFewest || !(sum.slope > 0.0)) continue;
+    const auto count = static_cast<double>(sum.count);
+    line.push_back({std::pow(10.0, sum.log_area / count), sum.slope / count});
+  }
+  return line;
+}
+
+/// Where both ends are land.
+Unevenness unevenness_at(const HeightField& terrain, float sea, int lag, const RunContext& run) {
+  struct Sum {
+    double squares = 0.0;
+    int64_t count = 0;
+    Sum& operator+=(const Sum& other) {
+      squares += other.squares;
+      count += other.count;
+      return *this;
+    }
+    void add(float a, float b, float sea_level) {
+      if (a <= sea_level || b <= sea_level) return;
+      const double difference = static_cast<double>(a) - static_cast<double>(b);
+      squares += difference * difference;
+      ++count;
+    }
+  };
+  constexpr int64_t kRows = 32;
+  const Sum sum = parallel_sum<Sum>(run, terrain.height(), kRows, [&](int64_t begin, int64_t end) {
+    Sum part;
+    for (int y = static_cast<int>(begin); y < end; ++y) {
+      const auto row = terrain.row(y);
+      for (size_t x = 0; x + static_cast<size_t>(lag) < row.size(); ++x)
+        part.add(row[x], row[x + static_cast<size_t>(lag)], sea);
+      if (y + lag >= terrain.height()) continue;
+      const auto below = terrain.row(y + lag);
+      for (size_t x = 0; x < row.size(); ++x) part.add(row[x], below[x], sea);
+    }
+    return part;
+  });
+  return {lag * terrain.cell_m(), sum.count > 0 ? std::sqrt(sum.squares / static_cast<double>(sum.count)) : 0.0};
+}
+
+std::vector<Unevenness> unevenness_of(const HeightField& terrain, float sea, const RunContext& run) {
+  std::vector<Unevenness> curve;
+  const int longest = std::max(terrain.width(), terrain.height()) / 4;
+  for (int lag = 1; lag <= longest; lag *= 2) {
+    const Unevenness point = unevenness_at(terrain, sea, lag, run);
+    if (point.rms_m > 0.0) curve.push_back(point);
+  }
+  return curve;
+}
+
+/// Rivers with their orders, drainage areas, and slope over area.
+void survey_rivers(const HeightField& terrain, const ScalarField& slope_deg, const SurveyPlan& plan,
+                   const SurveyBounds& bounds, Survey& out, const RunContext& run) {
+  const GridFrame& frame = terrain.frame();
+  const double cell_m2 = frame.cell_m * frame.cell_m;
+  const HeightField filled = geom::fill_depressions(terrain, plan.sea_level_m, run);
+  const geom::FlowDirections directions = geom::flow_directions(filled, plan.sea_level_m, run);
+  ScalarField cells(frame);
+  {
+    const Grid<uint32_t> counts = geom::flow_accumulation(directions, run);
+    std::transform(counts.cells().begin(), counts.cells().end(), cells.cells().begin(),
+                   [](uint32_t count) { return static_cast<float>(count); });
+  }
+  const auto is_land = [&](int64_t i) { return terrain.data()[i] > plan.sea_level_m; };
+  out.area = gather(
+      Histogram(std::log10(cell_m2), std::log10(std::max(2.0 * cell_m2, bounds.area_m2)), kBins), frame.cells(),
+      is_land, [&](int64_t i) { return std::log10(static_cast<double>(cells.data()[i]) * cell_m2); }, run);
+  out.slope_of_area = slope_by_area(slope_deg, cells, plan.sea_level_m, terrain);
+  const std::vector<Link> links = find_links(directions, cells, std::max(2.0, plan.channel_m2 / cell_m2), nullptr, run);
+  out.streams = streams_by_order(links);
+  out.river_m = length_of(links, frame);
+}
+
+}  // namespace
+
+std::pair<double, double> land_range(const HeightField& terrain, float sea_level_m) {
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+  for (const float z : terrain.cells()) {
+    if (z <= sea_level_m) continue;
+    low = std::min(low, z);
+    high = std::max(high, z);
+  }
+  return low > high ? std::pair{0.0, 0.0} : std::pair{static_cast<double>(low), static_cast<double>(high)};
+}
+
+double curvature_deviation(const HeightField& terrain, float sea_level_m, const RunContext& run) {
+  const ScalarField curvature = geom::curvature(terrain, geom::Curvature::mean, run);
+  double squares = 0.0;
+  int64_t count = 0;
+  for (size_t i = 0; i < terrain.size(); ++i) {
+    if (terrain.data()[i] <= sea_level_m) continue;
+    squares += static_cast<double>(curvature.data()[i]) * static_cast<double>(curvature.data()[i]);
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
+}
+
+Survey survey(const HeightField& terrain, const SurveyPlan& plan, const SurveyBounds& bounds, const RunContext& run) {
+  Survey out;
+  const float sea = plan.sea_level_m;
+  const GridFrame& frame = terrain.frame();
+  const int64_t cells = frame.cells();
+  const auto is_land = [&](int64_t i) { return terrain.data()[i] > sea; };
+  const auto distribution = [&](Histogram bins, const ScalarField& field) {
+    return gather(
+        std::move(bins), cells, is_land, [&](int64_t i) { return static_cast<double>(field.data()[i]); }, run);
+  };
+  std::tie(out.low_m, out.high_m) = land_range(terrain, sea);
+  const double top = std::max(bounds.high_m, bounds.low_m + 1e-3);
+  out.elevation = distribution(Histogram(bounds.low_m, top, kBins), terrain);
+  out.land_m2 = static_cast<double>(out.elevation.total()) * frame.cell_m * frame.cell_m;
+  const ScalarField slope = geom::slope_deg(terrain, run);
+  out.slope = distribution(Histogram(0.0, 90.0, kBins), slope);
+  {
+    const ScalarField aspect = geom::aspect_deg(terrain, run);
+    out.aspect = gather(
+        Histogram(0.0, 360.0, kAspectBins), cells, [&](int64_t i) { return is_land(i) && aspect.data()[i] >= 0.0F; },
+        [&](int64_t i) { return static_cast<double>(aspect.data()[i]); }, run);
+  }
+  out.curvature = distribution(Histogram(-bounds.curvature, bounds.curvature, kBins),
+                               geom::curvature(terrain, geom::Curvature::mean, run));
+  const int radius =
+      std::max(1, static_cast<int>(std::lround(0.5 * std::min(plan.relief_window_m, 1e7) / frame.cell_m)));
+  const double relief = std::max(top - bounds.low_m, std::isfinite(sea) ? top - static_cast<double>(sea) : 0.0);
+  out.relief = distribution(Histogram(0.0, relief, kBins), local_relief(terrain, radius, run));
+  survey_rivers(terrain, slope, plan, bounds, out, run);
+  RidgeFlow ridges = ridge_flow(terrain, sea, run);
+  out.ridge_m = length_of(find_links(ridges.directions, ridges.cells,
+                                     std::max(2.0, plan.channel_m2 / (frame.cell_m * frame.cell_m)), &ridges.land, run),
+                          frame);
+  out.peaks = find_peaks(terrain, sea, plan.min_prominence_m, run);
+  out.unevenness = unevenness_of(terrain, sea, run);
+  return out;
+}
+
+}  // namespace seamount::hydrology
