@@ -1,0 +1,136 @@
+#include "seamount/ops/erosion/drainage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+
+#include "seamount/base/parallel.h"
+
+namespace seamount::erosion {
+namespace {
+
+constexpr double kGradient = 0.005;  // of a river along the border
+
+/// Border cells in order around the map.
+std::vector<int32_t> ring_of(const GridFrame& frame) {
+  const int w = frame.width, h = frame.height;
+  std::vector<int32_t> ring;
+  for (int x = 0; x < w; ++x) ring.push_back(x);
+  for (int y = 1; y < h; ++y) ring.push_back(y * w + w - 1);
+  for (int x = w - 2; x >= 0 && h > 1; --x) ring.push_back((h - 1) * w + x);
+  for (int y = h - 2; y >= 1 && w > 1; --y) ring.push_back(y * w);
+  return ring;
+}
+
+}  // namespace
+
+Grid<uint8_t> border_outlets(const HeightField& surface, double reach_m) {
+  const std::vector<int32_t> ring = ring_of(surface.frame());
+  const auto count = static_cast<int64_t>(ring.size());
+  const int64_t reach =
+      std::clamp<int64_t>(std::llround(reach_m / surface.cell_m()), 1, std::max<int64_t>(1, count / 2));
+  const auto height = [&](int64_t k) { return surface.data()[ring[(k + count) % count]]; };
+  const auto slack = static_cast<float>(kGradient * static_cast<double>(reach) * surface.cell_m());
+  Grid<uint8_t> outlets(surface.frame(), 0);
+  std::deque<int64_t> lowest;  // candidates of the window, heights rising
+  for (int64_t k = -reach; k < count + reach; ++k) {
+    while (!lowest.empty() && height(lowest.back()) >= height(k)) lowest.pop_back();
+    lowest.push_back(k);
+    const int64_t middle = k - reach;
+    if (lowest.front() < middle - reach) lowest.pop_front();
+    if (middle < 0 || middle >= count) continue;
+    if (height(middle) <= height(lowest.front()) + slack) outlets.data()[ring[middle]] = 1;
+  }
+  return outlets;
+}
+
+Grid<uint8_t> refined_outlets(const Grid<uint8_t>& coarse, const HeightField& fine) {
+  const std::vector<int32_t> ring = ring_of(fine.frame());
+  const int width = fine.width();
+  const auto slack = static_cast<float>(kGradient * fine.cell_m());
+  Grid<float> lowest(coarse.frame(), std::numeric_limits<float>::infinity());
+  const auto lowest_at = [&](int32_t cell) -> float& { return lowest(cell % width / 2, cell / width / 2); };
+  for (const int32_t cell : ring) lowest_at(cell) = std::min(lowest_at(cell), fine.data()[cell]);
+  Grid<uint8_t> outlets(fine.frame(), 0);
+  for (const int32_t cell : ring) {
+    const bool inherited = coarse(cell % width / 2, cell / width / 2) != 0;
+    if (inherited && fine.data()[cell] <= lowest_at(cell) + slack) outlets.data()[cell] = 1;
+  }
+  return outlets;
+}
+
+void Drainage::choose_receivers(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m,
+                                float uncertainty, Seed seed, const RunContext& run) {
+  const int width = surface.width(), height = surface.height();
+  const float* z = surface.data();
+  const std::array<float, 2> per_m = {static_cast<float>(1.0 / surface.cell_m()),
+                                      static_cast<float>(1.0 / (surface.cell_m() * std::sqrt(2.0)))};
+  const float per_byte = uncertainty / 255.0F;
+  parallel_rows(run, width, height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const auto cell = static_cast<size_t>(y) * width + x;
+        uint8_t& chosen = direction_.data()[cell];
+        chosen = geom::kOutlet;
+        if (outlets.data()[cell] != 0 || z[cell] < sea_m) continue;
+        chosen = geom::kPit;
+        const uint64_t draws = mix_bits(seed.value + cell * 0x9e3779b97f4a7c15ULL);
+        float best = 0.0F;
+        const bool inner = x > 0 && y > 0 && x < width - 1 && y < height - 1;
+        for (int d = 0; d < 8; ++d) {
+          if (!inner && !surface.contains(x + geom::kFlowDx[d], y + geom::kFlowDy[d])) continue;
+          const float fall = (z[cell] - std::max(sea_m, z[cell + offset_[d]])) * per_m[d & 1];
+          if (fall <= 0.0F) continue;
+          const float score = fall * (1.0F + per_byte * static_cast<float>((draws >> (8 * d)) & 0xff));
+          if (score > best) {
+            best = score;
+            chosen = static_cast<uint8_t>(d);
+          }
+        }
+      }
+    }
+  });
+}
+
+void Drainage::order_trees(const RunContext& run) {
+  const int width = direction_.width(), height = direction_.height();
+  std::vector<int32_t> stack;
+  size_t done = 0;
+  for (int y = 0; y < height; ++y) {
+    run.check_cancelled();
+    for (int x = 0; x < width; ++x) {
+      if (direction_(x, y) != geom::kOutlet) continue;
+      stack.push_back(y * width + x);
+      while (!stack.empty()) {
+        const int32_t cell = stack.back();
+        stack.pop_back();
+        order_[done++] = cell;
+        const int cx = cell % width, cy = cell / width;
+        const bool inner = cx > 0 && cy > 0 && cx < width - 1 && cy < height - 1;
+        for (int d = 0; d < 8; ++d) {
+          if (!inner && !direction_.contains(cx + geom::kFlowDx[d], cy + geom::kFlowDy[d])) continue;
+          if (direction_.data()[cell + offset_[d]] == (d ^ 4)) stack.push_back(cell + offset_[d]);
+        }
+      }
+    }
+  }
+}
+
+void Drainage::route(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, float uncertainty,
+                     Seed seed, const RunContext& run) {
+  const GridFrame& frame = surface.frame();
+  if (!(direction_.frame() == frame)) {
+    direction_ = Grid<uint8_t>(frame);
+    order_.resize(surface.size());
+    for (size_t d = 0; d < 8; ++d) {
+      offset_[d] = static_cast<int32_t>(geom::flow_steps(frame.width)[d]);
+      distance_[d] = static_cast<float>(frame.cell_m) * geom::kFlowLength[d];
+    }
+  }
+  choose_receivers(surface, outlets, sea_m, uncertainty, seed, run);
+  geom::route_through_pits(surface, direction_, std::numeric_limits<float>::infinity(), run);
+  order_trees(run);
+}
+
+}  // namespace seamount::erosion

@@ -1,0 +1,55 @@
+// Which way water runs, and in which order cells must be visited so that every valley drains.
+//
+// A cell drains to a lower neighbour: the one of steepest descent, made uncertain by a random factor per step, which
+// takes the eight directions of the grid out of the valleys (P1 sec. 5.1 draws them at random as well). Depressions are
+// lakes: their water climbs over the lowest pass along the reversed path from their floor (geom/flow.h), so the water
+// level of a cell is the greatest height on its way out. Roots are sea cells and the outlets of the border.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "seamount/base/rng.h"
+#include "seamount/base/run_context.h"
+#include "seamount/geom/flow.h"
+#include "seamount/model/grid.h"
+
+namespace seamount::erosion {
+
+/// Where water leaves the map: border cells as low as any within `reach_m` along the border (but for a gradient of
+/// 0.5 %). All of a level border is outlet; of a rough one only where valleys leave. 1: outlet.
+Grid<uint8_t> border_outlets(const HeightField& surface, double reach_m);
+
+/// The outlets of a grid of twice the size: of the border cells within a coarse outlet those that are lowest.
+Grid<uint8_t> refined_outlets(const Grid<uint8_t>& coarse, const HeightField& fine);
+
+class Drainage {
+ public:
+  /// Routes water over a surface. uncertainty: 0 steepest descent, 1 strongly random. REQUIRES: one cell is a root
+  /// (border_outlets makes one). About 60 ns per cell, more on a rough surface; receivers are found in parallel.
+  void route(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, float uncertainty, Seed seed,
+             const RunContext& run);
+
+  /// Every cell, each after its receiver.
+  std::span<const int32_t> order() const { return order_; }
+  uint8_t direction(int32_t cell) const { return direction_.data()[cell]; }
+  bool is_root(int32_t cell) const { return direction(cell) == geom::kOutlet; }
+  /// REQUIRES: not a root.
+  int32_t receiver(int32_t cell) const { return cell + offset_[direction(cell)]; }
+  /// Metres to the receiver.
+  float distance(int32_t cell) const { return distance_[direction(cell)]; }
+
+ private:
+  void choose_receivers(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, float uncertainty,
+                        Seed seed, const RunContext& run);
+  void order_trees(const RunContext& run);
+
+  geom::FlowDirections direction_;
+  std::vector<int32_t> order_;
+  std::array<int32_t, 8> offset_ = {};
+  std::array<float, 8> distance_ = {};
+};
+
+}  // namespace seamount::erosion

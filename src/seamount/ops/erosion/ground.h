@@ -1,0 +1,58 @@
+// What erosion works on: three layers of material per cell, and where and how easily they wear.
+//
+// Layers after Benes and Forsbach 2001: bedrock below, then rock (coarse debris of slopes), then fine sediment. The
+// surface is stored, and bedrock is what is left: surface - rock - sediment.
+#pragma once
+
+#include <algorithm>
+
+#include "seamount/base/simd.h"
+#include "seamount/model/grid.h"
+
+namespace seamount::erosion {
+
+/// Layers of one resolution. rock and sediment are thicknesses in metres, never negative.
+struct Ground {
+  HeightField surface;
+  ScalarField rock;
+  ScalarField sediment;
+
+  const GridFrame& frame() const { return surface.frame(); }
+  /// Takes `depth` >= 0 metres from the top of a cell: sediment, then rock, then bedrock.
+  void lower(size_t cell, float depth) {
+    surface.data()[cell] -= depth;
+    float& fine = sediment.data()[cell];
+    const float from_fine = std::min(fine, depth);
+    fine -= from_fine;
+    float& coarse = rock.data()[cell];
+    coarse -= std::min(coarse, depth - from_fine);
+  }
+  /// Lays `depth` >= 0 metres of fine sediment on a cell.
+  void bury(size_t cell, float depth) {
+    surface.data()[cell] += depth;
+    sediment.data()[cell] += depth;
+  }
+};
+
+/// Maps of a site, each empty where it was not given.
+struct Site {
+  ScalarField hardness;  ///< how many times as hard as the erodibility says; > 0
+  Mask mask;             ///< where erosion acts: 0 nowhere, 1 fully
+  ScalarField uplift;    ///< share of the uplift
+};
+
+/// Value of a map that may be absent.
+SEAMOUNT_INLINE float value_or_one(const ScalarField& map, size_t cell) {
+  return map.empty() ? 1.0F : map.data()[cell];
+}
+
+/// Volumes in m3, added up over a run. Eroded is what was picked up by water, waves and slopes, most of it more than
+/// once.
+struct Ledger {
+  double uplifted = 0;
+  double exported = 0;
+  double eroded = 0;
+  double deposited = 0;
+};
+
+}  // namespace seamount::erosion

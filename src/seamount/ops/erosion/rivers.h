@@ -1,0 +1,41 @@
+// Rivers: rain gathers, cuts into the ground, carries what it cut, and drops it where the slope gives out.
+//
+//   dh/dt = - K sqrt(Q - Q_c) dh/dx  +  G q_s / Q      (Davy and Lague 2009; Yuan, Braun, Guerit, Rouby, Cordonnier
+//   2019)
+//
+// with Q the discharge (m3 per year), q_s the load (m3 per year), K by the material on top of each cell. Erosion is
+// implicit from the outlets up (Braun and Willett 2013), so that any time step is stable; erosion and deposition are
+// made to agree by Gauss-Seidel sweeps (Yuan et al.), and a last sweep downstream moves exactly what there is, so mass
+// is conserved to rounding. Departures: the exponents are m = 1/2 and n = 1; layers wear one after the other within a
+// step; no channel starts below a discharge Q_c (slopes.h shapes what lies between channels); lakes are filled up to
+// their water level before anything flows out of them.
+#pragma once
+
+#include "seamount/base/run_context.h"
+#include "seamount/ops/erosion/drainage.h"
+#include "seamount/ops/erosion/ground.h"
+
+namespace seamount::erosion {
+
+struct Rivers {
+  double years = 0;          ///< length of the step
+  double rain_m = 1;         ///< runoff per year
+  double loss_per_km = 0;    ///< share of the discharge that evaporates on a kilometre
+  double erodibility = 0;    ///< K of bedrock
+  double rock_ease = 2;      ///< K of rock over that of bedrock
+  double sediment_ease = 4;  ///< K of sediment over that of bedrock
+  double deposition = 1;     ///< G
+  double channel_m2 = 0;     ///< area whose runoff is Q_c
+  double sea_m = 0;
+  int sweeps = 2;  ///< of Gauss-Seidel, >= 1
+};
+
+/// Discharge of each cell in m3 per year.
+void gather(const Drainage& drainage, const Rivers& rivers, ScalarField& discharge, const RunContext& run);
+
+/// One step of erosion and deposition. After it `load` holds, in metres of thickness on its cell, what arrived at each
+/// sea cell, and `level` is spent. What arrived at outlets of the border is added to ledger.exported.
+void run_rivers(Ground& ground, const Site& site, const Drainage& drainage, const ScalarField& discharge,
+                const Rivers& rivers, ScalarField& load, ScalarField& level, Ledger& ledger, const RunContext& run);
+
+}  // namespace seamount::erosion

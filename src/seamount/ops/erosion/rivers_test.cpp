@@ -1,0 +1,92 @@
+#include "seamount/ops/erosion/rivers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace seamount::erosion {
+namespace {
+
+/// A river along a row of cells, with its outlet at x = 0.
+struct River {
+  Ground ground;
+  Drainage drainage;
+  Grid<uint8_t> outlets;
+  ScalarField discharge, load, level;
+  Ledger ledger;
+
+  explicit River(int cells, float height = 0) {
+    const GridFrame frame = GridFrame::centred(cells, 1, 100);
+    ground = {HeightField(frame, height), ScalarField(frame, 0.0F), ScalarField(frame, 0.0F)};
+    for (int x = 0; x < cells; ++x) ground.surface(x, 0) += 0.01F * static_cast<float>(x);
+    outlets = Grid<uint8_t>(frame, 0);
+    outlets(0, 0) = 1;
+    discharge = load = level = ScalarField(frame);
+  }
+  void step(const Rivers& rivers) {
+    drainage.route(ground.surface, outlets, -1e4F, 0, Seed{}, {});
+    gather(drainage, rivers, discharge, {});
+    run_rivers(ground, {}, drainage, discharge, rivers, load, level, ledger, {});
+  }
+};
+
+TEST(Rivers, ReachTheSlopeAtWhichTheyKeepUpWithUplift) {
+  River river(60);
+  const Rivers rivers{.years = 20000, .erodibility = 1e-5, .deposition = 0, .sea_m = -1e4};
+  constexpr double kUplift = 5e-4;
+  for (int i = 0; i < 4000; ++i) {
+    for (int x = 1; x < 60; ++x) river.ground.surface(x, 0) += static_cast<float>(kUplift * rivers.years);
+    river.step(rivers);
+  }
+  for (int x = 5; x < 50; ++x) {
+    // U = K sqrt(Q) S with the discharge that cuts: all but that of two cells.
+    const double cutting = (60 - x - 2) * 1e4;
+    const double slope = (river.ground.surface(x, 0) - river.ground.surface(x - 1, 0)) / 100;
+    EXPECT_NEAR(slope, kUplift / (1e-5 * std::sqrt(cutting)), 0.02 * slope) << x;
+  }
+}
+
+TEST(Rivers, GatherAllTheRainThatDoesNotEvaporate) {
+  River river(50);
+  Rivers rivers{.rain_m = 0.5};
+  river.step(rivers);
+  EXPECT_FLOAT_EQ(river.discharge(0, 0), 50 * 0.5 * 1e4);
+  EXPECT_FLOAT_EQ(river.discharge(49, 0), 0.5 * 1e4);
+  rivers.loss_per_km = 0.5;
+  river.step(rivers);
+  EXPECT_NEAR(river.discharge(0, 0), 0.5e4 * (1 - std::pow(0.95, 50)) / 0.05, 1);
+}
+
+TEST(Rivers, CutSoftLayersFasterThanBedrockAndKeepMass) {
+  River bare(40, 500), covered(40, 500);
+  for (int x = 1; x < 40; ++x) covered.ground.sediment(x, 0) = 30;
+  const Rivers rivers{.years = 20000, .erodibility = 1e-5, .sea_m = -1e4};
+  for (River* river : {&bare, &covered}) {
+    for (int x = 1; x < 40; ++x) river->ground.surface(x, 0) += 2.0F * static_cast<float>(x);
+    double before = 0, after = 0;
+    for (const float z : river->ground.surface.cells()) before += z;
+    river->step(rivers);
+    for (const float z : river->ground.surface.cells()) after += z;
+    EXPECT_NEAR((before - after) * 1e4, river->ledger.exported, 1e-4 * river->ledger.eroded);
+    for (const float s : river->ground.sediment.cells()) EXPECT_GE(s, 0);
+  }
+  EXPECT_GT(covered.ledger.exported, 1.5 * bare.ledger.exported);
+}
+
+TEST(Rivers, FillALakeBeforeTheyLeaveIt) {
+  River river(40, 100);
+  for (int x = 10; x < 15; ++x) river.ground.surface(x, 0) = 80;
+  for (int x = 15; x < 40; ++x) river.ground.surface(x, 0) = 100 + 5 * static_cast<float>(x - 14);
+  const Rivers rivers{.years = 1000, .erodibility = 1e-5, .sea_m = -1e4};
+  double lake = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double floor = river.ground.surface(14, 0);
+    river.step(rivers);
+    EXPECT_GE(river.ground.surface(14, 0), floor - 20);
+    lake = river.ground.sediment(14, 0);
+  }
+  EXPECT_GT(lake, 5);
+}
+
+}  // namespace
+}  // namespace seamount::erosion

@@ -1,0 +1,261 @@
+#include "seamount/ops/erosion/run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "seamount/base/parallel.h"
+#include "seamount/geom/noise.h"
+#include "seamount/ops/erosion/coast.h"
+#include "seamount/ops/erosion/drainage.h"
+#include "seamount/ops/erosion/hollows.h"
+#include "seamount/ops/erosion/levels.h"
+#include "seamount/ops/erosion/rivers.h"
+#include "seamount/ops/erosion/slopes.h"
+
+namespace seamount::erosion {
+namespace {
+
+constexpr int kCoarsestSide = 64;         // grids are halved until the next one would be smaller
+constexpr double kShareOfRest = 0.3;      // of the remaining years that a coarse grid takes
+constexpr double kRockBodies_m = 2500.0;  // size of the largest bodies of harder and softer rock
+constexpr int kMostSteps = 24, kFewestSteps = 8;
+constexpr double kOutletReach = 1.0 / 16;  // of the map's side along which valleys compete for an outlet
+
+/// How a grid spends its share of the years.
+struct Stage {
+  double years = 0;
+  int steps = 0;
+};
+
+/// Steps on a grid.
+int steps_for(const GridFrame& frame) {
+  return std::clamp(kMostSteps * 256 / std::max(frame.width, frame.height), kFewestSteps, kMostSteps);
+}
+
+/// Rounds of sliding per step: many where cells are few.
+int slides_for(const GridFrame& frame) { return std::max(frame.width, frame.height) <= 256 ? 12 : 4; }
+
+void check_map(const ScalarField& map, const GridFrame& frame, const char* name) {
+  if (map.empty() || (map.width() == frame.width && map.height() == frame.height)) return;
+  throw IncompatibleInputs(std::string(name) + " and terrain differ in size");
+}
+
+void limit(ScalarField& map, float low, float high) {
+  for (float& value : map.cells()) value = std::clamp(value, low, high);
+}
+
+/// Bedrock is nowhere the same: makes a hardness of 1 on average, or the given one, vary by up to (1 + v) / (1 - v).
+void vary_hardness(ScalarField& hardness, const GridFrame& frame, double variation, Seed seed, const RunContext& run) {
+  if (variation <= 0) return;
+  if (hardness.empty()) hardness = ScalarField(frame, 1.0F);
+  const geom::Fbm shape{.wavelength_m = kRockBodies_m, .octaves = 8, .gain = 0.75, .cell_m = frame.cell_m};
+  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    std::vector<float> noise(static_cast<size_t>(frame.width));
+    for (int y = begin; y < end; ++y) {
+      geom::fbm_row(seed, shape, frame.x(0), frame.cell_m, frame.y(y), noise);
+      const auto row = hardness.row(y);
+      for (size_t i = 0; i < noise.size(); ++i) {
+        const float by = static_cast<float>(variation) * std::clamp(1.5F * noise[i], -1.0F, 1.0F);
+        row[i] *= (1.0F + by) / (1.0F - by);
+      }
+    }
+  });
+}
+
+Rivers rivers_of(const RunParams& p, double years) {
+  const bool carries = p.method == Method::hydraulic;
+  return {.years = years,
+          .rain_m = p.rain_m,
+          .loss_per_km = p.evaporation_per_km,
+          .erodibility = p.erodibility,
+          .rock_ease = carries ? p.rock_ease : 1.0,
+          .sediment_ease = carries ? p.sediment_ease : 1.0,
+          .deposition = carries ? p.deposition : 0.0,
+          .channel_m2 = p.channel_m2,
+          .sea_m = p.sea_m};
+}
+
+Slopes slopes_of(const RunParams& p, double years, int slides) {
+  return {.years = years,
+          .sediment_angle_deg = p.sediment_angle_deg,
+          .rock_angle_deg = p.rock_angle_deg,
+          .bedrock_angle_deg = p.bedrock_angle_deg,
+          .weathering_m = p.method == Method::hydraulic ? p.weathering_mm * 1e-3 : 0.0,
+          .creep_m2 = p.creep_m2,
+          .sea_m = p.sea_m,
+          .slides = slides};
+}
+
+Coast coast_of(const RunParams& p, double years) {
+  return {.years = years,
+          .sea_m = p.sea_m,
+          .retreat_m = p.method == Method::hydraulic ? p.retreat_mm * 1e-3 : 0.0,
+          .wave_base_m = p.wave_base_m,
+          .settling_m = p.settling_m};
+}
+
+/// The run on one grid.
+class Level {
+ public:
+  Level(Ground& ground, const Site& site, const Grid<uint8_t>& outlets, const RunParams& params)
+      : ground_(ground),
+        site_(site),
+        params_(params),
+        outlets_(outlets),
+        flow_(ground.frame()),
+        load_(ground.frame()),
+        room_(ground.frame()) {
+    for (size_t i = 0; i < outlets.size(); ++i) {
+      if (outlets.data()[i] != 0) base_levels_.emplace_back(i, ground.surface.data()[i]);
+    }
+  }
+
+  /// `progress` of the grid's own steps, in [0, 1]: rivers wander at first and settle in the end.
+  void step(double years, double progress, Seed seed, Ledger& ledger, const RunContext& run) {
+    uplift(years, ledger);
+    // First, so that rivers clear away what slides into them.
+    run_slopes(ground_, site_, slopes_of(params_, years, slides_for(ground_.frame())), load_, room_, run);
+    const Rivers rivers = rivers_of(params_, years);
+    const auto wandering = static_cast<float>(kWandering + progress * (kSettled - kWandering));
+    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), wandering, seed, run);
+    gather(drainage_, rivers, flow_, run);
+    run_rivers(ground_, site_, drainage_, flow_, rivers, load_, room_, ledger, run);
+    run_coast(ground_, site_, coast_of(params_, years), load_, room_, ledger, run);
+    clear_outlets(ledger);
+  }
+
+  /// Discharge, lakes and the last shallow hollows.
+  void finish(bool fill_hollows, Ledger& ledger, ScalarField& flow, ScalarField& lake, const RunContext& run) {
+    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), 0.0F, Seed{}, run);
+    gather(drainage_, rivers_of(params_, 0), flow_, run);
+    settle_hollows(ground_, site_, drainage_, static_cast<float>(params_.sea_m), fill_hollows, load_, room_, ledger);
+    flow = std::move(flow_);
+    lake = std::move(load_);
+  }
+
+ private:
+  static constexpr double kWandering = 2.0, kSettled = 0.2;
+
+  void uplift(double years, Ledger& ledger) {
+    const auto rise = static_cast<float>(params_.uplift_mm * 1e-3 * years);
+    if (rise <= 0.0F) return;
+    double sum = 0;
+    for (size_t i = 0; i < ground_.surface.size(); ++i) {
+      if (outlets_.data()[i] != 0) continue;
+      const float own = rise * value_or_one(site_.uplift, i) * value_or_one(site_.mask, i);
+      ground_.surface.data()[i] += own;
+      sum += own;
+    }
+    ledger.uplifted += sum * ground_.surface.cell_m() * ground_.surface.cell_m();
+  }
+
+  /// What came to lie on an outlet is carried off the map: it keeps its height.
+  void clear_outlets(Ledger& ledger) {
+    double sum = 0;
+    for (const auto& [cell, height] : base_levels_) {
+      const float above = std::max(0.0F, ground_.surface.data()[cell] - height);
+      ground_.lower(cell, above);
+      sum += above;
+    }
+    ledger.exported += sum * ground_.surface.cell_m() * ground_.surface.cell_m();
+  }
+
+  Ground& ground_;
+  const Site& site_;
+  const RunParams& params_;
+  const Grid<uint8_t>& outlets_;
+  std::vector<std::pair<size_t, float>> base_levels_;
+  Drainage drainage_;
+  ScalarField flow_, load_, room_;
+};
+
+/// Grounds and sites from fine to coarse; index 0 is the finest.
+struct Pyramid {
+  std::vector<Ground> starts;
+  std::vector<Site> sites;
+};
+
+Pyramid pyramid_of(Ground ground, Site site, const RunContext& run) {
+  Pyramid levels;
+  levels.starts.push_back(std::move(ground));
+  levels.sites.push_back(std::move(site));
+  while (std::min(levels.starts.back().frame().width, levels.starts.back().frame().height) >= 2 * kCoarsestSide) {
+    levels.starts.push_back(halved(levels.starts.back(), run));
+    levels.sites.push_back(halved(levels.sites.back(), run));
+  }
+  return levels;
+}
+
+/// Steps become shorter towards the end of a stage, so that its last changes have settled.
+double share_of_step(int i, int steps) { return 2.0 * (steps - i) / (static_cast<double>(steps) * (steps + 1)); }
+
+double end_year(const RunParams& params) { return std::min(params.years, params.stop_year.value_or(params.years)); }
+
+/// Stages by level, coarsest last; cut off at the stop year.
+std::vector<Stage> plan(const Pyramid& levels, const RunParams& params) {
+  const double stop = end_year(params);
+  std::vector<Stage> stages(levels.starts.size());
+  double begin = 0;
+  for (size_t k = stages.size(); k-- > 0;) {
+    const double share = (k == 0 ? 1.0 : kShareOfRest) * (params.years - begin);
+    const double years = std::clamp(stop - begin, 0.0, share);
+    const int steps = steps_for(levels.starts[k].frame());
+    stages[k] = {years, share > 0 ? static_cast<int>(std::ceil(steps * years / share)) : 0};
+    begin += share;
+  }
+  return stages;
+}
+
+}  // namespace
+
+Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const RunContext& run) {
+  check_params(params);
+  const GridFrame frame = ground.frame();
+  check_map(ground.rock, frame, "rock");
+  check_map(ground.sediment, frame, "sediment");
+  check_map(site.hardness, frame, "hardness");
+  check_map(site.mask, frame, "mask");
+  check_map(site.uplift, frame, "uplift");
+  if (ground.rock.empty()) ground.rock = ScalarField(frame, 0.0F);
+  if (ground.sediment.empty()) ground.sediment = ScalarField(frame, 0.0F);
+  limit(ground.rock, 0.0F, 1e5F);
+  limit(ground.sediment, 0.0F, 1e5F);
+  vary_hardness(site.hardness, frame, params.rock_variation, seed.derive("erosion.rock"), run);
+  limit(site.hardness, 0.01F, 1e6F);
+  limit(site.mask, 0.0F, 1.0F);
+  limit(site.uplift, 0.0F, 1e3F);
+  run.check_cancelled();
+
+  Pyramid levels = pyramid_of(std::move(ground), std::move(site), run);
+  const std::vector<Stage> stages = plan(levels, params);
+  double cost = 0, done = 0;
+  for (size_t k = 0; k < stages.size(); ++k) cost += static_cast<double>(stages[k].steps) / std::pow(4.0, k);
+
+  Eroded out;
+  Ground now = levels.starts.size() > 1 ? levels.starts.back() : std::move(levels.starts.back());
+  Grid<uint8_t> outlets = border_outlets(now.surface, kOutletReach * std::max(frame.width_m(), frame.height_m()));
+  uint64_t index = 0;
+  for (size_t k = stages.size(); k-- > 0;) {
+    {
+      Level level(now, levels.sites[k], outlets, params);
+      for (int i = 0; i < stages[k].steps; ++i) {
+        level.step(stages[k].years * share_of_step(i, stages[k].steps), (i + 1.0) / stages[k].steps,
+                   seed.derive("erosion.step", index++), out.ledger, {run.threads, {}, run.cancelled});
+        done += std::pow(0.25, k);
+        run.report(std::min(1.0, done / cost));
+      }
+      if (k == 0) level.finish(end_year(params) > 0, out.ledger, out.flow, out.lake, run);
+    }
+    if (k == 0) break;
+    Ground finer = k > 1 ? levels.starts[k - 1] : std::move(levels.starts[0]);
+    outlets = refined_outlets(outlets, finer.surface);
+    refine(now, levels.starts[k], finer, levels.sites[k - 1], outlets, out.ledger, run);
+    now = std::move(finer);
+  }
+  out.terrain = std::move(now.surface);
+  out.rock = std::move(now.rock);
+  out.sediment = std::move(now.sediment);
+  return out;
+}
+
+}  // namespace seamount::erosion

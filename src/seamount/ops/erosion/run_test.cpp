@@ -1,0 +1,196 @@
+#include "seamount/ops/erosion/run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "seamount/geom/noise.h"
+#include "seamount/geom/resample.h"
+#include "seamount/ops/erosion/drainage.h"
+
+namespace seamount::erosion {
+namespace {
+
+HeightField hills(int width, int height, double base_m = 300, double domain_m = 5120) {
+  const GridFrame frame = GridFrame::centred(width, height, domain_m / width);
+  HeightField z = geom::fbm_grid(frame, Seed{3}, {.wavelength_m = 2500, .octaves = 8, .cell_m = frame.cell_m}, {});
+  for (float& value : z.cells()) value = static_cast<float>(base_m + 500 * value);
+  return z;
+}
+
+Eroded eroded(const HeightField& start, const RunParams& params = {}, Site site = {}, int threads = 0) {
+  return run({start, {}, {}}, std::move(site), params, Seed{11}, {.threads = threads});
+}
+
+double volume(const HeightField& z) {
+  return std::accumulate(z.cells().begin(), z.cells().end(), 0.0) * z.cell_m() * z.cell_m();
+}
+
+/// Cells of land without a way down, lakes aside: greedy descent by the filled surface (brute force).
+int undrained(const Eroded& result) {
+  const HeightField& z = result.terrain;
+  int count = 0;
+  for (int y = 1; y + 1 < z.height(); ++y) {
+    for (int x = 1; x + 1 < z.width(); ++x) {
+      if (z(x, y) < 0 || result.lake(x, y) > 0) continue;
+      bool drains = false;
+      for (int d = 0; d < 8; ++d) {
+        const float water =
+            z(x + geom::kFlowDx[d], y + geom::kFlowDy[d]) + result.lake(x + geom::kFlowDx[d], y + geom::kFlowDy[d]);
+        drains = drains || water <= z(x, y);
+      }
+      count += drains ? 0 : 1;
+    }
+  }
+  return count;
+}
+
+TEST(Erosion, ConservesMassUpToWhatLeavesTheMap) {
+  for (const auto& [base_m, uplift_mm] : {std::pair{400.0, 0.0}, {20.0, 0.5}}) {
+    for (const auto& [width, height] : {std::pair{131, 129}, {70, 40}}) {
+      {
+        const HeightField start = hills(width, height, base_m);
+        const Eroded result = eroded(start, {.uplift_mm = uplift_mm});
+        const double lost = volume(start) - volume(result.terrain);
+        const double expected = result.ledger.exported - result.ledger.uplifted;
+        EXPECT_GT(result.ledger.eroded, 0);
+        EXPECT_NEAR(lost, expected, 1e-4 * result.ledger.eroded) << width << " " << base_m << " " << uplift_mm;
+      }
+    }
+  }
+}
+
+TEST(Erosion, LayersAreNeverNegativeAndValleysDrain) {
+  for (const double base_m : {400.0, 20.0}) {
+    const Eroded result = eroded(hills(128, 140, base_m));
+    for (const ScalarField* layer : {&result.rock, &result.sediment, &result.lake, &result.flow}) {
+      for (const float value : layer->cells()) ASSERT_GE(value, 0.0F);
+    }
+    EXPECT_EQ(undrained(result), 0);
+  }
+}
+
+TEST(Erosion, ZeroYearsChangeNothing) {
+  const HeightField start = hills(140, 150, 0);
+  EXPECT_TRUE(eroded(start, {.years = 0}).terrain == start);
+  EXPECT_TRUE(eroded(start, {.stop_year = 0}).terrain == start);
+}
+
+TEST(Erosion, FlatGroundStaysFlat) {
+  for (const float level : {0.0F, 120.0F, -30.0F}) {
+    const HeightField flat(GridFrame::centred(150, 130, 20), level);
+    EXPECT_TRUE(eroded(flat).terrain == flat) << level;
+  }
+}
+
+TEST(Erosion, MaskedGroundStaysAsItWas) {
+  const HeightField start = hills(192, 160, 30);
+  Site site{.hardness = {}, .mask = Mask(start.frame(), 1.0F), .uplift = {}};
+  for (int y = 37; y < 101; ++y) {
+    for (int x = 51; x < 120; ++x) site.mask(x, y) = 0.0F;
+  }
+  const Eroded result = eroded(start, {.uplift_mm = 0.3}, site);
+  double changed = 0;
+  for (int y = 0; y < start.height(); ++y) {
+    for (int x = 0; x < start.width(); ++x) {
+      if (site.mask(x, y) == 0.0F) {
+        ASSERT_EQ(result.terrain(x, y), start(x, y)) << x << " " << y;
+      } else {
+        changed += std::abs(result.terrain(x, y) - start(x, y));
+      }
+    }
+  }
+  EXPECT_GT(changed, 1e4);
+}
+
+TEST(Erosion, NothingStaysSteeperThanItsMaterialCanStand) {
+  HeightField start = hills(96, 96, 500, 960);
+  for (int y = 40; y < 60; ++y) {
+    for (int x = 40; x < 60; ++x) start(x, y) += 300;  // a tower
+  }
+  const RunParams params{.years = 200000, .erodibility = 0, .weathering_mm = 0, .bedrock_angle_deg = 45, .creep_m2 = 0};
+  const Eroded result = eroded(start, params);
+  const double allowed = std::tan((45 + 2.0) * 3.14159265 / 180) * start.cell_m();
+  for (int y = 0; y < start.height(); ++y) {
+    for (int x = 0; x + 1 < start.width(); ++x) {
+      ASSERT_LT(std::abs(result.terrain(x, y) - result.terrain(x + 1, y)), allowed) << x << " " << y;
+    }
+  }
+}
+
+TEST(Erosion, HardRockStandsAndSoftRockGoes) {
+  const HeightField start = hills(128, 128, 500);
+  const auto loss = [&](float hardness) {
+    return volume(start) -
+           volume(
+               eroded(start, {}, {.hardness = ScalarField(start.frame(), hardness), .mask = {}, .uplift = {}}).terrain);
+  };
+  EXPECT_GT(loss(0.5F), loss(1.0F));
+  EXPECT_GT(loss(1.0F), 1.5 * loss(10.0F));
+}
+
+TEST(Erosion, UpliftMakesARangeWhoseRiversFlattenDownstream) {
+  HeightField start = hills(128, 128, 0, 12800);
+  for (float& z : start.cells()) z *= 0.002F;
+  const RunParams params{.method = Method::stream_power,
+                         .years = 3e6,
+                         .erodibility = 1e-5,
+                         .rock_variation = 0,
+                         .uplift_mm = 0.5,
+                         .sea_m = -1000};
+  const Eroded result = eroded(start, params);
+  const HeightField& z = result.terrain;
+  // Steady state: uplift = K sqrt(discharge) slope, so a hundred times the water makes a tenth of the slope.
+  std::array<double, 2> slope = {}, count = {};
+  for (int y = 4; y < 124; ++y) {
+    for (int x = 4; x < 124; ++x) {
+      float fall = 0;
+      for (int d = 0; d < 8; d += 2) fall = std::max(fall, z(x, y) - z(x + geom::kFlowDx[d], y + geom::kFlowDy[d]));
+      const int big = result.flow(x, y) > 5e6F ? 1 : 0;
+      if (big == 0 && (result.flow(x, y) < 5e4F || result.flow(x, y) > 1e5F)) continue;
+      slope[big] += fall / z.cell_m();
+      count[big] += 1;
+    }
+  }
+  EXPECT_GT(count[1], 50);
+  EXPECT_LT(slope[1] / count[1], 0.3 * slope[0] / count[0]);
+  EXPECT_GT(*std::max_element(z.cells().begin(), z.cells().end()), 200);
+}
+
+TEST(Erosion, OddShapesAndTinyMaps) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}, {2, 7}, {3, 3}, {5, 300}, {300, 5}}) {
+    const HeightField start = hills(width, height, 50, 40.0 * width);
+    const Eroded result = eroded(start);
+    for (const float z : result.terrain.cells()) ASSERT_TRUE(std::isfinite(z)) << width << "x" << height;
+  }
+}
+
+TEST(Erosion, ACoarseGridIsAPreviewOfAFineOne) {
+  const auto difference = [](const HeightField& coarse, const HeightField& fine) {
+    const Grid<float> mean = geom::box_downsample(fine, fine.width() / coarse.width(), {});
+    const double middle = std::accumulate(mean.cells().begin(), mean.cells().end(), 0.0) / mean.size();
+    double error = 0, relief = 0;
+    for (size_t i = 0; i < mean.size(); ++i) {
+      error += std::pow(coarse.data()[i] - mean.data()[i], 2);
+      relief += std::pow(mean.data()[i] - middle, 2);
+    }
+    return std::sqrt(error / relief);
+  };
+  const Eroded coarse = eroded(hills(128, 128)), fine = eroded(hills(512, 512));
+  EXPECT_LT(difference(coarse.terrain, fine.terrain), 0.3);
+  const double loss_coarse = coarse.ledger.exported, loss_fine = fine.ledger.exported;
+  EXPECT_NEAR(loss_coarse, loss_fine, 0.25 * loss_fine);
+}
+
+TEST(Erosion, RefusesWhatDoesNotFit) {
+  const HeightField start = hills(20, 20);
+  EXPECT_THROW(eroded(start, {.years = -1}), InvalidArgument);
+  EXPECT_THROW(eroded(start, {}, {.hardness = {}, .mask = Mask(GridFrame::centred(3, 3, 1), 1.0F), .uplift = {}}),
+               IncompatibleInputs);
+}
+
+}  // namespace
+}  // namespace seamount::erosion

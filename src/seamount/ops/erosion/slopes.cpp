@@ -1,0 +1,97 @@
+#include "seamount/ops/erosion/slopes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "seamount/base/parallel.h"
+#include "seamount/geom/flow.h"
+#include "seamount/ops/erosion/slides.h"
+
+namespace seamount::erosion {
+namespace {
+
+constexpr double kSlideTime_yr = 50.0;  // in which an excess slides down
+constexpr double kSlidePerRound = 0.5;  // of what would level it; more makes ripples
+constexpr float kCover_m = 0.5F;        // of debris halves weathering
+
+double slope_of(double angle_deg) { return std::tan(angle_deg * std::numbers::pi / 180.0); }
+
+/// Calls f(neighbour, direction) for the neighbours of a cell.
+template <class F>
+SEAMOUNT_INLINE void for_neighbours(const GridFrame& frame, int x, int y, F f) {
+  for (int d = 0; d < 8; ++d) {
+    const int nx = x + geom::kFlowDx[d], ny = y + geom::kFlowDy[d];
+    if (nx < 0 || ny < 0 || nx >= frame.width || ny >= frame.height) continue;
+    f(static_cast<size_t>(ny) * frame.width + nx, d);
+  }
+}
+
+/// Calls f(cell, x, y) for every cell, in parallel rows.
+template <class F>
+void for_cells(const GridFrame& frame, const RunContext& run, F f) {
+  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < frame.width; ++x) f(static_cast<size_t>(y) * frame.width + x, x, y);
+    }
+  });
+}
+
+/// Bedrock turns to rock where it is steep and bare; the surface stays.
+void weather(Ground& ground, const Site& site, const Slopes& slopes, const RunContext& run) {
+  const auto depth = static_cast<float>(slopes.weathering_m * slopes.years);
+  const auto steep = static_cast<float>(1.0 / (2.0 * ground.surface.cell_m() * slope_of(slopes.rock_angle_deg)));
+  const HeightField& z = ground.surface;
+  for_cells(ground.frame(), run, [&](size_t cell, int x, int y) {
+    const float dx = (z.clamped(x + 1, y) - z.clamped(x - 1, y)) * steep;
+    const float dy = (z.clamped(x, y + 1) - z.clamped(x, y - 1)) * steep;
+    const float bare = kCover_m / (kCover_m + ground.rock.data()[cell] + ground.sediment.data()[cell]);
+    ground.rock.data()[cell] += depth * std::min(1.0F, dx * dx + dy * dy) * bare * value_or_one(site.mask, cell) /
+                                value_or_one(site.hardness, cell);
+  });
+}
+
+/// One explicit round of diffusion; `number` = D dt / dx^2, at most 0.2.
+void creep(Ground& ground, const Site& site, float number, float sea_m, ScalarField& next, const RunContext& run) {
+  const float* z = ground.surface.data();
+  for_cells(ground.frame(), run, [&](size_t cell, int x, int y) {
+    float change = 0.0F;
+    if (z[cell] >= sea_m) {
+      for_neighbours(ground.frame(), x, y, [&](size_t other, int d) {
+        if (z[other] < sea_m) return;
+        const float weight = d % 2 == 0 ? 2.0F / 3.0F : 1.0F / 6.0F;
+        const float mask = std::min(value_or_one(site.mask, cell), value_or_one(site.mask, other));
+        change += weight * mask * (z[other] - z[cell]);
+      });
+    }
+    change *= number;
+    next.data()[cell] = z[cell] + change;
+    float& fine = ground.sediment.data()[cell];
+    const float from_fine = std::max(-fine, change);
+    fine += from_fine;
+    float& rock = ground.rock.data()[cell];
+    rock = std::max(0.0F, rock + (change - from_fine));
+  });
+  std::swap(ground.surface, next);
+}
+
+}  // namespace
+
+void run_slopes(Ground& ground, const Site& site, const Slopes& slopes, ScalarField& share, ScalarField& next,
+                const RunContext& run) {
+  const double cell_m = ground.surface.cell_m();
+  if (slopes.weathering_m > 0) weather(ground, site, slopes, run);
+  const auto sea = static_cast<float>(slopes.sea_m);
+  const double number = slopes.creep_m2 * slopes.years / (cell_m * cell_m);
+  const int rounds = static_cast<int>(std::min(64.0, std::ceil(number / 0.2)));
+  for (int k = 0; k < rounds; ++k)
+    creep(ground, site, static_cast<float>(std::min(0.2, number / rounds)), sea, next, run);
+  const double speed = kSlidePerRound * std::min(1.0, slopes.years / kSlideTime_yr);
+  for (int k = 0; k < slopes.slides; ++k) {
+    slide(ground, site, Layer::bedrock, slopes.bedrock_angle_deg, speed, share, next, run);
+    slide(ground, site, Layer::rock, slopes.rock_angle_deg, speed, share, next, run);
+    slide(ground, site, Layer::sediment, slopes.sediment_angle_deg, speed, share, next, run);
+  }
+}
+
+}  // namespace seamount::erosion

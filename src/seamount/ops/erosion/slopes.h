@@ -1,0 +1,29 @@
+// Slopes: what is steeper than its material can stand slides, bedrock crumbles to rock, and soil creeps.
+//
+// Each layer slides at its own angle (slides.h; Benes and Forsbach 2001); bedrock that breaks off is rock from then on.
+// Weathering turns bare bedrock into rock where it is steep, less under cover (Cordonnier et al. 2017b). Creep is
+// linear diffusion of the ground above the sea (Culling 1960). All of it moves mass between neighbours only, nothing
+// across the border of the map.
+#pragma once
+
+#include "seamount/base/run_context.h"
+#include "seamount/ops/erosion/ground.h"
+
+namespace seamount::erosion {
+
+struct Slopes {
+  double years = 0;
+  double sediment_angle_deg = 25;
+  double rock_angle_deg = 35;
+  double bedrock_angle_deg = 50;
+  double weathering_m = 0;  ///< bedrock that turns to rock per year where it stands bare and steep
+  double creep_m2 = 0;      ///< diffusivity of soil, m2 per year
+  double sea_m = 0;
+  int slides = 4;  ///< rounds of sliding
+};
+
+/// One step. `share` and `next` are room to work in, of the ground's size. Parallel; about 10 ns per cell and round.
+void run_slopes(Ground& ground, const Site& site, const Slopes& slopes, ScalarField& share, ScalarField& next,
+                const RunContext& run);
+
+}  // namespace seamount::erosion
