@@ -10,7 +10,7 @@ constexpr size_t kCancelEvery = 1 << 16;
 /// Rivers of a few cells cut less than their discharge says: a coarse cell is mostly slope, and without this erosion
 /// would grow with the size of the cells. What flows off this many cells does not cut, but for the share below.
 constexpr double kHeadCells = 2.0;
-constexpr float kHeadShare = 0.1F;
+constexpr float kHeadShare = 0.03F;
 
 double area_of(const Ground& ground) { return ground.surface.cell_m() * ground.surface.cell_m(); }
 
