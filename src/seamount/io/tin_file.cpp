@@ -50,6 +50,10 @@ std::string comments(const Tin& tin) {
     text += fmt::format("comment region {} {} {} {}\n", region.parent,
                         region.height_m ? fmt::format("{}", *region.height_m) : "-", region.basin ? "basin" : "hill",
                         one_line(region.name));
+    if (region.outline.empty()) continue;
+    text += "comment outline";
+    for (const Vec2 p : region.outline) text += fmt::format(" {} {}", p.x, p.y);
+    text += "\n";
   }
   return text;
 }
@@ -60,6 +64,7 @@ std::string header(const Tin& tin) {
                      "\nproperty double x\nproperty double y\nproperty float z\n";
   if (!tin.region.empty()) text += "property int region\n";
   if (!tin.rank.empty()) text += "property float rank\n";
+  if (!tin.bed_m.empty()) text += "property float bed\n";
   return text + "element face " + std::to_string(tin.triangles.size()) +
          "\nproperty list uchar int vertex_indices\nend_header\n";
 }
@@ -77,6 +82,7 @@ void write_tin(const Tin& tin, const std::string& path) {
       bytes.add(tin.height_m.empty() ? 0.0F : tin.height_m[i]);
       if (!tin.region.empty()) bytes.add(tin.region[i]);
       if (!tin.rank.empty()) bytes.add(tin.rank[i]);
+      if (!tin.bed_m.empty()) bytes.add(tin.bed_m[i] == Tin::kNoBed ? kNoBedInFiles : tin.bed_m[i]);
       bytes.pass(file);
     }
     for (const auto& [a, b, c] : tin.triangles) {

@@ -9,10 +9,13 @@
 
 namespace seamount::io {
 
+/// What stands for Tin::kNoBed in files.
+inline constexpr float kNoBedInFiles = -1e9F;
+
 /// Binary, little endian. Vertices with x, y (double, metres in the frame's system), z (float, metres; 0 where heights
-/// are not assigned yet) and, of a grown network, region (int, -1 outside) and rank (float); triangles
-/// counter-clockwise. Comments carry the frame and the regions, so that read_tin() gives the same network. Throws
-/// IoError.
+/// are not assigned yet) and, of a grown network, region (int, -1 outside), rank and, with rivers, bed (float);
+/// triangles counter-clockwise. Comments carry the frame and the regions, so that read_tin() gives the same network.
+/// Throws IoError.
 void write_tin(const Tin& tin, const std::string& path);
 
 /// Any PLY of triangles, text or binary little endian, with x, y, z and perhaps region and rank; triangles are turned

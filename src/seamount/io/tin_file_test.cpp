@@ -48,7 +48,13 @@ TEST(TinFile, HoldsNodesAndTriangles) {
 Tin grown() {
   Tin tin = square();
   tin.frame = {10, 20, 0.1, -0.05, 1e6 / 3, "LOCAL_CS[\"here\"]"};
-  tin.regions = {{"low land", -1, 12.25, false}, {"", 0, std::nullopt, true}};
+  tin.regions.resize(2);
+  tin.regions[0].name = "low land";
+  tin.regions[0].height_m = 12.25;
+  tin.regions[1].parent = 0;
+  tin.regions[0].outline = {{0.1, 0}, {1e6, 1.0 / 3}, {1e6, 10}};
+  tin.regions[1].basin = true;
+  tin.bed_m = {Tin::kNoBed, 1.25F, Tin::kNoBed, 0.1F};
   tin.region = {0, 1, 0, -1};
   tin.rank = {0.1F, 0.375F, 0.625F, 0.0F};
   return tin;

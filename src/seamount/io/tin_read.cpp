@@ -116,6 +116,12 @@ void read_comment(const std::string& line, Header& header, Tin& tin) {
     std::getline(words >> std::ws, tin.frame.crs);
   } else if (kind == "no") {
     header.no_heights = true;
+  } else if (kind == "outline" && !tin.regions.empty()) {
+    Ring outline;
+    for (Vec2 p; words >> p.x >> p.y;) outline.push_back(p);
+    const bool finite =
+        std::all_of(outline.begin(), outline.end(), [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+    if (finite) tin.regions.back().outline = std::move(outline);
   } else if (kind == "region") {
     TinRegion region;
     std::string height, form;
@@ -193,6 +199,7 @@ void read_vertices(const Element& element, Values& values, const std::string& na
   if (heights) tin.height_m.resize(element.count);
   if (has("region")) tin.region.resize(element.count);
   if (has("rank")) tin.rank.resize(element.count);
+  if (has("bed")) tin.bed_m.resize(element.count);
   for (size_t i = 0; i < element.count; ++i) {
     for (const Property& property : element.properties) {
       if (!property.count_type.empty()) throw IoError(name, "has lists in its vertices");
@@ -205,6 +212,7 @@ void read_vertices(const Element& element, Values& values, const std::string& na
       if (property.name == "z" && heights) tin.height_m[i] = static_cast<float>(value);
       if (property.name == "region") tin.region[i] = static_cast<int32_t>(value);
       if (property.name == "rank") tin.rank[i] = static_cast<float>(value);
+      if (property.name == "bed") tin.bed_m[i] = value <= kNoBedInFiles ? Tin::kNoBed : static_cast<float>(value);
     }
   }
 }
@@ -246,6 +254,7 @@ void check_regions(Tin& tin, const std::string& name) {
     tin.regions.clear();
     tin.region.clear();
     tin.rank.clear();
+    tin.bed_m.clear();
     return;
   }
   for (size_t i = 0; i < tin.regions.size(); ++i) {
