@@ -1,4 +1,4 @@
-// Contours out of networks and terrains.
+// Contours out of networks and terrains, and terrains out of contours.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -8,6 +8,8 @@
 #include "seamount/geom/marching_triangles.h"
 #include "seamount/geom/noise.h"
 #include "seamount/geom/test_tin.h"
+#include "seamount/ops/contour/extract.h"
+#include "seamount/ops/contour/reconstruct.h"
 #include "seamount/ops/terrain/noise.h"
 
 namespace {
@@ -69,6 +71,17 @@ void extract_from_raster(benchmark::State& state, int size) {
   state.SetItemsProcessed(state.iterations() * field.frame().cells());
 }
 
+/// The contours of a network of 10 000 nodes: 30 levels, about 26 000 points.
+void reconstruct(benchmark::State& state, contour::Method method) {
+  ContourSet set = contour::extract(mountain_tin(100), {.count = 30}, {});
+  set.frame = GridFrame::centred(1024, 1024, 10000.0 / 1024);
+  size_t points = 0;
+  for (const Contour& contour : set.contours) points += contour.ring.size();
+  for (auto _ : state) benchmark::DoNotOptimize(contour::reconstruct(set, {.method = method}, {}));
+  state.counters["points"] = static_cast<double>(points);
+  state.SetItemsProcessed(state.iterations() * set.frame.cells());
+}
+
 BENCHMARK_CAPTURE(extract_from_tin, tin, 223)
     ->Name("contour/extract30/50k")
     ->Unit(benchmark::kMillisecond)
@@ -80,6 +93,15 @@ BENCHMARK_CAPTURE(extract_from_tin, tin, 708)
 BENCHMARK_CAPTURE(nest, tin, 708)->Name("contour/nest30/500k")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(extract_from_raster, raster, 1024)
     ->Name("contour/extract30_raster/1024")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+BENCHMARK_CAPTURE(reconstruct, interpolated, contour::Method::interpolated)
+    ->Name("contour/reconstruct/1024")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(reconstruct, smooth, contour::Method::smooth)
+    ->Name("contour/reconstruct_smooth/1024")
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

@@ -1,5 +1,6 @@
 // Registration of what leads from terrains to contours and back.
 #include "seamount/ops/contour/extract.h"
+#include "seamount/ops/contour/reconstruct.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
@@ -22,6 +23,13 @@ Values extract(const contour::ExtractParams& params, const Call& call) {
                                                          : contour::extract(from.heights(), params, call.run))}};
 }
 
+Values reconstruct(const contour::ReconstructParams& params, const Call& call) {
+  const Value& from = one_of(call, "contours", "tin");
+  return {{"terrain",
+           Value::terrain(from.kind() == ValueKind::tin ? contour::reconstruct(from.network(), params, call.run)
+                                                        : contour::reconstruct(from.contour_set(), params, call.run))}};
+}
+
 }  // namespace
 
 void add_contour_conversions(Registry& registry) {
@@ -32,6 +40,14 @@ void add_contour_conversions(Registry& registry) {
                                                {"terrain", ValueKind::terrain, "or heights in metres", false}},
                                         .out = {{"contours", ValueKind::contours, "nested closed contours"}}},
                                        extract);
+  registry.add<contour::ReconstructParams>(
+      {.name = "contour.reconstruct",
+       .summary = "A terrain from its contours or from a network, at any resolution",
+       .source = "P2 sec. 3.2",
+       .in = {{"contours", ValueKind::contours, "nested closed contours", false},
+              {"tin", ValueKind::tin, "or a network with heights", false}},
+       .out = {{"terrain", ValueKind::terrain, "heights in metres"}}},
+      reconstruct);
 }
 
 }  // namespace seamount::recipe
