@@ -4,9 +4,15 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 made=$(mktemp -d)
 trap 'rm -rf "$made"' EXIT
-for recipe in kauai reef_stages archipelago; do
+for recipe in kauai reef_stages archipelago styles; do
   ./run run "recipes/$recipe.json" --out "$made" --no-cache
 done
+for recipe in reef/barrier reef/platform reef/ribbon reef/patch erosion/worn_island; do
+  ./run run "recipes/$recipe.json" --out "$made/$recipe" --no-cache
+  cp "$made/$recipe/view.png" "docs/gallery/${recipe/\//_}.png"
+done
+mv docs/gallery/erosion_worn_island.png docs/gallery/worn_island.png
+cp "$made"/{stone,desert,volcano}.png docs/gallery/
 cp "$made"/view.png docs/gallery/kauai.png
 cp "$made"/map.png docs/gallery/kauai_map.png
 cp "$made"/{1_fringing,2_barrier,3_atoll}.png docs/gallery/

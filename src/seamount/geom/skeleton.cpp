@@ -195,7 +195,11 @@ Polyline smooth_chain(const CellChain& cells, const GridFrame& frame) {
   constexpr int kRounds = 12;
   constexpr double kReach = 0.4;  // of a cell, from its centre
   Polyline centres;
-  for (const int32_t cell : cells) centres.push_back({frame.x(cell % frame.width), frame.y(cell / frame.width)});
+  centres.reserve(cells.size());
+  for (const int32_t cell : cells) {
+    const int row = cell / frame.width;
+    centres.push_back({frame.x(cell - row * frame.width), frame.y(row)});
+  }
   Polyline line = centres, previous;
   const double reach = kReach * frame.cell_m;
   for (int round = 0; round < kRounds; ++round) {

@@ -207,6 +207,7 @@ ScalarField ground(const std::vector<LevelLine>& lines, const GridFrame& frame, 
   });
   geom::solve_laplace(u, fixed, run);
   std::vector<float> levels;
+  levels.reserve(lines.size());
   for (const LevelLine& line : lines) levels.push_back(static_cast<float>(line.height_m));
   shape_flats(u, fixed, nearest, first, std::move(levels), gap_m, run);
   return u;

@@ -67,6 +67,7 @@ std::vector<NestingDefect> find_nesting_defects(const std::vector<Contour>& cont
                         });
   if (!defects.empty()) return defects;
   std::vector<const Ring*> rings;
+  rings.reserve(contours.size());
   for (const Contour& contour : contours) rings.push_back(&contour.ring);
   std::vector<Box> now = boxes;
   for (const MovedContour& one : moved) {

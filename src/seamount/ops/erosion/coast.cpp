@@ -16,7 +16,6 @@ constexpr float kPlaning = 0.2F;        // wear of the floor at the shore over r
 constexpr float kMostPlaned = 0.25F;    // of the way to the waves' base, per step
 constexpr float kSettledAtOnce = 0.5F;  // of the water's depth, per step
 constexpr float kStirred_m = 1.0F;      // depth that counts for a shoal in which sediment still settles
-constexpr float kCalmDepth = 4.0F;      // in wave bases: where half of what comes settles
 constexpr float kShoal_m = 0.1F;        // by which what settles may rise over the sea
 constexpr float kLeastReach = 1e-3F;    // share of calm water around a place that can take a load
 constexpr double kNear = 0.1;           // of settling_m: where the coarser part of a load settles

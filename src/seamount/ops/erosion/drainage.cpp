@@ -16,6 +16,7 @@ constexpr double kGradient = 0.005;  // of a river along the border
 std::vector<int32_t> ring_of(const GridFrame& frame) {
   const int w = frame.width, h = frame.height;
   std::vector<int32_t> ring;
+  ring.reserve(2 * static_cast<size_t>(w) + 2 * static_cast<size_t>(h));
   for (int x = 0; x < w; ++x) ring.push_back(x);
   for (int y = 1; y < h; ++y) ring.push_back(y * w + w - 1);
   for (int x = w - 2; x >= 0 && h > 1; --x) ring.push_back((h - 1) * w + x);

@@ -156,6 +156,7 @@ void paint_ground(Image& image, const Layout& layout, const Sheet& sheet, const 
 
 std::vector<Swatch> region_swatches() {
   std::vector<Swatch> swatches;
+  swatches.reserve(kRegions.size());
   for (const Region region : kRegions)
     swatches.push_back({region_name(region), srgb(region_colour(static_cast<int>(region)))});
   return swatches;
