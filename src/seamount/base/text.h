@@ -12,6 +12,9 @@ namespace seamount {
 /// Shortest decimal text that reads back to the same double: 0.1, 2500, 1e-05.
 std::string format_number(double value);
 
+/// The text as it may stand in XML and HTML, between tags or in double quotes; control characters are left out.
+std::string xml_escaped(std::string_view text);
+
 /// "[0, 1]", or "[0, inf)" where an end is open.
 std::string format_range(double min, double max);
 

@@ -23,35 +23,18 @@ Json numbers(const std::vector<double>& values) {
   return list;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= ' ')
-      out += c;
-  }
-  return out;
-}
-
 /// Three significant digits and a unit, whole numbers from 1000 on; a dash for what is not defined.
 std::string readable(double value, const std::string& unit) {
   if (!std::isfinite(value)) return "&ndash;";
   const bool whole = std::abs(value) >= 1e3 && std::abs(value) < 1e7;
   std::string text = whole ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
   if (text.starts_with('-')) text = "&minus;" + text.substr(1);
-  return unit.empty() ? text : text + "&nbsp;" + escaped(unit);
+  return unit.empty() ? text : text + "&nbsp;" + xml_escaped(unit);
 }
 
 std::string spaced(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
-  return escaped(name);
+  return xml_escaped(name);
 }
 
 constexpr const char* kStyle = R"(
@@ -82,7 +65,8 @@ td:first-child,th:first-child{text-align:left;color:var(--soft)}th{border-top:0;
 std::string subjects_line(const Report& report) {
   std::string html = "<div class=\"subjects\">";
   for (size_t i = 0; i < report.subjects.size(); ++i)
-    html += fmt::format("<span><i style=\"background:var(--s{})\"></i>{}</span>", i % 2, escaped(report.subjects[i]));
+    html +=
+        fmt::format("<span><i style=\"background:var(--s{})\"></i>{}</span>", i % 2, xml_escaped(report.subjects[i]));
   return html + "</div>\n";
 }
 
@@ -98,7 +82,7 @@ std::string overview(const Report& report) {
   for (const Descriptor& descriptor : report.descriptors) {
     if (!descriptor.distance) continue;
     html += fmt::format("<tr><td>{}</td><td><div class=\"bar\" style=\"width:{:.1f}%\"></div></td><td>{:.3f}</td></tr>",
-                        escaped(descriptor.title), 100.0 * *descriptor.distance / longest, *descriptor.distance);
+                        xml_escaped(descriptor.title), 100.0 * *descriptor.distance / longest, *descriptor.distance);
   }
   return html + "</table></section>\n";
 }
@@ -108,7 +92,7 @@ std::string measures_table(const Report& report, const Descriptor& descriptor) {
   std::string html = "<table>";
   if (report.subjects.size() > 1) {
     html += "<tr><th></th>";
-    for (const std::string& subject : report.subjects) html += "<th>" + escaped(subject) + "</th>";
+    for (const std::string& subject : report.subjects) html += "<th>" + xml_escaped(subject) + "</th>";
     html += "</tr>";
   }
   for (const Measure& measure : descriptor.measures) {
@@ -141,13 +125,13 @@ std::string report_html(const Report& report) {
   std::string html =
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width,initial-scale=1\"><title>" +
-      escaped(report.title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" + escaped(report.title) +
-      "</h1>\n" + subjects_line(report) + overview(report) + "<div class=\"cards\">\n";
+      xml_escaped(report.title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" +
+      xml_escaped(report.title) + "</h1>\n" + subjects_line(report) + overview(report) + "<div class=\"cards\">\n";
   for (const Descriptor& descriptor : report.descriptors) {
-    html += "<section class=\"card\"><div class=\"head\"><h2>" + escaped(descriptor.title) + "</h2>";
+    html += "<section class=\"card\"><div class=\"head\"><h2>" + xml_escaped(descriptor.title) + "</h2>";
     if (descriptor.distance)
       html += fmt::format("<span class=\"distance\">distance <b>{:.3f}</b></span>", *descriptor.distance);
-    html += "</div><p>" + escaped(descriptor.meaning) + "</p>" + plot_svg(descriptor.plot) +
+    html += "</div><p>" + xml_escaped(descriptor.meaning) + "</p>" + plot_svg(descriptor.plot) +
             measures_table(report, descriptor) + "</section>\n";
   }
   return html + "</div>\n</body></html>\n";

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "seamount/base/text.h"
 #include "seamount/io/report.h"
 
 namespace seamount::io {
@@ -60,23 +61,6 @@ std::string tick_text(double value, bool logarithmic) {
   return fmt::format("{:g}", std::round(value * 1e6) / 1e6);
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string draw_axes(const Plot& plot, const Axis& x, const Axis& y) {
   std::string svg = "<g class=\"grid\">";
   for (const double tick : x.ticks())
@@ -91,9 +75,9 @@ std::string draw_axes(const Plot& plot, const Axis& x, const Axis& y) {
     svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", kLeft - 6, y.place(tick) + 3.5,
                        tick_text(tick, y.logarithmic));
   svg += fmt::format("</g><text class=\"axis\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                     0.5 * (kLeft + kWidth - kRight), kHeight - 6, escaped(plot.x_title));
+                     0.5 * (kLeft + kWidth - kRight), kHeight - 6, xml_escaped(plot.x_title));
   svg += fmt::format("<text class=\"axis\" transform=\"translate(11 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-                     0.5 * (kTop + kHeight - kBottom), escaped(plot.y_title));
+                     0.5 * (kTop + kHeight - kBottom), xml_escaped(plot.y_title));
   return svg;
 }
 

@@ -43,15 +43,16 @@ std::string comments(const Tin& tin) {
     return text;
   };
   const GridFrame& f = tin.frame;
-  std::string text = fmt::format("comment frame {} {} {} {} {}\n", f.width, f.height, f.cell_m, f.west_m, f.north_m);
-  if (!f.crs.empty()) text += "comment crs " + one_line(f.crs) + "\n";
-  if (tin.height_m.empty()) text += "comment no heights\n";
+  std::string text =
+      fmt::format("comment seamount frame {} {} {} {} {}\n", f.width, f.height, f.cell_m, f.west_m, f.north_m);
+  if (!f.crs.empty()) text += "comment seamount crs " + one_line(f.crs) + "\n";
+  if (tin.height_m.empty()) text += "comment seamount no heights\n";
   for (const TinRegion& region : tin.regions) {
-    text += fmt::format("comment region {} {} {} {}\n", region.parent,
+    text += fmt::format("comment seamount region {} {} {} {}\n", region.parent,
                         region.height_m ? fmt::format("{}", *region.height_m) : "-", region.basin ? "basin" : "hill",
                         one_line(region.name));
     if (region.outline.empty()) continue;
-    text += "comment outline";
+    text += "comment seamount outline";
     for (const Vec2 p : region.outline) text += fmt::format(" {} {}", p.x, p.y);
     text += "\n";
   }

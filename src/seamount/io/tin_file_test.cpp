@@ -85,6 +85,12 @@ TEST(TinFile, TextOfOtherProgramsIsTurnedCounterClockwise) {
   EXPECT_EQ(tin.triangles.at(0), (std::array<int32_t, 3>{0, 2, 1}));
 }
 
+TEST(TinFile, CommentsOfOtherProgramsSayNothing) {
+  std::string text = kText;
+  text.replace(text.find("element vertex"), 0, "comment no warranty\ncomment frame 25\ncomment region north\n");
+  EXPECT_EQ(from_text(text), from_text(kText));
+}
+
 TEST(TinFile, DamagedFilesAreRefusedAtEveryLength) {
   const std::string whole = written(grown());
   for (size_t length = 0; length < whole.size(); ++length) EXPECT_THROW(from_text(whole.substr(0, length)), IoError);
@@ -100,6 +106,9 @@ TEST(TinFile, DamagedFilesAreRefusedAtEveryLength) {
   EXPECT_THROW(with("ascii", "binary_big_endian"), IoError);
   EXPECT_THROW(with("7.5", "nan"), IoError);
   EXPECT_THROW(with("float z", "quad z"), IoError);
+  EXPECT_THROW(with("element vertex", "comment seamount frame 1 0 1 0 0\nelement vertex"), IoError);
+  EXPECT_THROW(with("element vertex", "comment seamount region 0 tall hill\nelement vertex"), IoError);
+  EXPECT_THROW(with("element vertex", "comment seamount outline 0 0\nelement vertex"), IoError);
 }
 
 TEST(TinFile, SaysWhereItCouldNotBeWritten) {

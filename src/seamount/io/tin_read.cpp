@@ -98,41 +98,51 @@ class Values {
   size_t at_ = 0;
 };
 
-/// What our own comments say of the frame and the regions.
-void read_comment(const std::string& line, Header& header, Tin& tin) {
-  std::istringstream words(line);
-  std::string word, kind;
-  words >> word >> kind;
-  if (kind == "frame") {
-    GridFrame frame;
-    words >> frame.width >> frame.height >> frame.cell_m >> frame.west_m >> frame.north_m;
-    const bool sound = words && frame.width > 0 && frame.height > 0 && frame.width <= 65536 && frame.height <= 65536 &&
-                       std::isfinite(frame.cell_m) && frame.cell_m > 0;
-    if (sound) {
-      frame.crs = tin.frame.crs;
-      tin.frame = frame;
-    }
-  } else if (kind == "crs") {
-    std::getline(words >> std::ws, tin.frame.crs);
-  } else if (kind == "no") {
-    header.no_heights = true;
-  } else if (kind == "outline" && !tin.regions.empty()) {
-    Ring outline;
-    for (Vec2 p; words >> p.x >> p.y;) outline.push_back(p);
-    const bool finite =
-        std::all_of(outline.begin(), outline.end(), [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
-    if (finite) tin.regions.back().outline = std::move(outline);
-  } else if (kind == "region") {
-    TinRegion region;
-    std::string height, form;
-    words >> region.parent >> height >> form;
-    std::getline(words >> std::ws, region.name);
-    double value = 0.0;
-    if (std::from_chars(height.data(), height.data() + height.size(), value).ec == std::errc() && std::isfinite(value))
-      region.height_m = value;
-    region.basin = form == "basin";
-    tin.regions.push_back(std::move(region));
-  }
+void read_frame(std::istringstream& words, const std::string& name, Tin& tin) {
+  GridFrame frame;
+  words >> frame.width >> frame.height >> frame.cell_m >> frame.west_m >> frame.north_m;
+  const bool sized = frame.width > 0 && frame.height > 0 && frame.width <= 65536 && frame.height <= 65536;
+  const bool placed = std::isfinite(frame.west_m) && std::isfinite(frame.north_m);
+  if (!words || !sized || !placed || !std::isfinite(frame.cell_m) || frame.cell_m <= 0)
+    throw IoError(name, "has a damaged comment 'seamount frame'");
+  frame.crs = tin.frame.crs;
+  tin.frame = frame;
+}
+
+void read_region(std::istringstream& words, const std::string& name, Tin& tin) {
+  TinRegion region;
+  std::string height, form;
+  words >> region.parent >> height >> form;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(height.data(), height.data() + height.size(), value);
+  const bool number = error == std::errc() && end == height.data() + height.size() && std::isfinite(value);
+  if (!words || (!number && height != "-") || (form != "basin" && form != "hill"))
+    throw IoError(name, "has a damaged comment 'seamount region'");
+  std::getline(words >> std::ws, region.name);
+  if (number) region.height_m = value;
+  region.basin = form == "basin";
+  tin.regions.push_back(std::move(region));
+}
+
+void read_outline(std::istringstream& words, const std::string& name, Tin& tin) {
+  Ring outline;
+  for (Vec2 p; words >> p.x >> p.y;) outline.push_back(p);
+  const bool finite =
+      std::all_of(outline.begin(), outline.end(), [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+  if (tin.regions.empty() || !words.eof() || !finite) throw IoError(name, "has a damaged comment 'seamount outline'");
+  tin.regions.back().outline = std::move(outline);
+}
+
+/// What write_tin() says of the frame and the regions; comments of other programs say nothing to us.
+void read_comment(std::istringstream& words, Header& header, const std::string& name, Tin& tin) {
+  std::string owner, kind;
+  words >> owner >> kind;
+  if (owner != "seamount") return;
+  if (kind == "frame") read_frame(words, name, tin);
+  if (kind == "crs") std::getline(words >> std::ws, tin.frame.crs);
+  if (kind == "no") header.no_heights = true;
+  if (kind == "region") read_region(words, name, tin);
+  if (kind == "outline") read_outline(words, name, tin);
 }
 
 void read_element(std::istringstream& words, Header& header, const std::string& name) {
@@ -167,7 +177,7 @@ Header read_header(std::span<const uint8_t> bytes, const std::string& name, Tin&
     std::string keyword;
     words >> keyword;
     if (keyword == "end_header") break;
-    if (keyword == "comment") read_comment(line, header, tin);
+    if (keyword == "comment") read_comment(words, header, name, tin);
     if (keyword == "element") read_element(words, header, name);
     if (keyword == "property") read_property(words, header, name);
     if (keyword == "format") {

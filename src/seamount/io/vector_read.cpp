@@ -290,6 +290,7 @@ Drawing read_layer(const std::string& place, const GdalCall& call, const VectorO
   if (!found && !options.feature.empty())
     call.fail("has no feature '" + options.feature + "'" + suggestion(options.feature, names));
   Drawing drawing = std::move(collector.drawing());
+  drawing.heights = value_at >= 0 && lower(definition.GetFieldDefn(value_at)->GetNameRef()) == "height_m";
   if (drawing.areas.empty() && drawing.lines.empty() && drawing.points.empty())
     call.fail("has no areas, lines or points in it");
   to_metres(drawing, layer.GetSpatialRef(), call);

@@ -183,6 +183,31 @@ TEST(WriteDrawing, GeoPackageComesBackAndIsTheSameEveryTime) {
   EXPECT_THAT(feature_names(folder("a.gpkg")), ElementsAre("isle \"A\" <&>", "rock"));
 }
 
+TEST(WriteDrawing, HeightsAreAnAttributeAndZ) {
+  const TestFolder folder;
+  Drawing drawing;
+  drawing.heights = true;
+  drawing.lines = {{{{0, 0}, {100, 0}, {100, 50}}, 120.5, true, {}}, {{{10, 10}, {60, 20}}, -3, false, {}}};
+  for (const char* file : {"lines.geojson", "lines.gpkg"}) {
+    write_drawing(drawing, folder(file));
+    const Drawing back = read_drawing(folder(file));
+    EXPECT_TRUE(back.heights) << file;
+    EXPECT_EQ(back.lines, drawing.lines) << file;
+  }
+  const std::vector<uint8_t> bytes = read_file(folder("lines.geojson"));
+  const std::string text(bytes.begin(), bytes.end());
+  EXPECT_THAT(text, HasSubstr("\"height_m\":120.5"));
+  EXPECT_THAT(text, HasSubstr("[100,0,120.5]"));
+}
+
+TEST(ReadGeojson, TakesZWhereNoAttributeSaysAHeight) {
+  const std::string text =
+      R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:32632"}},"features":[{"type":"Feature",
+"properties":{},"geometry":{"type":"LineString","coordinates":[[500000,5000000,40],[500100,5000000,40]]}}]})";
+  const Drawing drawing = read_geojson({reinterpret_cast<const uint8_t*>(text.data()), text.size()}, "z.geojson");
+  EXPECT_EQ(drawing.lines.at(0).value, 40.0);
+}
+
 TEST(WriteDrawing, SvgHasNorthUp) {
   const TestFolder folder;
   write_drawing(sample(""), folder("x.svg"));

@@ -168,23 +168,6 @@ void append_path(std::string& text, const std::vector<Vec2>& points, bool close)
   if (close) text += 'Z';
 }
 
-std::string xml_escaped(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else if (c == '>')
-      escaped += "&gt;";
-    else if (c == '"')
-      escaped += "&quot;";
-    else if (static_cast<unsigned char>(c) >= ' ')
-      escaped += c;
-  }
-  return escaped;
-}
-
 /// " data-width-m=\"12.5\"" for each attribute; letters that XML names cannot have become hyphens.
 std::string svg_data(const Attributes& attributes) {
   std::string text;

@@ -180,7 +180,7 @@ TEST(Erosion, ACoarseGridIsAPreviewOfAFineOne) {
     return std::sqrt(error / relief);
   };
   const Eroded coarse = eroded(hills(128, 128)), fine = eroded(hills(512, 512));
-  EXPECT_LT(difference(coarse.terrain, fine.terrain), 0.35);
+  EXPECT_LT(difference(coarse.terrain, fine.terrain), 0.3);
   const double loss_coarse = coarse.ledger.exported, loss_fine = fine.ledger.exported;
   EXPECT_NEAR(loss_coarse, loss_fine, 0.25 * loss_fine);
 }
