@@ -73,6 +73,19 @@ size_t furthest_from(const Ring& ring, Vec2 p) {
   return best;
 }
 
+/// What lies on the inner side of one side of a box.
+template <class Inside>
+Ring clip_side(const Ring& ring, Inside&& distance) {
+  Ring clipped;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+    const double da = distance(a), db = distance(b);
+    if (da >= 0.0) clipped.push_back(a);
+    if ((da >= 0.0) != (db >= 0.0)) clipped.push_back(a + da / (da - db) * (b - a));
+  }
+  return clipped;
+}
+
 }  // namespace
 
 double signed_area(const Ring& ring) { return 0.5 * twice_area(ring); }
@@ -190,6 +203,13 @@ Ring densify(const Ring& ring, double step_m) {
     for (int k = 0; k < parts; ++k) dense.push_back(a + (static_cast<double>(k) / parts) * d);
   }
   return dense;
+}
+
+Ring clip_to_box(const Ring& whole, const Box& box) {
+  Ring ring = clip_side(whole, [&](Vec2 p) { return p.x - box.low.x; });
+  ring = clip_side(ring, [&](Vec2 p) { return box.high.x - p.x; });
+  ring = clip_side(ring, [&](Vec2 p) { return p.y - box.low.y; });
+  return clip_side(ring, [&](Vec2 p) { return box.high.y - p.y; });
 }
 
 }  // namespace seamount::geom

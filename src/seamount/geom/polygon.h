@@ -55,6 +55,10 @@ std::string format_place(Vec2 p);
 /// and edges.
 Grid<uint8_t> rasterise(const std::vector<Polygon>& polygons, const GridFrame& frame);
 
+/// The part of a ring inside a box (Sutherland and Hodgman 1974). Parts may be joined along the box's sides, which
+/// leaves areas right. Empty where they do not meet.
+Ring clip_to_box(const Ring& ring, const Box& box);
+
 /// Douglas-Peucker: fewer points, none of the dropped ones further than tolerance_m from the result. Keeps at least
 /// three points of a ring that has them.
 Ring simplify(const Ring& ring, double tolerance_m);

@@ -51,6 +51,7 @@ std::string comments(const Tin& tin) {
     text += fmt::format("comment seamount region {} {} {} {}\n", region.parent,
                         region.height_m ? fmt::format("{}", *region.height_m) : "-", region.basin ? "basin" : "hill",
                         one_line(region.name));
+    if (region.peak_m) text += fmt::format("comment seamount peak {}\n", *region.peak_m);
     if (region.outline.empty()) continue;
     text += "comment seamount outline";
     for (const Vec2 p : region.outline) text += fmt::format(" {} {}", p.x, p.y);

@@ -54,6 +54,7 @@ Tin grown() {
   tin.regions[1].parent = 0;
   tin.regions[0].outline = {{0.1, 0}, {1e6, 1.0 / 3}, {1e6, 10}};
   tin.regions[1].basin = true;
+  tin.regions[1].peak_m = -3.5;
   tin.bed_m = {Tin::kNoBed, 1.25F, Tin::kNoBed, 0.1F};
   tin.region = {0, 1, 0, -1};
   tin.rank = {0.1F, 0.375F, 0.625F, 0.0F};

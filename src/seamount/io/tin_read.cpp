@@ -124,6 +124,14 @@ void read_region(std::istringstream& words, const std::string& name, Tin& tin) {
   tin.regions.push_back(std::move(region));
 }
 
+void read_peak(std::istringstream& words, const std::string& name, Tin& tin) {
+  double peak = 0.0;
+  words >> peak;
+  if (tin.regions.empty() || !words || !std::isfinite(peak))
+    throw IoError(name, "has a damaged comment 'seamount peak'");
+  tin.regions.back().peak_m = peak;
+}
+
 void read_outline(std::istringstream& words, const std::string& name, Tin& tin) {
   Ring outline;
   for (Vec2 p; words >> p.x >> p.y;) outline.push_back(p);
@@ -142,6 +150,7 @@ void read_comment(std::istringstream& words, Header& header, const std::string& 
   if (kind == "crs") std::getline(words >> std::ws, tin.frame.crs);
   if (kind == "no") header.no_heights = true;
   if (kind == "region") read_region(words, name, tin);
+  if (kind == "peak") read_peak(words, name, tin);
   if (kind == "outline") read_outline(words, name, tin);
 }
 

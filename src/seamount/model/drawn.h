@@ -76,6 +76,7 @@ struct RegionOutline {
   Ring ring;                       ///< simple, in either direction; a repeated first point at the end is let go
   std::optional<double> height_m;  ///< of the outline; absent: what the distribution of heights gives
   bool basin = false;              ///< its inside lies lower than its outline
+  std::optional<double> peak_m;    ///< of its summit, where no hill stands in it; of a basin's deepest place
   bool operator==(const RegionOutline&) const = default;
 };
 

@@ -20,7 +20,8 @@ struct TinRegion {
   int parent = -1;                 ///< the region around it; -1: the world outside all regions
   Ring outline;                    ///< counter-clockwise; empty where it is not known
   std::optional<double> height_m;  ///< of its outline, where its author gave one
-  bool basin = false;  ///< its inside lies lower than its outline: an endorheic region that the author wants
+  bool basin = false;            ///< its inside lies lower than its outline: an endorheic region that the author wants
+  std::optional<double> peak_m;  ///< of its summit or, a basin, its deepest place, where its author gave one
   bool operator==(const TinRegion&) const = default;
 };
 

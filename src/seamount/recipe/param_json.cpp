@@ -161,9 +161,9 @@ void read_json(const Json& json, Polygon& value, const ReadPlace& place) {
 void read_json(const Json& json, RegionOutline& value, const ReadPlace& place) {
   if (json.is_array()) return read_json(json, value.ring, place);
   if (!json.is_object()) {
-    return place.expected(R"(a ring [[x, y], ...] or {"name", "ring", "height_m", "basin"})", json);
+    return place.expected(R"(a ring [[x, y], ...] or {"name", "ring", "height_m", "basin", "peak_m"})", json);
   }
-  refuse_unknown_keys(json, {"name", "ring", "height_m", "basin"}, "member", place);
+  refuse_unknown_keys(json, {"name", "ring", "height_m", "basin", "peak_m"}, "member", place);
   if (json.contains("name")) read_json(json["name"], value.name, place.at("name"));
   if (json.contains("ring")) {
     read_json(json["ring"], value.ring, place.at("ring"));
@@ -172,6 +172,7 @@ void read_json(const Json& json, RegionOutline& value, const ReadPlace& place) {
   }
   if (json.contains("height_m")) read_json(json["height_m"], value.height_m, place.at("height_m"));
   if (json.contains("basin")) read_json(json["basin"], value.basin, place.at("basin"));
+  if (json.contains("peak_m")) read_json(json["peak_m"], value.peak_m, place.at("peak_m"));
 }
 
 void read_json(const Json& json, RiverLine& value, const ReadPlace& place) {
@@ -229,7 +230,8 @@ Json write_json(const RegionOutline& value) {
   return {{"name", value.name},
           {"ring", write_json(value.ring)},
           {"height_m", write_json(value.height_m)},
-          {"basin", value.basin}};
+          {"basin", value.basin},
+          {"peak_m", write_json(value.peak_m)}};
 }
 
 Json write_json(const RiverLine& value) {
@@ -320,7 +322,8 @@ Json param_schema(const ParamInfo& info) {
                         {{"name", {{"type", "string"}}},
                          {"ring", pairs},
                          {"height_m", {{"type", {"number", "null"}}}},
-                         {"basin", {{"type", "boolean"}}}}},
+                         {"basin", {{"type", "boolean"}}},
+                         {"peak_m", {{"type", {"number", "null"}}}}}},
                        {"required", {"ring"}},
                        {"additionalProperties", false}};
   const Json width = {{"type", "number"}, {"minimum", 0}};

@@ -137,6 +137,8 @@ void write_tin(Writer& writer, const Tin& tin) {
     writer.plain(static_cast<uint8_t>(region.height_m.has_value()));
     writer.plain(region.height_m.value_or(0.0));
     writer.plain(static_cast<uint8_t>(region.basin));
+    writer.plain(static_cast<uint8_t>(region.peak_m.has_value()));
+    writer.plain(region.peak_m.value_or(0.0));
   }
   writer.list(tin.region);
   writer.list(tin.rank);
@@ -158,6 +160,9 @@ Tin read_tin(Reader& reader) {
     const auto height = reader.plain<double>();
     if (has_height) region.height_m = height;
     region.basin = reader.plain<uint8_t>() != 0;
+    const bool has_peak = reader.plain<uint8_t>() != 0;
+    const auto peak = reader.plain<double>();
+    if (has_peak) region.peak_m = peak;
   }
   tin.region = reader.list<int32_t>();
   tin.rank = reader.list<float>();

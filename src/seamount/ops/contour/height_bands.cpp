@@ -63,6 +63,11 @@ class Planner {
 
   void check_range(const TinRegion& region) const {
     const double height = *region.height_m;
+    if (region.peak_m && !region.basin && *region.peak_m > distribution_.high_m()) {
+      throw InvalidArgument("max_m",
+                            fmt::format("the peak of '{}' lies at {} m, above {} m; raise max_m to it", region.name,
+                                        format_number(*region.peak_m), format_number(distribution_.high_m())));
+    }
     const bool fits = height >= distribution_.low_m() &&
                       (region.basin ? height <= distribution_.high_m() : height < distribution_.high_m());
     if (fits) return;
@@ -174,6 +179,7 @@ class Planner {
     band.from_m = heights.at(band.level);
     band.to_m = heights.at(band.level + 1);
     band.outline_m = heights.at(outline_key(i));
+    set_peak(i);
     if (regions_[i].basin) return;
     std::optional<double> highest;
     bool plain = false;
@@ -189,6 +195,24 @@ class Planner {
       }
     }
     if (highest) band.to_m = plain ? std::max(band.to_m, *highest) : *highest;
+  }
+
+  /// A peak of its own, for a summit or a basin's floor.
+  void set_peak(size_t i) {
+    const TinRegion& region = regions_[i];
+    RegionBand& band = bands_[i];
+    const bool floor = region.basin && std::none_of(children_[i].begin(), children_[i].end(),
+                                                    [&](size_t child) { return regions_[child].basin; });
+    if (!region.peak_m || !(region.basin ? floor : band.summit)) return;
+    double& end = region.basin ? band.from_m : band.to_m;
+    if (region.basin ? *region.peak_m >= band.to_m : *region.peak_m <= band.from_m) {
+      throw InvalidArgument("tin", fmt::format("the peak of '{}' at {} m is not {} than its outline, which the "
+                                               "distribution puts at {} m; give the outline a height",
+                                               region.name, format_number(*region.peak_m),
+                                               region.basin ? "lower" : "higher", format_number(band.outline_m)));
+    }
+    band.alone = band.alone || end != *region.peak_m;
+    end = *region.peak_m;
   }
 
   const std::vector<TinRegion>& regions_;

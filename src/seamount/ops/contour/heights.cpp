@@ -70,6 +70,7 @@ HeightDistribution make_distribution(const Tin& tin, const HeightField* terrain,
     }
     if (params.min_m) high = std::max(high, *params.min_m);
     high += std::max(kRelief * land_width(tin), 1.0);
+    for (const TinRegion& region : tin.regions) high = std::max(high, region.peak_m.value_or(high));
   }
   low = params.min_m.value_or(low);
   high = params.max_m.value_or(high);

@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "seamount/base/error.h"
-#include "seamount/geom/node_graph.h"
 #include "seamount/geom/polygon.h"
 #include "seamount/ops/contour/grow.h"
+#include "seamount/ops/contour/test_network.h"
 
 namespace seamount::contour {
 namespace {
@@ -19,8 +19,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 const GridFrame kDomain = GridFrame::centred(100, 80, 10);
-
-size_t at(int32_t i) { return static_cast<size_t>(i); }
 
 Ring blob(double radius, Vec2 centre = {}, double wobble = 0.1, double phase = 0.0) {
   Ring ring;
@@ -45,50 +43,6 @@ std::string message(const Tin& tin, const HeightsParams& params, const HeightFie
     return error.what();
   }
   return "";
-}
-
-/// Nodes in regions that are no basins, without lower neighbour, in the domain.
-int endorheic(const Tin& tin) {
-  const geom::NodeGraph graph = geom::make_node_graph(tin.triangles, tin.nodes.size());
-  int count = 0;
-  for (size_t i = 0; i < tin.nodes.size(); ++i) {
-    const Vec2 p = tin.nodes[i];
-    const GridFrame& f = tin.frame;
-    if (p.x < f.west_m || p.x > f.east_m() || p.y < f.south_m() || p.y > f.north_m) continue;
-    if (tin.region[i] < 0 || tin.regions[at(tin.region[i])].basin) continue;
-    const auto around = graph.around(i);
-    count +=
-        std::none_of(around.begin(), around.end(), [&](int32_t n) { return tin.height_m[at(n)] < tin.height_m[i]; });
-  }
-  return count;
-}
-
-/// Is region r the one inside `outline`, or in it?
-bool within(const Tin& tin, int32_t r, int32_t outline) {
-  while (r >= 0 && r != outline) r = tin.regions[at(r)].parent;
-  return r == outline;
-}
-
-/// Nodes on the wrong side of an outline's height among those beside it.
-int dishonoured(const Tin& tin) {
-  int count = 0;
-  for (const auto& t : tin.triangles) {
-    for (size_t k = 0; k < 3; ++k) {
-      const size_t a = at(t[k]);
-      const size_t b = at(t[(k + 1) % 3]);
-      for (size_t r = 0; r < tin.regions.size(); ++r) {
-        const TinRegion& region = tin.regions[r];
-        const auto outline = static_cast<int32_t>(r);
-        if (!region.height_m || within(tin, tin.region[a], outline) == within(tin, tin.region[b], outline)) continue;
-        const bool a_in = within(tin, tin.region[a], outline);
-        const auto in = static_cast<double>(tin.height_m[a_in ? a : b]);
-        const auto out = static_cast<double>(tin.height_m[a_in ? b : a]);
-        const double h = *region.height_m;
-        count += region.basin ? (in > h || out < h) : (in < h || out > h);
-      }
-    }
-  }
-  return count;
 }
 
 /// Largest difference of the two distribution functions.
@@ -282,6 +236,29 @@ TEST(Heights, BasinsLieBelowTheirOutlines) {
     low = std::min(low, made.height_m[i]);
   }
   EXPECT_NEAR(low, 220, 5);
+}
+
+TEST(Heights, PeaksAreReachedAndNoMore) {
+  const Tin tin = grown({{"isle", blob(380), 0.0, false, {}},
+                         {"high", blob(100, {-170, 0}), 200.0, false, 520.0},
+                         {"low", blob(100, {170, 0}), 200.0, false, 260.0},
+                         {"pit", blob(40, {170, 0}), 240.0, true, 190.0}});
+  HeightsParams params;
+  params.max_m = 600;
+  const Tin made = heights(tin, nullptr, params, {});
+  std::vector<float> top(4, -1e9F);
+  float deepest = 1e9F;
+  for (size_t i = 0; i < made.nodes.size(); ++i) {
+    if (made.region[i] < 0) continue;
+    top[at(made.region[i])] = std::max(top[at(made.region[i])], made.height_m[i]);
+    if (made.region[i] == 3) deepest = std::min(deepest, made.height_m[i]);
+  }
+  EXPECT_NEAR(top[1], 520, 8);
+  EXPECT_NEAR(top[2], 260, 8);
+  EXPECT_NEAR(deepest, 190, 3);
+  EXPECT_EQ(dishonoured(made), 0);
+  params.max_m = 500;
+  EXPECT_THAT(message(tin, params), HasSubstr("the peak of 'high' lies at 520 m"));
 }
 
 TEST(Heights, TheSeaFallsFromTheCoast) {

@@ -38,10 +38,17 @@ void check_alone(const GrowthRegion& region, const std::string& field) {
     }
     throw InvalidArgument(field, quoted(region) + ": " + *defect);
   }
-  if (region.height_m && !(std::abs(*region.height_m) <= kHighest)) {
-    throw InvalidArgument(field, fmt::format("{}: height {} m is outside {}", quoted(region),
-                                             format_number(*region.height_m), format_range(-kHighest, kHighest)));
+  for (const auto& [what, height] : {std::pair{"height", region.height_m}, {"peak", region.peak_m}}) {
+    if (height && !(std::abs(*height) <= kHighest)) {
+      throw InvalidArgument(field, fmt::format("{}: {} {} m is outside {}", quoted(region), what,
+                                               format_number(*height), format_range(-kHighest, kHighest)));
+    }
   }
+  if (!region.height_m || !region.peak_m) return;
+  if (region.basin ? *region.peak_m < *region.height_m : *region.peak_m > *region.height_m) return;
+  throw InvalidArgument(field, fmt::format("{}: its peak at {} m is not {} than its outline at {} m", quoted(region),
+                                           format_number(*region.peak_m), region.basin ? "lower" : "higher",
+                                           format_number(*region.height_m)));
 }
 
 std::vector<Contour> outlines_of(const std::vector<GrowthRegion>& regions) {
@@ -150,7 +157,7 @@ RegionTree regions_from_outlines(const std::vector<RegionOutline>& outlines, con
   std::vector<GrowthRegion> regions;
   regions.reserve(outlines.size());
   for (const RegionOutline& drawn : outlines) {
-    regions.push_back({drawn.name, drawn.ring, -1, drawn.height_m, drawn.basin});
+    regions.push_back({drawn.name, drawn.ring, -1, drawn.height_m, drawn.basin, drawn.peak_m});
   }
   return nest_regions(std::move(regions), domain, field);
 }
@@ -212,7 +219,8 @@ RegionTree regions_from_contours(const ContourSet& set, const GridFrame& domain,
 
 std::vector<TinRegion> tin_regions(const RegionTree& tree) {
   std::vector<TinRegion> regions;
-  for (const GrowthRegion& r : tree.regions) regions.push_back({r.name, r.parent, r.outline, r.height_m, r.basin});
+  for (const GrowthRegion& r : tree.regions)
+    regions.push_back({r.name, r.parent, r.outline, r.height_m, r.basin, r.peak_m});
   return regions;
 }
 
@@ -220,7 +228,7 @@ RegionTree regions_of(const Tin& tin) {
   RegionTree tree;
   for (const TinRegion& r : tin.regions) {
     if (r.outline.empty()) throw IncompatibleInputs("tin: region '" + r.name + "' has no outline");
-    tree.regions.push_back({r.name, r.outline, r.parent, r.height_m, r.basin});
+    tree.regions.push_back({r.name, r.outline, r.parent, r.height_m, r.basin, r.peak_m});
   }
   if (tree.regions.empty()) throw IncompatibleInputs("tin: it has no regions; make it with contour.grow");
   return tree;

@@ -27,12 +27,13 @@ struct GrowthRegion {
   int parent = -1;                 ///< the region around it; -1: the world outside
   std::optional<double> height_m;  ///< of the outline, where known
   bool basin = false;              ///< the ground falls from the outline inwards
+  std::optional<double> peak_m;    ///< of the summit, where no hill stands in it; of a basin's deepest place
   bool operator==(const GrowthRegion&) const = default;
 };
 
 /// Parents stand before children; outlines neither cross nor touch, so siblings are disjoint; each meets the domain.
 /// Heights ascend from a hill's outline to those of the hills in it, and descend from a basin's to those of the basins
-/// in it.
+/// in it; peaks lie beyond their outlines.
 struct RegionTree {
   std::vector<GrowthRegion> regions;
   bool operator==(const RegionTree&) const = default;

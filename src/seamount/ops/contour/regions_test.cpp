@@ -90,6 +90,8 @@ TEST(Regions, MessagesNameRegionsAndPlaces) {
   EXPECT_THAT(message({{"low", square(100), 300.0, false}, {"high", square(50), 200.0, false}}),
               AllOf(HasSubstr("'high' at 200 m"), HasSubstr("not higher than 'low' at 300 m"), HasSubstr("basin")));
   EXPECT_THAT(message({{"a", square(10), std::nan(""), false}}), HasSubstr("is outside [-20000, 20000]"));
+  EXPECT_THAT(message({{"a", square(100), 300.0, false, 250.0}}),
+              HasSubstr("its peak at 250 m is not higher than its outline at 300 m"));
   EXPECT_EQ(message({{"rim", square(100), 300.0, false}, {"floor", square(50), 200.0, true}}), "");
   EXPECT_THAT(
       message({{"land", square(200), 0.0, false}, {"a", square(100), 300.0, true}, {"b", square(50), 300.0, true}}),
