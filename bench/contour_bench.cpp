@@ -1,4 +1,5 @@
-// Iso-contours: growth on networks of several sizes, one and six regions, and sampling and triangulation.
+// Iso-contours: growth on networks of several sizes, one and six regions, sampling and triangulation, and all from
+// outline to contours.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -8,8 +9,10 @@
 #include "seamount/geom/delaunay.h"
 #include "seamount/geom/noise.h"
 #include "seamount/geom/poisson_disc.h"
+#include "seamount/ops/contour/extract.h"
 #include "seamount/ops/contour/grow.h"
 #include "seamount/ops/contour/growth.h"
+#include "seamount/ops/contour/heights.h"
 #include "seamount/ops/contour/probability.h"
 
 namespace {
@@ -80,6 +83,24 @@ void growth_scaling(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 
+/// A land of that many particles from its outline to thirty contours.
+void pipeline(benchmark::State& state, int count) {
+  const contour::RegionTree land = one_region();
+  contour::ExtractParams thirty;
+  thirty.count = 30;
+  uint64_t seed = 0;
+  size_t points = 0;
+  for (auto _ : state) {
+    Tin tin = contour::grow(land, kFrame, nullptr, {}, particles(count), Seed{seed++}, {});
+    tin = contour::heights(std::move(tin), nullptr, {}, {});
+    const ContourSet set = contour::extract(tin, thirty, {});
+    points = 0;
+    for (const Contour& contour : set.contours) points += contour.ring.size();
+  }
+  state.counters["points"] = static_cast<double>(points);
+  state.SetItemsProcessed(state.iterations() * count);
+}
+
 void poisson_discs(benchmark::State& state) {
   const auto count = static_cast<double>(state.range(0));
   const double spacing = std::sqrt(geom::kDiscDensity / count) * 10000;
@@ -111,6 +132,7 @@ BENCHMARK_CAPTURE(growth, six, true, 50000)
     ->Name("contour/growth_regions/50k")
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+BENCHMARK_CAPTURE(pipeline, one, 500000)->Name("contour/pipeline/500k")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(growth_scaling)
     ->Name("contour/growth_scaling")
     ->RangeMultiplier(2)

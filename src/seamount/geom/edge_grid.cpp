@@ -96,4 +96,21 @@ void EdgeGrid::for_each_cell(const RingEdge& edge, Visit&& visit) const {
   }
 }
 
+double EdgeGrid::distance(Vec2 p, double most) const {
+  double nearest = most * most;
+  if (members_.empty()) return most;
+  const int left = cell_of(p.x - most - low_.x), right = cell_of(p.x + most - low_.x);
+  for (int y = cell_of(p.y - most - low_.y); y <= cell_of(p.y + most - low_.y); ++y) {
+    const size_t row = static_cast<size_t>(y) * static_cast<size_t>(side_);
+    for (size_t i = starts_[row + static_cast<size_t>(left)]; i < starts_[row + static_cast<size_t>(right) + 1]; ++i) {
+      const RingEdge& edge = edges_[members_[i]];
+      const Vec2 d = edge.b - edge.a;
+      const double t = std::clamp(dot(p - edge.a, d) / dot(d, d), 0.0, 1.0);
+      const Vec2 away = p - (edge.a + t * d);
+      nearest = std::min(nearest, dot(away, away));
+    }
+  }
+  return std::sqrt(nearest);
+}
+
 }  // namespace seamount::geom

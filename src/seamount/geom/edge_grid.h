@@ -61,6 +61,9 @@ class EdgeGrid {
     }
   }
 
+  /// Distance from p to the nearest edge, `most` if none is nearer. Looks at the cells within `most` of p.
+  double distance(Vec2 p, double most) const;
+
   /// The edge that a ray from p towards the west meets first, of those wanted(edge) allows. Edges hold their lower end
   /// and not their upper one, so a ray through a shared end meets one of the two, or both or none where it is a tip.
   template <class Wanted>

@@ -176,5 +176,29 @@ TEST(TraceContours, CloseWithinOneCellBeyondTheFrame) {
   }
 }
 
+TEST(TinBorder, NoPartsStayJoinedByANodeAlone) {
+  Tin tin = lattice_tin(9, 9, 10.0, Seed{3}, [](Vec2) { return 0.0; });
+  // A hole that touches the border at one node, and another one that touches the first.
+  std::erase_if(tin.triangles, [&](const auto& t) {
+    const auto column = [](int32_t node) { return node % 9; };
+    const auto row = [](int32_t node) { return node / 9; };
+    const auto within = [&](int low_x, int high_x, int low_y, int high_y) {
+      return std::all_of(t.begin(), t.end(), [&](int32_t n) {
+        return column(n) >= low_x && column(n) <= high_x && row(n) >= low_y && row(n) <= high_y;
+      });
+    };
+    return within(0, 1, 0, 1) || within(1, 3, 1, 3) || within(3, 5, 3, 5);
+  });
+  ASSERT_TRUE(find_tin_defect(tin).has_value());
+  const size_t before = tin.triangles.size();
+  open_pinches(tin);
+  EXPECT_FALSE(find_tin_defect(tin).has_value());
+  EXPECT_LT(tin.triangles.size(), before);
+  EXPECT_GT(tin.triangles.size(), before - 40);
+  const size_t after = tin.triangles.size();
+  open_pinches(tin);
+  EXPECT_EQ(tin.triangles.size(), after);
+}
+
 }  // namespace
 }  // namespace seamount::geom

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "seamount/base/rng.h"
@@ -81,6 +82,71 @@ std::vector<std::vector<int32_t>> border_rings(const Tin& tin) {
     if (ring.size() >= 3) rings.push_back(std::move(ring));
   }
   return rings;
+}
+
+namespace {
+
+/// Nodes that the border passes more than once, ascending.
+std::vector<int32_t> pinched_nodes(const Tin& tin) {
+  std::vector<int32_t> passed;
+  for (const std::vector<int32_t>& ring : border_rings(tin)) passed.insert(passed.end(), ring.begin(), ring.end());
+  std::sort(passed.begin(), passed.end());
+  std::vector<int32_t> pinched;
+  for (size_t i = 1; i < passed.size(); ++i) {
+    if (passed[i] == passed[i - 1] && (pinched.empty() || pinched.back() != passed[i])) pinched.push_back(passed[i]);
+  }
+  return pinched;
+}
+
+/// Of the triangles about a node, those that no chain of shared edges joins to the largest such chain.
+std::vector<size_t> smaller_fans(const Tin& tin, int32_t node, const std::vector<size_t>& about) {
+  std::vector<size_t> fan(about.size());  // the first triangle of each one's chain
+  std::iota(fan.begin(), fan.end(), size_t{0});
+  const auto others = [&](size_t t) {
+    const std::array<int32_t, 3>& corners = tin.triangles[about[t]];
+    const size_t k = static_cast<size_t>(std::find(corners.begin(), corners.end(), node) - corners.begin());
+    return Edge{corners[(k + 1) % 3], corners[(k + 2) % 3]};
+  };
+  for (size_t a = 0; a < about.size(); ++a) {
+    for (size_t b = 0; b < about.size(); ++b) {
+      if (others(a).second != others(b).first || fan[a] == fan[b]) continue;
+      const size_t low = std::min(fan[a], fan[b]), high = std::max(fan[a], fan[b]);
+      std::replace(fan.begin(), fan.end(), high, low);
+    }
+  }
+  size_t best = 0;
+  for (const size_t f : fan) {
+    if (std::count(fan.begin(), fan.end(), f) > std::count(fan.begin(), fan.end(), best)) best = f;
+  }
+  std::vector<size_t> rest;
+  for (size_t t = 0; t < about.size(); ++t) {
+    if (fan[t] != best) rest.push_back(about[t]);
+  }
+  return rest;
+}
+
+}  // namespace
+
+void open_pinches(Tin& tin) {
+  for (std::vector<int32_t> pinched = pinched_nodes(tin); !pinched.empty(); pinched = pinched_nodes(tin)) {
+    std::vector<std::vector<size_t>> about(pinched.size());
+    for (size_t i = 0; i < tin.triangles.size(); ++i) {
+      for (const int32_t node : tin.triangles[i]) {
+        const auto found = std::lower_bound(pinched.begin(), pinched.end(), node);
+        if (found != pinched.end() && *found == node) about[static_cast<size_t>(found - pinched.begin())].push_back(i);
+      }
+    }
+    std::vector<char> gone(tin.triangles.size(), 0);
+    for (size_t p = 0; p < pinched.size(); ++p) {
+      for (const size_t i : smaller_fans(tin, pinched[p], about[p])) gone[i] = 1;
+    }
+    size_t kept = 0;
+    for (size_t i = 0; i < gone.size(); ++i) {
+      if (gone[i] == 0) tin.triangles[kept++] = tin.triangles[i];
+    }
+    if (kept == gone.size()) return;
+    tin.triangles.resize(kept);
+  }
 }
 
 }  // namespace seamount::geom

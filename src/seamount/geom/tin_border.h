@@ -14,4 +14,8 @@ namespace seamount::geom {
 /// the border's length.
 std::vector<std::vector<int32_t>> border_rings(const Tin& tin);
 
+/// Takes out triangles until the network is nowhere joined by a node alone: of the parts that meet there the one of the
+/// most triangles about the node stays. Linear, where few nodes are such.
+void open_pinches(Tin& tin);
+
 }  // namespace seamount::geom

@@ -4,20 +4,13 @@
 #include <cmath>
 
 #include "seamount/base/parallel.h"
+#include "seamount/geom/edge_grid.h"
 #include "seamount/ops/contour/height_nodes.h"
 
 namespace seamount::contour {
 namespace {
 
 size_t at(int32_t i) { return static_cast<size_t>(i); }
-
-double squared_distance(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double squared = dot(d, d);
-  const double t = squared > 0.0 ? std::clamp(dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
-  const Vec2 away = p - (a + t * d);
-  return dot(away, away);
-}
 
 double longest_side(const Tin& tin, const geom::NodeGraph& graph, size_t node) {
   double longest = 0.0;
@@ -52,14 +45,13 @@ class OutlineFit {
   }
 
   void measure(const Ring& outline, const RunContext& run) {
+    std::vector<geom::RingEdge> edges;
+    geom::add_ring_edges(outline, 0, edges);
+    const geom::EdgeGrid grid(edges);
     parallel_blocks(run, static_cast<int64_t>(beside_.size()), 64, [&](int64_t begin, int64_t end) {
       for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
         Beside& b = beside_[i];
-        double nearest = squared_distance(tin_.nodes[b.node], outline.back(), outline.front());
-        for (size_t k = 1; k < outline.size(); ++k) {
-          nearest = std::min(nearest, squared_distance(tin_.nodes[b.node], outline[k - 1], outline[k]));
-        }
-        b.distance = std::min(std::sqrt(nearest), longest_side(tin_, graph_, b.node));
+        b.distance = grid.distance(tin_.nodes[b.node], longest_side(tin_, graph_, b.node));
         b.run *= b.distance;
       }
     });
