@@ -60,8 +60,8 @@ GridFrame example_domain() { return GridFrame::centred(96, 80, 100); }
 
 /// Optional inputs of which an operator needs one.
 const std::map<std::string, std::string>& needed_inputs() {
-  static const std::map<std::string, std::string> needed = {{"contour.extract", "terrain"},
-                                                            {"contour.reconstruct", "contours"}};
+  static const std::map<std::string, std::string> needed = {
+      {"contour.extract", "terrain"}, {"contour.refine", "tin"}, {"contour.reconstruct", "contours"}};
   return needed;
 }
 

@@ -12,6 +12,7 @@
 #include "seamount/geom/noise.h"
 #include "seamount/geom/poisson_disc.h"
 #include "seamount/geom/polygon.h"
+#include "seamount/geom/tin_border.h"
 #include "seamount/ops/contour/growth.h"
 #include "seamount/ops/contour/probability.h"
 #include "seamount/ops/contour/rivers.h"
@@ -26,27 +27,6 @@ geom::Box box_of(const GridFrame& frame, double margin_m) {
   return {{frame.west_m - margin_m, frame.south_m() - margin_m}, {frame.east_m() + margin_m, frame.north_m + margin_m}};
 }
 
-/// What lies on the inner side of one side of a box (Sutherland and Hodgman 1974). Parts may be joined along that side,
-/// which leaves areas right.
-template <class Inside>
-Ring clip_side(const Ring& ring, Inside&& distance) {
-  Ring clipped;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
-    const double da = distance(a), db = distance(b);
-    if (da >= 0.0) clipped.push_back(a);
-    if ((da >= 0.0) != (db >= 0.0)) clipped.push_back(a + da / (da - db) * (b - a));
-  }
-  return clipped;
-}
-
-Ring clip(Ring ring, const geom::Box& box) {
-  ring = clip_side(ring, [&](Vec2 p) { return p.x - box.low.x; });
-  ring = clip_side(ring, [&](Vec2 p) { return box.high.x - p.x; });
-  ring = clip_side(ring, [&](Vec2 p) { return p.y - box.low.y; });
-  return clip_side(ring, [&](Vec2 p) { return box.high.y - p.y; });
-}
-
 struct Measures {
   double area = 0.0;       ///< of the regions in the domain, m^2
   double perimeter = 0.0;  ///< of the outermost outlines in the domain, m
@@ -57,7 +37,7 @@ Measures measure(const RegionTree& tree, const GridFrame& domain) {
   Measures all;
   for (const GrowthRegion& region : tree.regions) {
     if (region.parent >= 0) continue;
-    const Ring ring = clip(region.outline, box_of(domain, 0.0));
+    const Ring ring = geom::clip_to_box(region.outline, box_of(domain, 0.0));
     all.area += std::abs(geom::signed_area(ring));
     all.perimeter += geom::ring_length(ring);
     const geom::Box box = geom::bounding_box(ring);
@@ -118,7 +98,7 @@ std::vector<int32_t> regions_of_nodes(const RegionTree& tree, const GridFrame& d
 /// the largest, and at least area / border; 0 if the region is all outside.
 double disc_in(const RegionTree& tree, size_t region, const GridFrame& domain, const RunContext& run) {
   constexpr int kCells = 100;
-  Polygon polygon{clip(tree.regions[region].outline, box_of(domain, 0.0)), {}};
+  Polygon polygon{geom::clip_to_box(tree.regions[region].outline, box_of(domain, 0.0)), {}};
   const geom::Box box = geom::bounding_box(polygon.outer);
   for (const GrowthRegion& child : tree.regions) {
     if (child.parent == static_cast<int>(region)) polygon.holes.push_back(child.outline);
@@ -168,14 +148,17 @@ std::vector<geom::Triangle> triangulate(const std::vector<geom::LatticePoint>& p
 
 }  // namespace
 
+void check_spacing(const RegionTree& tree, const GridFrame& domain, double spacing_m) {
+  check_size(measure(tree, domain), spacing_m);
+}
+
 double node_spacing(const RegionTree& tree, const GridFrame& domain, const GrowParams& params) {
   if (params.spacing_m) return *params.spacing_m;
   return std::sqrt(geom::kDiscDensity * measure(tree, domain).area / params.particles);
 }
 
-Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
-         const GrowParams& params, Seed seed, const RunContext& run) {
-  check_params(params);
+Tin strew_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<RiverLine> rivers,
+                const GrowParams& params, Seed seed, const RunContext& run) {
   const Measures all = measure(tree, domain);
   if (!(all.area > 0.0)) throw InvalidArgument("outlines", "no region has an area inside the domain");
   const double spacing = node_spacing(tree, domain, params);
@@ -187,33 +170,42 @@ Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* pro
   }
   const double margin = kWidening * spacing;
   const geom::Box box = {all.box.low - Vec2{margin, margin}, all.box.high + Vec2{margin, margin}};
-  geom::DiscSampling discs =
-      geom::poisson_discs(areas, margin, box, spacing, seed.derive("nodes"), run.part(0.0, 0.35));
+  geom::DiscSampling discs = geom::poisson_discs(areas, margin, box, spacing, seed.derive("nodes"), run.part(0.0, 0.5));
   rivers.insert(rivers.end(), params.rivers.begin(), params.rivers.end());
   const std::vector<River> courses = prepare_rivers(rivers, tree, domain, kRiverStep * spacing, "rivers");
-  std::vector<float> beds = lay_rivers(courses, tree, domain, spacing, discs);
   Tin tin;
+  tin.bed_m = lay_rivers(courses, tree, domain, spacing, discs);
   tin.frame = domain;
   tin.regions = tin_regions(tree);
-  tin.triangles = triangulate(discs.points, !beds.empty(), run.part(0.35, 0.65));
+  tin.triangles = triangulate(discs.points, !tin.bed_m.empty(), run.part(0.5, 0.9));
   tin.nodes.reserve(discs.points.size());
   for (const geom::LatticePoint p : discs.points) tin.nodes.push_back(discs.lattice.place(p));
-  tin.region = regions_of_nodes(tree, domain, spacing, tin.nodes, run.part(0.65, 0.7));
-  check_regions(tree, domain, spacing, tin.region, run.part(0.7, 0.7));
+  geom::open_pinches(tin);
+  tin.region = regions_of_nodes(tree, domain, spacing, tin.nodes, run.part(0.9, 1.0));
+  return tin;
+}
 
+void grow_nodes(Tin& tin, const ScalarField* probability, const GrowParams& params, Seed seed, const RunContext& run) {
   std::vector<float> chance(tin.nodes.size(), 0.5F);
   if (probability != nullptr) {
-    chance = field_probability(tin.nodes, *probability, params.exponent, run.part(0.7, 0.75));
+    chance = field_probability(tin.nodes, *probability, params.exponent, run.part(0.0, 0.2));
   } else if (params.probability == ProbabilityKind::noise) {
     geom::Fbm shape;
-    shape.wavelength_m = params.feature_m.value_or(std::sqrt(all.area) / 3.0);
+    shape.wavelength_m = params.feature_m.value_or(std::sqrt(measure(regions_of(tin), tin.frame).area) / 3.0);
     shape.octaves = params.octaves;
-    chance = noise_probability(tin.nodes, shape, params.exponent, seed.derive("probability"), run.part(0.7, 0.75));
+    chance = noise_probability(tin.nodes, shape, params.exponent, seed.derive("probability"), run.part(0.0, 0.2));
   }
-  tin.bed_m = std::move(beds);
   const RiverNodes river_nodes = keep_river_nodes(tin);
   tin.rank = grow_ranks(tin.triangles, tin.region, tin.regions, chance, river_nodes, seed.derive("growth"),
-                        run.part(0.75, 1.0));
+                        run.part(0.2, 1.0));
+}
+
+Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
+         const GrowParams& params, Seed seed, const RunContext& run) {
+  check_params(params);
+  Tin tin = strew_nodes(tree, domain, std::move(rivers), params, seed, run.part(0.0, 0.7));
+  check_regions(tree, domain, node_spacing(tree, domain, params), tin.region, run);
+  grow_nodes(tin, probability, params, seed, run.part(0.7, 1.0));
   return tin;
 }
 

@@ -87,6 +87,17 @@ struct GrowParams {
 Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
          const GrowParams& params, Seed seed, const RunContext& run);
 
+// Its two halves, for networks whose regions are not a person's own (refine.h). Params are not checked.
+
+/// Nodes, triangles, beds and the region of each node; regions may be without nodes.
+Tin strew_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<RiverLine> rivers,
+                const GrowParams& params, Seed seed, const RunContext& run);
+/// Ranks for them.
+void grow_nodes(Tin& tin, const ScalarField* probability, const GrowParams& params, Seed seed, const RunContext& run);
+
+/// Throws InvalidArgument{"spacing_m"} for more than kMostNodes nodes.
+void check_spacing(const RegionTree& tree, const GridFrame& domain, double spacing_m);
+
 /// Spacing that gives params.particles or is given. Metres. REQUIRES: a region in the domain.
 double node_spacing(const RegionTree& tree, const GridFrame& domain, const GrowParams& params);
 

@@ -9,6 +9,7 @@
 #include "seamount/ops/contour/heights.h"
 #include "seamount/ops/contour/pattern.h"
 #include "seamount/ops/contour/probability.h"
+#include "seamount/ops/contour/refine.h"
 #include "seamount/ops/contour/rivers.h"
 #include "seamount/recipe/registry.h"
 
@@ -75,6 +76,19 @@ Values heights(const contour::HeightsParams& params, const Call& call) {
                                               terrain == nullptr ? nullptr : &terrain->heights(), params, call.run))}};
 }
 
+Values refine(const contour::RefineParams& params, const Call& call) {
+  const Value* tin = call.input("tin");
+  const Value* contours = call.input("contours");
+  if ((tin == nullptr) == (contours == nullptr))
+    throw IncompatibleInputs(std::string("connect either 'tin' or 'contours'") +
+                             (tin == nullptr ? "; neither is" : ", not both"));
+  contour::RefineInputs inputs{call.scalars("probability"), {}};
+  if (const Drawing* rivers = call.shapes("rivers")) inputs.rivers = contour::river_lines(*rivers);
+  return {{"tin",
+           Value::tin(tin != nullptr ? contour::refine(tin->network(), inputs, params, call.seed, call.run)
+                                     : contour::refine(contours->contour_set(), inputs, params, call.seed, call.run))}};
+}
+
 Values edit(const contour::EditParams& params, const Call& call) {
   const auto read_file = [&call](const FilePath& file) { return io::read_drawing(call.resolve(file)); };
   const contour::PatternSource patterns{call.shapes("pattern"), read_file};
@@ -111,6 +125,19 @@ void add_contour_operators(Registry& registry) {
               {"terrain", ValueKind::terrain, "measured for its distribution of heights", false}},
        .out = {{"tin", ValueKind::tin, "the same network with a height per node"}}},
       heights);
+  registry.add<contour::RefineParams>(
+      {.name = "contour.refine",
+       .summary = "Makes a network finer pass by pass, between its own contours, which keep their places and heights",
+       .source = "P2 sec. 6.6",
+       .stochastic = true,
+       .in = {{"tin", ValueKind::tin, "a network with heights", false},
+              {"contours", ValueKind::contours, "or nested closed contours", false},
+              {"probability", ValueKind::field, "in [0, 1]: where it is high growth runs ahead and cuts valleys",
+               false},
+              {"rivers", ValueKind::drawing, "lines from source to mouth, with their beds and widths as numbers",
+               false}},
+       .out = {{"tin", ValueKind::tin, "a finer network with heights, whose regions are the contours that were held"}}},
+      refine);
   registry.add<contour::EditParams>(
       {.name = "contour.edit",
        .summary = "Edits contours by a list of tools that can be replayed; they never come to cross",
