@@ -70,12 +70,21 @@ void convert(const ChoreFlags& flags) {
   run_and_report(recipe, out.has_parent_path() ? out.parent_path().string() : ".", flags);
 }
 
-/// A picture of a terrain file.
+/// How a file is drawn: a map of contours has a form of its own.
+std::string picture_of(const ChoreFlags& flags) {
+  if (!is_drawing(flags.in)) return flags.as.empty() ? "perspective" : flags.as;
+  if (flags.as.empty() || flags.as == "map" || flags.as == "contours") return "contours";
+  throw InvalidArgument("--as", "'" + flags.as + "' draws terrains, " + flags.in +
+                                    " holds lines; draw them as contours, or make a terrain of them with "
+                                    "contour.reconstruct");
+}
+
+/// A picture of a terrain or of contours.
 void render(const ChoreFlags& flags) {
-  const std::string op = "render." + (flags.as.empty() ? std::string("perspective") : flags.as);
+  const std::string picture = picture_of(flags);
   Json step = {{"id", "picture"},
-               {"op", op},
-               {"in", {{"terrain", {{"file", absolute_file("file", flags.in)}}}}},
+               {"op", "render." + picture},
+               {"in", {{picture == "contours" ? "contours" : "terrain", {{"file", absolute_file("file", flags.in)}}}}},
                {"params", Json::object()}};
   if (!flags.labels.empty()) step["in"]["labels"] = {{"file", absolute_file("--labels", flags.labels)}};
   for (const std::string& assignment : flags.sets) set_member(step["params"], assignment);
@@ -128,10 +137,10 @@ void add_chore_commands(CLI::App& program, Work& work) {
   info_command->add_flag("--json", flags->json, "as JSON");
   info_command->callback([=, &work] { work = [=] { info(*flags); }; });
 
-  CLI::App* render_command = program.add_subcommand("render", "Draw a terrain file");
-  render_command->add_option("file", flags->in, "terrain file")->required();
+  CLI::App* render_command = program.add_subcommand("render", "Draw a terrain or contours");
+  render_command->add_option("file", flags->in, "file of a terrain or of contours")->required();
   render_command->add_option("--out", flags->out, "picture to write (.png)")->required();
-  render_command->add_option("--as", flags->as, "perspective (default), map, relief or texture");
+  render_command->add_option("--as", flags->as, "perspective (default), map, relief or texture; of contours: contours");
   render_command->add_option("--labels", flags->labels, "label map that goes with it");
   render_command->add_option("--set", flags->sets, "a parameter of the picture: NAME=VALUE")->allow_extra_args(false);
   add_run_flags(*render_command, *flags);

@@ -16,6 +16,7 @@
 #include "seamount/io/tiles.h"
 #include "seamount/io/tin_file.h"
 #include "seamount/io/vector.h"
+#include "seamount/ops/render/contours.h"
 #include "seamount/ops/render/map.h"
 #include "seamount/ops/render/perspective.h"
 #include "seamount/ops/render/relief.h"
@@ -320,6 +321,11 @@ std::vector<OutputFormat> make_formats() {
                        [](const NoParams&, const OutputCall& call) {
                          io::write_drawing(geom::to_lines(call.value.contour_set()), call.path);
                        }),
+      format<render::ContoursParams>({"contour_map", "contours as a topographic map", {".png"}, {".png"}, {contours}},
+                                     [](const render::ContoursParams& params, const OutputCall& call) {
+                                       io::write_png(render::contours(call.value.contour_set(), params, call.run),
+                                                     call.path);
+                                     }),
       format<NoParams>(
           {"report", "measured numbers: JSON, or a page with plots", {".html", ".json"}, {".html", ".json"}, {report}},
           [](const NoParams&, const OutputCall& call) { io::write_report(call.value.measured(), call.path); }),

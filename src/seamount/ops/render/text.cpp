@@ -90,12 +90,28 @@ double Font::width(std::string_view text, double size_px) const {
 void Font::draw(Image& image, double x, double y, double size_px, std::string_view text, Colour colour,
                 Anchor anchor) const {
   if (anchor != Anchor::left) x -= width(text, size_px) * (anchor == Anchor::middle ? 0.5 : 1.0);
+  write(image, {x, y}, {1.0, 0.0}, size_px, text, colour);
+}
+
+void Font::draw_along(Image& image, Vec2 middle, Vec2 along, double size_px, std::string_view text,
+                      Colour colour) const {
+  constexpr double kHalfDigit = 0.36;
+  const Vec2 down{-along.y, along.x};
+  const Vec2 start = middle - (0.5 * width(text, size_px)) * along + (kHalfDigit * size_px) * down;
+  write(image, start, along, size_px, text, colour);
+}
+
+void Font::write(Image& image, Vec2 start, Vec2 along, double size_px, std::string_view text, Colour colour) const {
+  const auto fixed = [](double value) { return static_cast<FT_Fixed>(std::lround(value * 65536.0)); };
+  const FT_Matrix turn{fixed(along.x), fixed(along.y), fixed(-along.y), fixed(along.x)};
   face_->walk(text, size_px, [&](double pen) {
     // Glyphs start at fractions of a pixel: the outline is moved before it is drawn.
-    const double left = x + pen, whole_x = std::floor(left), whole_y = std::floor(y);
+    const Vec2 at = start + pen * along;
+    const double whole_x = std::floor(at.x), whole_y = std::floor(at.y);
     FT_GlyphSlot slot = face_->face->glyph;
-    FT_Outline_Translate(&slot->outline, static_cast<FT_Pos>((left - whole_x) * 64.0),
-                         static_cast<FT_Pos>((whole_y - y) * 64.0));
+    if (!(along == Vec2{1.0, 0.0})) FT_Outline_Transform(&slot->outline, &turn);
+    FT_Outline_Translate(&slot->outline, static_cast<FT_Pos>((at.x - whole_x) * 64.0),
+                         static_cast<FT_Pos>((whole_y - at.y) * 64.0));
     if (FT_Render_Glyph(slot, FT_RENDER_MODE_NORMAL) != 0) return;
     const FT_Bitmap& bitmap = slot->bitmap;
     for (unsigned row = 0; row < bitmap.rows; ++row) {

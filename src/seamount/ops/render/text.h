@@ -4,6 +4,7 @@
 #include <memory>
 #include <string_view>
 
+#include "seamount/model/drawn.h"
 #include "seamount/model/image.h"
 
 namespace seamount::render {
@@ -26,7 +27,12 @@ class Font {
   void draw(Image& image, double x, double y, double size_px, std::string_view text, Colour colour,
             Anchor anchor = Anchor::left) const;
 
+  /// The same with its middle, half way up the digits, at a place, along a unit vector (y down, as pixels go).
+  void draw_along(Image& image, Vec2 middle, Vec2 along, double size_px, std::string_view text, Colour colour) const;
+
  private:
+  void write(Image& image, Vec2 start, Vec2 along, double size_px, std::string_view text, Colour colour) const;
+
   struct Face;
   std::unique_ptr<Face> face_;
 };

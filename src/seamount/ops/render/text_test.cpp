@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace seamount::render {
 namespace {
 
@@ -27,6 +29,22 @@ TEST(Text, InkLiesAroundTheAnchor) {
   }
   ASSERT_GT(sum, 0.0);
   EXPECT_NEAR(weighted / sum, 100.0, 0.6);
+}
+
+TEST(Text, AlongALineItIsTheSameTurned) {
+  const Font font;
+  Image level(80, 80, Colour{255, 255, 255}), upright = level;
+  font.draw_along(level, {40, 40}, {1, 0}, 16.0, "1250", {});
+  font.draw_along(upright, {40, 40}, {0, -1}, 16.0, "1250", {});
+  double ink = 0.0, off = 0.0;
+  for (int y = 0; y < 80; ++y) {
+    for (int x = 0; x < 80; ++x) {
+      ink += 255 - level.colour(x, y).r;
+      off += std::abs(level.colour(x, y).r - upright.colour(y, 79 - x).r);
+    }
+  }
+  EXPECT_GT(ink, 10000.0);
+  EXPECT_LT(off, 0.3 * ink) << "but for fractions of a pixel";
 }
 
 TEST(Text, BrokenUtf8AndTextBeyondThePictureAreHarmless) {

@@ -1,4 +1,5 @@
 // Registration of the render family.
+#include "seamount/ops/render/contours.h"
 #include "seamount/ops/render/map.h"
 #include "seamount/ops/render/perspective.h"
 #include "seamount/ops/render/relief.h"
@@ -42,6 +43,14 @@ void add_render_operators(Registry& registry) {
   registry.add<render::TextureParams>(
       {.name = "render.texture", .summary = "The ground from above, as a texture for meshes", .in = in, .out = out},
       picture<render::TextureParams, render::texture>);
+  registry.add<render::ContoursParams>(
+      {.name = "render.contours",
+       .summary = "Contours as a topographic map: lines with their heights, water, scale bar",
+       .in = {{"contours", ValueKind::contours, "nested closed contours"}},
+       .out = out},
+      [](const render::ContoursParams& params, const Call& call) -> Values {
+        return {{"image", Value::image(render::contours(call.in.at("contours").contour_set(), params, call.run))}};
+      });
 }
 
 }  // namespace seamount::recipe

@@ -1,0 +1,28 @@
+// Where a map of contours writes their heights: into straight stretches of the lines, apart from each other.
+#pragma once
+
+#include <vector>
+
+#include "seamount/model/drawn.h"
+
+namespace seamount::render {
+
+/// A line in pixels that may carry its height.
+struct LabelLine {
+  const Ring* ring;
+  double height_m;
+  double width;  ///< of its label
+};
+
+struct ContourLabel {
+  Vec2 at;
+  Vec2 along;  ///< unit vector; text reads from left to right
+  double height_m;
+  double width;
+};
+
+/// The straightest stretches first; none that leaves the map, bends more than a third of the size of text, or comes
+/// near another label, more so one of the same height. Linear in the points, but for the labels.
+std::vector<ContourLabel> place_labels(const std::vector<LabelLine>& lines, double size_px, int width, int height);
+
+}  // namespace seamount::render
