@@ -38,6 +38,7 @@ Drawing to_lines(const ContourSet& set) {
   Drawing drawing;
   drawing.crs = set.frame.crs;
   drawing.heights = true;
+  drawing.frame = set.frame;
   drawing.lines.reserve(set.contours.size());
   for (const Contour& contour : set.contours) drawing.lines.push_back({contour.ring, contour.height_m, true, {}});
   return drawing;
@@ -65,7 +66,7 @@ ContourSet contours_from_lines(const Drawing& drawing, const GridFrame& frame, c
   }
   std::vector<Vec2> places;
   for (const Contour& contour : set.contours) places.insert(places.end(), contour.ring.begin(), contour.ring.end());
-  set.frame = frame_around(places, frame);
+  set.frame = frame_around(places, drawing.frame.value_or(frame));
   set.frame.crs = drawing.crs.empty() ? frame.crs : drawing.crs;
   nest_contours(set.contours);
   orient_contours(set.contours);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "seamount/io/atomic_file.h"
+#include "seamount/io/vector_frame.h"
 
 namespace seamount::io {
 namespace {
@@ -43,8 +44,7 @@ std::string comments(const Tin& tin) {
     return text;
   };
   const GridFrame& f = tin.frame;
-  std::string text =
-      fmt::format("comment seamount frame {} {} {} {} {}\n", f.width, f.height, f.cell_m, f.west_m, f.north_m);
+  std::string text = "comment seamount frame " + frame_text(f) + "\n";
   if (!f.crs.empty()) text += "comment seamount crs " + one_line(f.crs) + "\n";
   if (tin.height_m.empty()) text += "comment seamount no heights\n";
   for (const TinRegion& region : tin.regions) {

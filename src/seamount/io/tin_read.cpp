@@ -8,6 +8,7 @@
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/tin_file.h"
+#include "seamount/io/vector_frame.h"
 
 namespace seamount::io {
 namespace {
@@ -99,14 +100,13 @@ class Values {
 };
 
 void read_frame(std::istringstream& words, const std::string& name, Tin& tin) {
-  GridFrame frame;
-  words >> frame.width >> frame.height >> frame.cell_m >> frame.west_m >> frame.north_m;
-  const bool sized = frame.width > 0 && frame.height > 0 && frame.width <= 65536 && frame.height <= 65536;
-  const bool placed = std::isfinite(frame.west_m) && std::isfinite(frame.north_m);
-  if (!words || !sized || !placed || !std::isfinite(frame.cell_m) || frame.cell_m <= 0)
-    throw IoError(name, "has a damaged comment 'seamount frame'");
-  frame.crs = tin.frame.crs;
-  tin.frame = frame;
+  std::string text;
+  std::getline(words, text);
+  const std::optional<GridFrame> frame = parse_frame(text);
+  if (!frame) throw IoError(name, "has a damaged comment 'seamount frame'");
+  const std::string crs = tin.frame.crs;
+  tin.frame = *frame;
+  tin.frame.crs = crs;
 }
 
 void read_region(std::istringstream& words, const std::string& name, Tin& tin) {

@@ -12,7 +12,8 @@ namespace seamount::io {
 
 struct VectorOptions {
   std::string feature;  ///< only the features of this name (any letter case); empty: all
-  std::string layer;    ///< of a file with several; empty: the first with areas or lines, else with points
+  std::string layer;    ///< of a file with several; empty: all of write_drawing()'s own ("areas", "lines", "points"),
+                        ///< else the first with areas or lines, else with points
 };
 
 /// Areas and lines in metres. Longitude and latitude become a local transverse Mercator (projection.h) centred on what
@@ -35,7 +36,7 @@ std::vector<std::string> feature_names(const std::string& path);
 /// By extension: .geojson/.json (longitude and latitude as RFC 7946 wants where a CRS is known, else metres and a
 /// "crs" member that says so), .gpkg (layers "areas", "lines" and "points" in the drawing's CRS), .svg (one unit a
 /// metre, north up). Areas carry "name", lines and points "value" (or "height_m" and z, see Drawing), all of
-/// them their attributes.
+/// them their attributes. The frame goes along: as metadata "seamount_frame", as a member "seamount", as the view.
 void write_drawing(const Drawing& drawing, const std::string& path);
 
 }  // namespace seamount::io

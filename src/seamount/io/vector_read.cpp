@@ -12,6 +12,7 @@
 #include "seamount/io/gdal_call.h"
 #include "seamount/io/projection.h"
 #include "seamount/io/vector.h"
+#include "seamount/io/vector_frame.h"
 #include "seamount/io/warp.h"
 
 namespace seamount::io {
@@ -155,6 +156,15 @@ class Collector {
   size_t total_ = 0;
 };
 
+/// Layers that write_drawing() makes are read together.
+bool is_ours(GDALDataset& dataset) {
+  for (int i = 0; i < dataset.GetLayerCount(); ++i) {
+    const std::string name = dataset.GetLayer(i) == nullptr ? "" : dataset.GetLayer(i)->GetName();
+    if (name != "areas" && name != "lines" && name != "points") return false;
+  }
+  return dataset.GetLayerCount() > 1;
+}
+
 OGRLayer& choose_layer(GDALDataset& dataset, const std::string& wanted, const GdalCall& call) {
   std::vector<std::string> names;
   OGRLayer* first = nullptr;
@@ -244,7 +254,8 @@ void project_degrees(Drawing& drawing, const OGRSpatialReference& system, const 
   const auto rounded = [](double degrees) { return std::round(degrees * 1e4) / 1e4; };
   double longitude = rounded(0.5 * (box.x0 + box.x1));
   if (longitude > 180) longitude -= 360;
-  drawing.crs = local_crs(longitude, rounded(0.5 * (box.y0 + box.y1)));
+  const bool known = drawing.frame && !drawing.frame->crs.empty();
+  drawing.crs = known ? drawing.frame->crs : local_crs(longitude, rounded(0.5 * (box.y0 + box.y1)));
   const auto metres = parse_crs(drawing.crs);
   const TransformPtr transform(OGRCreateCoordinateTransformation(&system, metres.get()));
   if (!transform) call.fail("its coordinate reference system cannot be used");
@@ -263,37 +274,78 @@ void to_metres(Drawing& drawing, const OGRSpatialReference* system, const GdalCa
   drawing.crs = crs_text(&own);
 }
 
-Drawing read_layer(const std::string& place, const GdalCall& call, const VectorOptions& options) {
-  const DatasetPtr dataset = open_dataset(call, place, GDAL_OF_VECTOR, kDrivers, kWhat);
-  OGRLayer& layer = choose_layer(*dataset, options.layer, call);
+/// The frame that a file of ours carries.
+std::optional<GridFrame> find_frame(GDALDataset& dataset, const std::string& place, const GdalCall& call) {
+  if (const char* text = dataset.GetMetadataItem(kFrameItem)) {
+    const std::optional<GridFrame> frame = parse_frame(text);
+    if (!frame) call.fail(std::string("has a damaged metadata item '") + kFrameItem + "'");
+    return frame;
+  }
+  if (std::string_view(dataset.GetDriverName()) != "GeoJSON") return std::nullopt;
+  VSILFILE* file = VSIFOpenL(place.c_str(), "rb");
+  if (file == nullptr) return std::nullopt;
+  std::string beginning(1 << 14, '\0');
+  beginning.resize(VSIFReadL(beginning.data(), 1, beginning.size(), file));
+  VSIFCloseL(file);
+  try {
+    const std::optional<GridFrame> frame = find_frame_member(beginning);
+    if (frame && !frame->crs.empty() && !is_metric(*parse_crs(frame->crs)))
+      throw InvalidArgument("seamount", "has a crs that is not in metres");
+    return frame;
+  } catch (const InvalidArgument& error) {
+    call.fail(error.what());
+  }
+}
+
+/// What is read of a file: the names of its features, for suggestions, and whether the wanted one is among them.
+struct Reading {
+  Collector collector;
+  std::vector<std::string> names;
+  bool found = false;
+  bool heights = false;
+};
+
+void read_layer(OGRLayer& layer, const std::string& wanted, Reading& reading) {
+  constexpr size_t kMostNames = 10000;
   const OGRFeatureDefn& definition = *layer.GetLayerDefn();
   const int name_at = name_field(definition);
   const int value_at = find_field(definition, {"value", "height_m", "elevation", "elev", "height"});
-  Collector collector(call);
-  std::vector<std::string> names;
-  bool found = false;
   layer.ResetReading();
   while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
     const std::string name = field_text(*feature, name_at);
-    constexpr size_t kMostNames = 10000;
-    if (!name.empty() && names.size() < kMostNames) names.push_back(name);
-    if (!options.feature.empty() && lower(name) != lower(options.feature)) continue;
-    found = true;
+    if (!name.empty() && reading.names.size() < kMostNames) reading.names.push_back(name);
+    if (!wanted.empty() && lower(name) != lower(wanted)) continue;
+    reading.found = true;
     const Attributes numbers = field_numbers(*feature, value_at);
     NamedArea area{name, {}, numbers};
     const bool valued = value_at >= 0 && feature->IsFieldSetAndNotNull(value_at) != 0;
-    collector.begin(valued ? std::optional(feature->GetFieldAsDouble(value_at)) : std::nullopt, numbers);
-    if (const OGRGeometry* geometry = feature->GetGeometryRef()) collector.add(*geometry, area);
-    if (!area.parts.empty()) collector.drawing().areas.push_back(std::move(area));
+    reading.collector.begin(valued ? std::optional(feature->GetFieldAsDouble(value_at)) : std::nullopt, numbers);
+    if (const OGRGeometry* geometry = feature->GetGeometryRef()) reading.collector.add(*geometry, area);
+    if (!area.parts.empty()) reading.collector.drawing().areas.push_back(std::move(area));
   }
+  reading.heights |= value_at >= 0 && lower(definition.GetFieldDefn(value_at)->GetNameRef()) == "height_m";
+}
+
+Drawing read_dataset(const std::string& place, const GdalCall& call, const VectorOptions& options) {
+  const DatasetPtr dataset = open_dataset(call, place, GDAL_OF_VECTOR, kDrivers, kWhat);
+  Reading reading{Collector(call), {}, false, false};
+  std::vector<OGRLayer*> layers;
+  if (options.layer.empty() && is_ours(*dataset)) {
+    for (int i = 0; i < dataset->GetLayerCount(); ++i) layers.push_back(dataset->GetLayer(i));
+  } else {
+    layers.push_back(&choose_layer(*dataset, options.layer, call));
+  }
+  for (OGRLayer* layer : layers) read_layer(*layer, options.feature, reading);
   call.check("is damaged");
-  if (!found && !options.feature.empty())
-    call.fail("has no feature '" + options.feature + "'" + suggestion(options.feature, names));
-  Drawing drawing = std::move(collector.drawing());
-  drawing.heights = value_at >= 0 && lower(definition.GetFieldDefn(value_at)->GetNameRef()) == "height_m";
+  if (!reading.found && !options.feature.empty())
+    call.fail("has no feature '" + options.feature + "'" + suggestion(options.feature, reading.names));
+  Drawing drawing = std::move(reading.collector.drawing());
+  drawing.heights = reading.heights;
   if (drawing.areas.empty() && drawing.lines.empty() && drawing.points.empty())
     call.fail("has no areas, lines or points in it");
-  to_metres(drawing, layer.GetSpatialRef(), call);
+  drawing.frame = find_frame(*dataset, place, call);
+  to_metres(drawing, layers[0]->GetSpatialRef(), call);
+  if (drawing.frame) drawing.frame->crs = drawing.crs;
   return drawing;
 }
 
@@ -310,14 +362,14 @@ Drawing read_drawing(const std::string& path, const VectorOptions& options) {
   check_readable(path);
   check_extension(path);
   const GdalCall call(path);
-  return read_layer(path, call, options);
+  return read_dataset(path, call, options);
 }
 
 Drawing read_geojson(std::span<const uint8_t> bytes, const std::string& name, const VectorOptions& options) {
   GdalCall call(name);
   const MemoryFile memory(bytes, "shapes.geojson");
   call.hide(memory.path());
-  return read_layer(memory.path(), call, options);
+  return read_dataset(memory.path(), call, options);
 }
 
 Drawing read_areas(const std::string& path, const VectorOptions& options) {

@@ -200,6 +200,65 @@ TEST(WriteDrawing, HeightsAreAnAttributeAndZ) {
   EXPECT_THAT(text, HasSubstr("[100,0,120.5]"));
 }
 
+TEST(WriteDrawing, TheFrameGoesAlong) {
+  const TestFolder folder;
+  for (const std::string& crs : {std::string(), std::string("EPSG:32604"), local_crs(12.5, -30)}) {
+    Drawing drawing;
+    drawing.crs = crs;
+    drawing.heights = true;
+    drawing.lines = {{{{0, 0}, {100, 0}, {100, 50}}, 120.5, true, {}}};
+    drawing.frame = GridFrame{512, 300, 7.25, -1234.5, 4321.0625, crs};
+    for (const char* file : {"lines.gpkg", "lines.geojson"}) {
+      write_drawing(drawing, folder(file));
+      const Drawing back = read_drawing(folder(file));
+      ASSERT_TRUE(back.frame.has_value()) << file;
+      EXPECT_EQ(back.frame->crs, back.crs) << file;
+      GridFrame frame = *back.frame;
+      frame.crs = crs;
+      EXPECT_EQ(frame, *drawing.frame) << file;
+      for (size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(back.lines[0].points[i].x, drawing.lines[0].points[i].x, 1e-4) << file << " in its own system";
+        EXPECT_NEAR(back.lines[0].points[i].y, drawing.lines[0].points[i].y, 1e-4);
+      }
+    }
+    write_drawing(drawing, folder("again.gpkg"));
+    EXPECT_EQ(read_file(folder("again.gpkg")), read_file(folder("lines.gpkg")));
+    write_drawing(drawing, folder("lines.svg"));
+    const std::vector<uint8_t> bytes = read_file(folder("lines.svg"));
+    const std::string svg(bytes.begin(), bytes.end());
+    EXPECT_THAT(svg, HasSubstr("data-seamount-frame=\"512 300 7.25 -1234.5 4321.0625\""));
+    EXPECT_THAT(svg, HasSubstr("viewBox=\"-1234.5 -4321.062 3712 2175\""));
+  }
+}
+
+TEST(ReadGeojson, FramesOfOthersAndDamagedOnesAreTold) {
+  const auto read = [](const std::string& member, const std::string& properties = "{}") {
+    const std::string text = R"({"type":"FeatureCollection",)" + member +
+                             R"("features":[{"type":"Feature","properties":)" + properties +
+                             R"(,"geometry":{"type":"LineString","coordinates":[[50,5],[50.1,5]]}}]})";
+    return read_geojson({reinterpret_cast<const uint8_t*>(text.data()), text.size()}, "x.geojson");
+  };
+  EXPECT_FALSE(read("").frame.has_value());
+  EXPECT_FALSE(read("", R"({"seamount":5})").frame.has_value()) << "an attribute of that name";
+  EXPECT_EQ(read(R"("seamount":{"frame":"8 9 10 -1 2.5","crs":"EPSG:32639"},)").frame->height, 9);
+  for (const char* member :
+       {R"("seamount":7,)", R"("seamount":{"frame":"8 9","crs":""},)", R"("seamount":{"frame":"8 0 1 1 1","crs":""},)",
+        R"("seamount":{"frame":"8 9 10 1 nan","crs":""},)", R"("seamount":{"frame":"8 9 10 1 1"},)",
+        R"("seamount":{"frame":"8 9 10 1 1","crs":"EPSG:4326"},)",
+        R"("seamount":{"frame":"8 9 10 1 1","crs":"nonsense"},)"}) {
+    EXPECT_THAT(error_of([&] { read(member); }), HasSubstr("x.geojson: ")) << member;
+  }
+}
+
+TEST(ReadDrawing, LayersOfOurOwnAreReadTogetherThoseOfOthersOneByOne) {
+  const TestFolder folder;
+  write_drawing(sample(""), folder("all.gpkg"));
+  expect_same(read_drawing(folder("all.gpkg")), sample(""), 1e-9);
+  EXPECT_EQ(read_drawing(folder("all.gpkg"), {.layer = "lines"}).areas.size(), 0U);
+  EXPECT_THAT(error_of([&] { read_drawing(folder("all.gpkg"), {.layer = "line"}); }),
+              HasSubstr("did you mean 'lines'"));
+}
+
 TEST(ReadGeojson, TakesZWhereNoAttributeSaysAHeight) {
   const std::string text =
       R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:32632"}},"features":[{"type":"Feature",

@@ -12,6 +12,7 @@
 #include "seamount/io/gdal_call.h"
 #include "seamount/io/projection.h"
 #include "seamount/io/vector.h"
+#include "seamount/io/vector_frame.h"
 
 namespace seamount::io {
 namespace {
@@ -119,6 +120,7 @@ std::string to_geojson(const Drawing& metres) {
   const int digits = placed ? 10 : 6;  // a hundredth of a millimetre, a thousandth
   std::string text = "{\"type\":\"FeatureCollection\",";
   if (!placed) text += "\"crs\":{\"type\":\"name\",\"properties\":{\"name\":" + quoted(kLocalMetres) + "}},";
+  if (drawing.frame) text += frame_member(*drawing.frame) + ",";
   text += "\"features\":[";
   const char* separator = "\n";
   const auto begin = [&](std::string properties, const Attributes& attributes, const char* type) {
@@ -192,8 +194,15 @@ std::string to_svg(const Drawing& drawing) {
                  [&](const std::vector<Vec2>& points) { std::for_each(points.begin(), points.end(), include); });
   for (const ValuedPoint& point : drawing.points) include(point.place);
   if (!(x1 >= x0)) x0 = x1 = y0 = y1 = 0;
-  const double margin = 0.01 * std::max({x1 - x0, y1 - y0, 1.0});
-  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
+  double margin = 0.01 * std::max({x1 - x0, y1 - y0, 1.0});
+  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" ";
+  if (drawing.frame) {  // the picture lies over the terrain
+    const GridFrame& frame = *drawing.frame;
+    x0 = frame.west_m, x1 = frame.east_m(), y0 = frame.south_m(), y1 = frame.north_m;
+    margin = 0.0;
+    text += "data-seamount-frame=\"" + frame_text(frame) + "\" ";
+  }
+  text += "viewBox=\"";
   for (const double number : {x0 - margin, -y1 - margin, x1 - x0 + 2 * margin, y1 - y0 + 2 * margin}) {
     append_decimal(text, number, 3);
     text += ' ';
@@ -346,6 +355,8 @@ void write_geopackage(const Drawing& drawing, const std::string& path) {
     if (!drawing.areas.empty()) add_areas(*dataset, drawing, system.get(), call);
     if (!drawing.lines.empty()) add_lines(*dataset, drawing, system.get(), call);
     if (!drawing.points.empty()) add_places(*dataset, drawing, system.get(), call);
+    if (drawing.frame && dataset->SetMetadataItem(kFrameItem, frame_text(*drawing.frame).c_str()) != CE_None)
+      call.fail("cannot be written");
     if (dataset->CommitTransaction() != OGRERR_NONE) call.fail("cannot be written");
     dataset.reset();
     CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr);

@@ -2,10 +2,12 @@
 // summits are traced to.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "seamount/model/drawn.h"
+#include "seamount/model/grid.h"
 
 namespace seamount {
 
@@ -43,13 +45,15 @@ struct ValuedPoint {
 };
 
 /// A drawing in one metric coordinate system; `crs` as in GridFrame. Where `heights` is set, values of lines and points
-/// are heights in metres: files name them "height_m" and carry them as z too.
+/// are heights in metres: files name them "height_m" and carry them as z too. `frame`: of the document that it was made
+/// in, where that is known, in the drawing's system; files carry it.
 struct Drawing {
   std::vector<NamedArea> areas;
   std::vector<ValuedLine> lines;
   std::string crs;
   std::vector<ValuedPoint> points = {};
   bool heights = false;
+  std::optional<GridFrame> frame = std::nullopt;
   bool operator==(const Drawing&) const = default;
 };
 

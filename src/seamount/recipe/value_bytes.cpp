@@ -91,7 +91,8 @@ void write_drawing(Writer& writer, const Drawing& drawing) {
     writer.plain(point.value);
     write_attributes(writer, point.attributes);
   }
-  writer.plain(static_cast<uint8_t>(drawing.heights));
+  writer.plain(static_cast<uint8_t>((drawing.heights ? 1 : 0) | (drawing.frame ? 2 : 0)));
+  if (drawing.frame) write_frame(writer, *drawing.frame);
 }
 
 Drawing read_drawing(Reader& reader) {
@@ -121,7 +122,9 @@ Drawing read_drawing(Reader& reader) {
     point.value = reader.plain<double>();
     point.attributes = read_attributes(reader);
   }
-  drawing.heights = reader.plain<uint8_t>() != 0;
+  const auto flags = reader.plain<uint8_t>();
+  drawing.heights = (flags & 1) != 0;
+  if ((flags & 2) != 0) drawing.frame = read_frame(reader);
   return drawing;
 }
 
