@@ -9,13 +9,14 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
-#include "seamount/geom/distance.h"
+#include "seamount/geom/fall_beyond.h"
 #include "seamount/geom/tin_border.h"
 
 namespace seamount::geom {
 namespace {
 
-constexpr int kBand = 16;  ///< rows, the unit of parallel work
+constexpr int kBand = 16;       ///< rows, the unit of parallel work
+constexpr double kFall = 0.04;  ///< of the ground beyond the network
 
 struct Corner {
   double x, y;  ///< in cells, row 0 north
@@ -93,11 +94,9 @@ HeightField rasterise_tin(const Tin& tin, const GridFrame& frame, const RunConte
   if (std::none_of(cells.begin(), cells.end(), [](float z) { return std::isnan(z); })) return heights;
   Grid<uint8_t> covered(frame);
   std::transform(cells.begin(), cells.end(), covered.cells().begin(), [](float z) { return std::isnan(z) ? 0 : 1; });
-  Grid<int32_t> nearest(frame);
-  nearest_feature(covered, nearest, run);
-  if (nearest(0, 0) < 0) throw IncompatibleInputs("the network's triangles cover no cell of the terrain");
-  for (size_t i = 0; i < cells.size(); ++i)
-    if (covered.cells()[i] == 0) cells[i] = cells[static_cast<size_t>(nearest.cells()[i])];
+  if (std::all_of(cells.begin(), cells.end(), [](float z) { return std::isnan(z); }))
+    throw IncompatibleInputs("the network's triangles cover no cell of the terrain");
+  fall_beyond(heights, covered, kFall, run);
   return heights;
 }
 

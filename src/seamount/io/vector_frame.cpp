@@ -12,6 +12,8 @@ namespace seamount::io {
 namespace {
 
 constexpr int kMostCells = 65536;
+constexpr double kWidestCell = 1e6;  ///< metres
+constexpr double kFarthest = 1e9;
 
 /// The object that begins the text, to its closing brace; nothing if it does not end.
 std::optional<std::string_view> first_object(std::string_view text) {
@@ -44,8 +46,8 @@ std::optional<GridFrame> parse_frame(std::string_view text) {
   GridFrame frame;
   words >> frame.width >> frame.height >> frame.cell_m >> frame.west_m >> frame.north_m;
   const bool sized = frame.width > 0 && frame.height > 0 && frame.width <= kMostCells && frame.height <= kMostCells;
-  const bool placed = std::isfinite(frame.west_m) && std::isfinite(frame.north_m);
-  if (!words || !sized || !placed || !std::isfinite(frame.cell_m) || frame.cell_m <= 0.0) return std::nullopt;
+  const bool placed = std::abs(frame.west_m) <= kFarthest && std::abs(frame.north_m) <= kFarthest;
+  if (!words || !sized || !placed || !(frame.cell_m > 0.0 && frame.cell_m <= kWidestCell)) return std::nullopt;
   return frame;
 }
 

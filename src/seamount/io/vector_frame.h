@@ -15,7 +15,7 @@ inline constexpr const char* kFrameItem = "seamount_frame";
 /// "width height cell_m west_m north_m". Its system is kept elsewhere.
 std::string frame_text(const GridFrame& frame);
 
-/// The inverse; nothing for text that is no frame, or one of no or more than 65536 columns or rows.
+/// The inverse; nothing for text that is no frame: 1 to 65536 columns and rows, cells up to 1000 km.
 std::optional<GridFrame> parse_frame(std::string_view text);
 
 /// The member of a GeoJSON collection that holds it, with its system: `"seamount":{"frame":"...","crs":"..."}`.

@@ -14,6 +14,7 @@
 #include "seamount/ops/contour/heights.h"
 #include "seamount/ops/contour/held_contours.h"
 #include "seamount/ops/contour/refine_ground.h"
+#include "seamount/ops/contour/refine_regions.h"
 
 namespace seamount::contour {
 namespace {
@@ -25,30 +26,6 @@ constexpr double kLeastPeak = 0.1;  ///< of a summit that no sample shows, in st
 size_t at(int32_t i) { return static_cast<size_t>(i); }
 
 double mean_side(const Ring& ring) { return geom::ring_length(ring) / static_cast<double>(ring.size()); }
-
-/// Takes out regions without nodes; what they enclosed belongs to what encloses them.
-void drop_empty_regions(Tin& tin) {
-  std::vector<char> full(tin.regions.size(), 0);
-  for (const int32_t r : tin.region) {
-    if (r >= 0) full[at(r)] = 1;
-  }
-  std::vector<int32_t> place(tin.regions.size(), -1);  // itself, or the nearest one around it that stays
-  std::vector<TinRegion> kept;
-  for (size_t i = 0; i < tin.regions.size(); ++i) {
-    TinRegion& region = tin.regions[i];
-    const int32_t around = region.parent < 0 ? -1 : place[at(region.parent)];
-    if (full[i] == 0) {
-      place[i] = around;
-      continue;
-    }
-    region.parent = around;
-    place[i] = static_cast<int32_t>(kept.size());
-    kept.push_back(std::move(region));
-  }
-  if (kept.empty()) throw InvalidArgument("tin", "no node falls into its land");
-  tin.regions = std::move(kept);
-  for (int32_t& r : tin.region) r = r < 0 ? r : place[at(r)];
-}
 
 /// Summits and basin floors keep the heights that the coarse ground has in them.
 void set_peaks(Tin& tin, const CoarseGround& ground, const std::vector<int32_t>& region) {
@@ -120,11 +97,12 @@ class Refining {
     const RegionTree tree = hold_contours(ground.outlines, found, ground.frame,
                                           {ground.spacing_m, final_, params_.roughness}, seed.derive("detail"), run);
     Tin tin = strew_nodes(tree, ground.frame, inputs_.rivers, grow, seed, run.part(0.2, 0.6));
-    drop_empty_regions(tin);
+    fit_regions(tin);
     const std::vector<int32_t> region = regions_at(regions_of(tin), ground.places, run);
     set_peaks(tin, ground, region);
     grow_nodes(tin, inputs_.probability, grow, seed, run.part(0.6, 0.8));
     tin = heights(std::move(tin), nullptr, heights_params(ground, tin, region, params_), run.part(0.8, 1.0));
+    fill_pits(tin);
     return tin;
   }
 

@@ -7,8 +7,10 @@
 // distribution (contour.heights). Held contours stay where they are in all later passes; so do the given outlines that
 // are finer than the network to come. Summits and basins inside the last contour keep their heights.
 // Laws: each held contour is an outline of the result, of the height that the coarse network has there; nodes within it
-// are not lower, nodes outside it not higher; each node but those outside and a basin's deepest has a lower neighbour.
-// A contour taken from a network moves by about a quarter of its spacing times `roughness`.
+// are not lower, nodes outside it not higher, to a millimetre; each node but those outside and a basin's deepest has a
+// lower neighbour. The ground on held contours is theirs to within a hundredth of the relief on average, more only
+// where they lie closer than nodes. A contour taken from a network moves by about a quarter of its spacing times
+// `roughness`.
 #pragma once
 
 #include <optional>

@@ -169,7 +169,7 @@ CoarseGround ground_of(const Tin& tin) {
   RegionTree tree = regions_of(tin);
   for (size_t i = 0; i < tree.regions.size(); ++i) {
     GrowthRegion& region = tree.regions[i];
-    region.height_m = region.height_m.value_or(heights[i]);
+    region.height_m = region.height_m.value_or(static_cast<double>(static_cast<float>(heights[i])));
     if (region.parent < 0) ground.low_m = std::min(ground.low_m, *region.height_m);
     ground.outlines.push_back({std::move(region), true});
   }
@@ -215,6 +215,8 @@ std::vector<double> new_levels(const CoarseGround& ground, const Tin& tin, int c
     levels = even_levels(ground, count > 0 ? count : level_count(ground, tin, run));
   }
   const double apart = kLevelsApart * (ground.high_m - ground.low_m) / static_cast<double>(levels.size() + 1);
+  // Heights of nodes are floats: so that none of them lies beside a level only because it is rounded.
+  for (double& level : levels) level = static_cast<double>(static_cast<float>(level));
   std::erase_if(levels, [&](double level) {
     return std::any_of(ground.outlines.begin(), ground.outlines.end(), [&](const HeldOutline& outline) {
       return std::abs(*outline.region.height_m - level) < (ground.levels.empty() ? apart : 0.02 * apart);

@@ -167,6 +167,44 @@ TEST(Refine, BasinsStayBasins) {
   EXPECT_NEAR(floor(fine), floor(coarse), 4.0);
 }
 
+TEST(Refine, RiversStayInTheirBeds) {
+  const std::vector<RiverLine> rivers = {{{{30, 60}, {-60, -120}, {40, -440}}, {120, 0}, 0, 20}};
+  GrowParams params;
+  params.particles = 1200;
+  const RegionTree tree = regions_from_outlines({{"isle", blob(420), 0.0, false, {}}}, kDomain, "outlines");
+  HeightsParams heights_params;
+  heights_params.max_m = 300;
+  const Tin coarse = heights(grow(tree, kDomain, nullptr, rivers, params, Seed{3}, {}), nullptr, heights_params, {});
+  const Tin fine = refine(coarse, {nullptr, rivers}, {}, Seed{3}, {});
+  EXPECT_EQ(endorheic(fine), 0);
+  int beds = 0;
+  for (size_t i = 0; i < fine.nodes.size(); ++i) {
+    if (fine.region[i] < 0 || fine.bed_m[i] == Tin::kNoBed) continue;
+    ++beds;
+    EXPECT_NEAR(fine.height_m[i], fine.bed_m[i], 1.5);
+  }
+  EXPECT_GT(beds, 60);
+}
+
+TEST(Refine, WaterLeavesAllButBasinsInManyScenes) {
+  constexpr int kScenes = 25;
+  for (int i = 0; i < kScenes; ++i) {
+    Rng rng(Seed{static_cast<uint64_t>(i)});
+    const double radius = rng.uniform(250, 480);
+    std::vector<RegionOutline> outlines = {{"land", blob(radius), 0.0, false, {}}};
+    if (rng.chance(0.5)) outlines.push_back({"hill", blob(0.3 * radius, {0.4 * radius, 0}), 100.0, false, {}});
+    if (rng.chance(0.4)) outlines.push_back({"pit", blob(0.2 * radius, {-0.4 * radius, 0}), 60.0, true, {}});
+    const Tin coarse = network(outlines, rng.integer(300, 1500), static_cast<uint64_t>(i));
+    const RefineParams params{
+        .passes = rng.integer(1, 3), .contours = rng.integer(0, 20), .roughness = rng.uniform(0, 2)};
+    const Tin fine = refine(coarse, {}, params, Seed{static_cast<uint64_t>(i)}, {});
+    ASSERT_FALSE(geom::find_tin_defect(fine).has_value()) << i;
+    EXPECT_EQ(endorheic(fine), 0) << i;
+    EXPECT_EQ(dishonoured(fine), 0) << i;
+    EXPECT_LT(rms_difference(coarse, fine, 0.0), 15.0 + 300.0 / (params.contours + 1)) << i;
+  }
+}
+
 TEST(Refine, ContoursThatReachTheEdgeOfTheFrame) {
   const HeightField slope = [] {
     HeightField field(kDomain);

@@ -32,15 +32,8 @@ inline bool within(const Tin& tin, int32_t r, int32_t outline) {
   return r == outline;
 }
 
-/// Is region r in one beside `outline`? There the ground may be of any height that outline does not ask for.
-inline bool beside(const Tin& tin, int32_t r, int32_t outline) {
-  for (; r >= 0; r = tin.regions[at(r)].parent) {
-    if (r != outline && tin.regions[at(r)].parent == tin.regions[at(outline)].parent) return true;
-  }
-  return false;
-}
-
-/// Nodes on the wrong side of an outline's height among those beside it.
+/// Nodes on the wrong side of an outline's height, by more than a millimetre, among those beside it. Nodes of hills and
+/// basins beside it may lie at any height that its own outline does not ask for.
 inline int dishonoured(const Tin& tin) {
   int count = 0;
   for (const auto& t : tin.triangles) {
@@ -54,9 +47,11 @@ inline int dishonoured(const Tin& tin) {
         const bool a_in = within(tin, tin.region[a], outline);
         const auto in = static_cast<double>(tin.height_m[a_in ? a : b]);
         const auto out = static_cast<double>(tin.height_m[a_in ? b : a]);
-        if (beside(tin, tin.region[a_in ? b : a], outline)) continue;
+        const int32_t around = tin.region[a_in ? b : a];
+        if (around >= 0 && !within(tin, outline, around)) continue;
         const double h = *region.height_m;
-        count += region.basin ? (in > h || out < h) : (in < h || out > h);
+        constexpr double kSlack = 1e-3;
+        count += region.basin ? (in > h + kSlack || out < h - kSlack) : (in < h - kSlack || out > h + kSlack);
       }
     }
   }
