@@ -187,7 +187,7 @@ TEST(Refine, RiversStayInTheirBeds) {
 }
 
 TEST(Refine, WaterLeavesAllButBasinsInManyScenes) {
-  constexpr int kScenes = 25;
+  constexpr int kScenes = 12;
   for (int i = 0; i < kScenes; ++i) {
     Rng rng(Seed{static_cast<uint64_t>(i)});
     const double radius = rng.uniform(250, 480);
