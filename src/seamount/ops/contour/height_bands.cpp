@@ -44,7 +44,8 @@ class Planner {
     for (Group& group : groups_) {
       if (group.nodes.empty()) continue;
       const auto [level, count] = *group.nodes.rbegin();
-      if (!group.heights.contains(level + 1)) group.open_nodes = count;
+      const bool bounded = group.root >= 0 && regions_[at(group.root)].peak_m;
+      if (!bounded && !group.heights.contains(level + 1)) group.open_nodes = count;
       most = std::max(most, group.open_nodes);
     }
     for (Group& group : groups_) {

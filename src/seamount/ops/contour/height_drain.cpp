@@ -78,10 +78,16 @@ std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std
     height[at(to)] = std::max(limits.floor[at(to)], std::min(cut, height[at(*node)]));
   }
   std::vector<float> result(height.begin(), height.end());
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  for (const int32_t node : order) {  // rounded, but not over an outline's height
+    float& z = result[at(node)];
+    if (static_cast<double>(z) > limits.cap[at(node)]) z = std::nextafter(z, -kFar);
+    if (static_cast<double>(z) < limits.floor[at(node)]) z = std::nextafter(z, kFar);
+  }
   for (const int32_t node : order) {
     const int32_t to = drains[at(node)];
     if (to < 0 || result[at(to)] < result[at(node)]) continue;
-    result[at(node)] = std::nextafter(result[at(to)], std::numeric_limits<float>::infinity());
+    result[at(node)] = std::nextafter(result[at(to)], kFar);
   }
   return result;
 }

@@ -49,6 +49,11 @@ void follow_outlines(const Tin& tin, const geom::NodeGraph& graph, const std::ve
                      const std::vector<Shore>& shores, std::vector<double>& height, std::vector<uint8_t>& known,
                      const RunContext& run);
 
+/// Lowers what is steeper than twice the root of the mean square slope above the lower ground around it, down to the
+/// node's floor at most; nodes of regions with a peak stay. A node that is lowered keeps a lower neighbour.
+void cut_needles(const Tin& tin, const geom::NodeGraph& graph, const Limits& limits, std::vector<double>& height,
+                 const RunContext& run);
+
 /// Nodes of the regions, drains before what they drain: by level, then rank.
 std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& bands);
 

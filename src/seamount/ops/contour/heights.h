@@ -9,6 +9,9 @@
 //  - Nodes beside an outline are put in the order of their distance to it, so that the contour follows the outline
 //    itself and not the unevenness of the nodes (`outlines: follow`).
 //  - Of several summits the one on the wider ground is the highest (P2 sec. 6.1), in proportion to the ground's width.
+//  - Places that growth leaves to the very end would be towers, however narrow: ground steeper than twice the usual
+//  slope
+//    is cut back (`needles: cut`), except in regions whose peak is given. About a hundredth of the ground moves.
 //  - Outside the regions the ground falls from the nearest outline: a sea floor, where that is at 0.
 //  - Basins fall from their outline by basin_depth_m.
 // Each node but those outside and a basin's deepest has a lower neighbour, as far as the growth gave it one.
@@ -26,6 +29,7 @@ namespace seamount::contour {
 
 enum class Summits : uint8_t { by_size, equal };
 enum class Outlines : uint8_t { follow, loose };
+enum class Needles : uint8_t { cut, keep };
 
 struct HeightsParams {
   Landform landform = Landform::mountain;
@@ -36,6 +40,7 @@ struct HeightsParams {
   std::optional<double> measure_above_m;
   Summits summits = Summits::by_size;
   Outlines outlines = Outlines::follow;
+  Needles needles = Needles::cut;
   std::optional<double> basin_depth_m;
   double shore_slope_deg = 5.0;
 
@@ -56,6 +61,9 @@ struct HeightsParams {
         field(&P::summits, "summits", "by_size: wider ground rises higher; equal: every summit reaches the top"),
         field(&P::outlines, "outlines",
               "follow: contours at their heights follow the outlines; loose: as the growth is"),
+        field(&P::needles, "needles",
+              "cut: ground far steeper than the rest is cut back to a slope; keep: every height of the distribution "
+              "stays where the growth has it"),
         field(&P::basin_depth_m, "basin_depth_m", "m", between(0.01, 9000),
               "depth of basins below their outlines; derived: half way down to the next outline"),
         field(&P::shore_slope_deg, "shore_slope_deg", "deg", between(0.1, 60),
@@ -78,4 +86,8 @@ struct seamount::Choices<seamount::contour::Summits> {
 template <>
 struct seamount::Choices<seamount::contour::Outlines> {
   static constexpr std::array<std::string_view, 2> names = {"follow", "loose"};
+};
+template <>
+struct seamount::Choices<seamount::contour::Needles> {
+  static constexpr std::array<std::string_view, 2> names = {"cut", "keep"};
 };

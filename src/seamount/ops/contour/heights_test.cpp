@@ -118,6 +118,7 @@ TEST(Heights, QuantilesMatchTheHistogramInTheOrderOfRanks) {
   params.min_m = 0;
   params.max_m = 800;
   params.outlines = Outlines::loose;
+  params.needles = Needles::keep;
   for (const std::vector<double>& histogram : {std::vector<double>{1, 1}, {5, 2, 1, 0, 1}, {0, 1, 8, 1, 2, 2}}) {
     params.histogram = histogram;
     const Tin made = heights(tin, nullptr, params, {});
@@ -144,6 +145,7 @@ TEST(Heights, RegionsOfOneDepthRiseTogether) {
   params.min_m = 0;
   params.max_m = 1000;
   params.outlines = Outlines::loose;
+  params.needles = Needles::keep;
   const Tin made = heights(tin, nullptr, params, {});
   EXPECT_LT(kolmogorov(land_heights(made), HeightDistribution::from_bins(params.histogram, 0, 1000, "")), 2e-3);
   std::vector<float> top(3, 0.0F);
@@ -217,6 +219,7 @@ TEST(Heights, GroundBetweenOutlinesFollowsItsPartOfTheHistogram) {
   params.histogram = {4, 1, 1, 1, 1, 3};
   params.max_m = 600;
   params.outlines = Outlines::loose;
+  params.needles = Needles::keep;
   const Tin made = heights(tin, nullptr, params, {});
   EXPECT_LT(kolmogorov(land_heights(made, 0, 300), HeightDistribution::from_bins({4, 1, 1}, 0, 300, "")), 0.02);
   EXPECT_LT(kolmogorov(land_heights(made, 300), HeightDistribution::from_bins({1, 1, 3}, 300, 600, "")), 0.02);
@@ -259,6 +262,61 @@ TEST(Heights, PeaksAreReachedAndNoMore) {
   EXPECT_EQ(dishonoured(made), 0);
   params.max_m = 500;
   EXPECT_THAT(message(tin, params), HasSubstr("the peak of 'high' lies at 520 m"));
+}
+
+/// How many nodes of the land stand more than `steep` (m/m) above a neighbour, and the steepest.
+std::pair<int, double> steep_nodes(const Tin& tin, double steep) {
+  int count = 0;
+  double most = 0.0;
+  for (const auto& t : tin.triangles) {
+    for (size_t k = 0; k < 3; ++k) {
+      const size_t a = at(t[k]);
+      const size_t b = at(t[(k + 1) % 3]);
+      if (tin.region[a] < 0 || tin.region[b] < 0) continue;
+      const Vec2 d = tin.nodes[b] - tin.nodes[a];
+      const double slope =
+          std::abs(static_cast<double>(tin.height_m[b]) - static_cast<double>(tin.height_m[a])) / std::sqrt(dot(d, d));
+      most = std::max(most, slope);
+      if (slope > steep) ++count;
+    }
+  }
+  return {count, most};
+}
+
+TEST(Heights, NoNeedlesAndTheRestStays) {
+  for (const Landform landform : {Landform::mountain, Landform::coastal, Landform::volcano, Landform::canyon}) {
+    for (uint64_t seed = 1; seed <= 6; ++seed) {
+      const Tin tin = grown({{"isle", blob(380), 0.0, false}}, 5000, seed);
+      HeightsParams params;
+      params.landform = landform;
+      params.max_m = 120;
+      const Tin cut = heights(tin, nullptr, params, {});
+      params.needles = Needles::keep;
+      const Tin kept = heights(tin, nullptr, params, {});
+      EXPECT_EQ(endorheic(cut), 0) << seed;
+      EXPECT_EQ(dishonoured(cut), 0) << seed;
+      double squares = 0.0;
+      double sides = 0.0;
+      double lost = 0.0;
+      for (size_t i = 0; i < tin.nodes.size(); ++i) lost += static_cast<double>(kept.height_m[i] - cut.height_m[i]);
+      for (const auto& t : kept.triangles) {
+        for (size_t k = 0; k < 3; ++k) {
+          const size_t a = at(t[k]);
+          const size_t b = at(t[(k + 1) % 3]);
+          if (tin.region[a] < 0 || tin.region[b] < 0) continue;
+          const Vec2 d = tin.nodes[b] - tin.nodes[a];
+          const auto rise = static_cast<double>(kept.height_m[b] - kept.height_m[a]);
+          squares += rise * rise / dot(d, d);
+          sides += 1.0;
+        }
+      }
+      // A triangle's slope is the root of 2 times that of its sides, on the mean over directions.
+      const double usual = std::sqrt(2.0 * squares / sides);
+      EXPECT_LT(steep_nodes(cut, 2.6 * usual).first, 40) << seed;
+      EXPECT_LT(steep_nodes(cut, 0.0).second, 5.0 * usual) << seed;
+      EXPECT_LT(lost / static_cast<double>(tin.nodes.size()), 0.03 * 120) << seed;
+    }
+  }
 }
 
 TEST(Heights, TheSeaFallsFromTheCoast) {

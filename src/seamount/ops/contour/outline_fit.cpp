@@ -12,6 +12,9 @@ namespace {
 
 size_t at(int32_t i) { return static_cast<size_t>(i); }
 
+/// Of a node's longest side: nearer to the outline, its height says nothing of the slope.
+constexpr double kLeastRun = 0.25;
+
 double longest_side(const Tin& tin, const geom::NodeGraph& graph, size_t node) {
   double longest = 0.0;
   for (const int32_t neighbour : graph.around(node)) {
@@ -51,8 +54,9 @@ class OutlineFit {
     parallel_blocks(run, static_cast<int64_t>(beside_.size()), 64, [&](int64_t begin, int64_t end) {
       for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
         Beside& b = beside_[i];
-        b.distance = grid.distance(tin_.nodes[b.node], longest_side(tin_, graph_, b.node));
-        b.run *= b.distance;
+        const double side = longest_side(tin_, graph_, b.node);
+        b.distance = grid.distance(tin_.nodes[b.node], side);
+        b.run *= std::max(b.distance, kLeastRun * side);
       }
     });
   }

@@ -67,6 +67,7 @@ HeightsParams heights_params(const CoarseGround& ground, const Tin& tin, const s
     heights.histogram[static_cast<size_t>(std::clamp(static_cast<int>(share * kBins), 0, kBins - 1))] += 1.0;
   }
   heights.summits = Summits::equal;
+  heights.needles = Needles::keep;  // the contours around hold the ground
   heights.shore_slope_deg = params.shore_slope_deg;
   return heights;
 }
@@ -101,8 +102,7 @@ class Refining {
     const std::vector<int32_t> region = regions_at(regions_of(tin), ground.places, run);
     set_peaks(tin, ground, region);
     grow_nodes(tin, inputs_.probability, grow, seed, run.part(0.6, 0.8));
-    const HeightsParams distribution = heights_params(ground, tin, region, params_);
-    tin = heights(std::move(tin), nullptr, distribution, run.part(0.8, 1.0));
+    tin = heights(std::move(tin), nullptr, heights_params(ground, tin, region, params_), run.part(0.8, 1.0));
     fill_pits(tin);
     return tin;
   }

@@ -123,6 +123,50 @@ std::string part_name(const std::string& name, const std::string& kind, size_t n
   return text;
 }
 
+/// The mean width of each region: twice its area over the length of its outlines.
+std::vector<double> mean_widths(const std::vector<GrowthRegion>& regions) {
+  std::vector<double> areas(regions.size(), 0.0);
+  std::vector<double> lengths(regions.size(), 0.0);
+  for (size_t i = 0; i < regions.size(); ++i) {
+    const double area = std::abs(geom::signed_area(regions[i].outline));
+    const double length = geom::ring_length(regions[i].outline);
+    areas[i] += area;
+    lengths[i] += length;
+    if (regions[i].parent < 0) continue;
+    areas[static_cast<size_t>(regions[i].parent)] -= area;
+    lengths[static_cast<size_t>(regions[i].parent)] += length;
+  }
+  std::vector<double> widths(regions.size(), 0.0);
+  for (size_t i = 0; i < widths.size(); ++i) widths[i] = 2.0 * std::max(areas[i], 0.0) / lengths[i];
+  return widths;
+}
+
+/// A summit or a floor does not reach the next level, or a contour would show it. Within that bound it goes on at the
+/// slope of the ground around its outline; over the highest level and under the lowest nothing bounds it.
+void set_contour_peaks(std::vector<GrowthRegion>& regions) {
+  constexpr double kMostShare = 0.85;  // of the way to the next level
+  std::vector<double> levels;
+  std::vector<char> ends(regions.size(), 1);
+  for (const GrowthRegion& r : regions) {
+    levels.push_back(*r.height_m);
+    if (r.parent >= 0 && regions[static_cast<size_t>(r.parent)].basin == r.basin)
+      ends[static_cast<size_t>(r.parent)] = 0;
+  }
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  const std::vector<double> widths = mean_widths(regions);
+  for (size_t i = 0; i < regions.size(); ++i) {
+    GrowthRegion& r = regions[i];
+    const auto own = std::lower_bound(levels.begin(), levels.end(), *r.height_m);
+    if (ends[i] == 0 || (r.basin ? own == levels.begin() : own + 1 == levels.end())) continue;
+    const double gap = r.basin ? *std::prev(own) - *own : *std::next(own) - *own;
+    // The middle of a region lies about its mean width from its outline; the ground around crosses a gap in its own.
+    const double around = r.parent < 0 ? 0.0 : widths[static_cast<size_t>(r.parent)];
+    const double steps = around > 0.0 ? widths[i] / (kMostShare * around) : 1.0;
+    r.peak_m = *own + kMostShare * gap * steps / std::sqrt(1.0 + steps * steps);
+  }
+}
+
 }  // namespace
 
 RegionTree nest_regions(std::vector<GrowthRegion> regions, const GridFrame& domain, const std::string& field) {
@@ -214,7 +258,9 @@ RegionTree regions_from_contours(const ContourSet& set, const GridFrame& domain,
     regions.push_back({fmt::format("contour {} at {} m", i, format_number(contour.height_m)), contour.ring, -1,
                        contour.height_m, geom::signed_area(contour.ring) < 0.0});
   }
-  return nest_regions(std::move(regions), domain, field);
+  RegionTree tree = nest_regions(std::move(regions), domain, field);
+  set_contour_peaks(tree.regions);
+  return tree;
 }
 
 std::vector<TinRegion> tin_regions(const RegionTree& tree) {

@@ -51,7 +51,8 @@ RegionTree regions_from_outlines(const std::vector<RegionOutline>& outlines, con
 /// are 0; a line that is not higher than the one around it is a basin, as on a map of depression contours.
 RegionTree regions_from_drawing(const Drawing& drawing, const GridFrame& domain, const std::string& field);
 
-/// From contours: a clockwise one is a basin.
+/// From contours: a clockwise one is a basin. Their levels are all there are, so that a summit or a basin's floor does
+/// not reach the next one: peaks go on at the slope around them, up to 85 % of the way there; none at the last levels.
 RegionTree regions_from_contours(const ContourSet& set, const GridFrame& domain, const std::string& field);
 
 struct PaintedRegions {

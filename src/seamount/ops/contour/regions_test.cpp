@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "seamount/base/error.h"
@@ -141,6 +142,37 @@ TEST(Regions, ContoursKeepTheirHeightsAndBasins) {
   EXPECT_EQ(tree.regions[2].parent, 1);
   EXPECT_TRUE(tree.regions[2].basin);
   EXPECT_EQ(tree.regions[1].height_m, 200.0);
+}
+
+TEST(Regions, SummitsOfContoursStayBelowTheNextLevelAndWiderOnesRiseHigher) {
+  ContourSet set{kDomain,
+                 {{100.0, square(400), -1},
+                  {200.0, square(30, {-250, 0}), 0},
+                  {200.0, square(90, {0, 0}), 0},
+                  {200.0, square(90, {250, 0}), 0},
+                  {300.0, square(60, {250, 0}), 3},
+                  {100.0, square(20, {0, 300}), 0}}};
+  std::reverse(set.contours[5].ring.begin(), set.contours[5].ring.end());
+  const RegionTree tree = regions_from_contours(set, kDomain, "contours");
+  std::map<double, std::vector<std::optional<double>>> peaks;  // by height, widest first
+  for (const GrowthRegion& r : tree.regions) {
+    if (r.basin) {
+      EXPECT_FALSE(r.peak_m) << "nothing bounds a floor under the lowest level";
+    } else {
+      peaks[*r.height_m].push_back(r.peak_m);
+    }
+  }
+  EXPECT_FALSE(peaks[100.0][0]);
+  EXPECT_FALSE(peaks[300.0][0]) << "the highest level";
+  ASSERT_EQ(peaks[200.0].size(), 3U);
+  std::vector<double> known;
+  for (const std::optional<double>& peak : peaks[200.0]) {
+    if (peak) known.push_back(*peak);
+  }
+  ASSERT_EQ(known.size(), 2U) << "a summit has a peak, what has a hill in it none";
+  EXPECT_GT(known[0], known[1]);
+  EXPECT_GT(known[1], 200.0);
+  EXPECT_LT(known[0], 285.0);
 }
 
 TEST(Regions, LookupAgreesWithBruteForce) {

@@ -105,6 +105,7 @@ Values pattern(const contour::PatternParams& params, const Call& call) {
 void add_contour_operators(Registry& registry) {
   registry.add<contour::GrowParams>(
       {.name = "contour.grow",
+       .revision = 2,
        .summary = "Grows nested regions into a network whose nodes know in which order they rise, without basins",
        .source = "P2 sec. 4.2, 4.3, 4.5, Algorithm 1",
        .stochastic = true,
@@ -119,6 +120,7 @@ void add_contour_operators(Registry& registry) {
       grow);
   registry.add<contour::HeightsParams>(
       {.name = "contour.heights",
+       .revision = 2,
        .summary = "Heights for a grown network from a distribution of heights, through outlines of given height",
        .source = "P2 sec. 3.3, 4.4, fig. 8, 23",
        .in = {{"tin", ValueKind::tin, "a network as contour.grow makes it"},
@@ -127,6 +129,7 @@ void add_contour_operators(Registry& registry) {
       heights);
   registry.add<contour::RefineParams>(
       {.name = "contour.refine",
+       .revision = 2,
        .summary = "Makes a network finer pass by pass, between its own contours, which keep their places and heights",
        .source = "P2 sec. 6.6",
        .stochastic = true,
