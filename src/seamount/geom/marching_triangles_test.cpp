@@ -114,6 +114,7 @@ TEST(MarchTriangles, IsTheSameOnAnyNumberOfThreads) {
   const Tin tin = lattice_tin(200, 150, 1.0, Seed{1},
                               [&](Vec2 p) { return 10 * std::sin(0.2 * p.x) * std::cos(0.3 * p.y) + 0.05 * p.x; });
   std::vector<double> levels;
+  levels.reserve(30);
   for (int i = 0; i < 30; ++i) levels.push_back(-12 + 0.8 * i);
   const std::vector<Contour> one = march_triangles(tin, levels, {.threads = 1});
   EXPECT_EQ(march_triangles(tin, levels, {.threads = 3}), one);
