@@ -45,6 +45,7 @@ Ring oriented(const HeldOutline& outline) {
 Held close(const std::vector<HeldOutline>& outlines, const std::vector<Contour>& found, const GridFrame& frame,
            double reach_m) {
   std::vector<Ring> rings;
+  rings.reserve(outlines.size() + found.size());
   for (const HeldOutline& outline : outlines) rings.push_back(oriented(outline));
   for (const Contour& contour : found) rings.push_back(contour.ring);
   Held held;

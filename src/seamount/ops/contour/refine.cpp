@@ -102,7 +102,8 @@ class Refining {
     const std::vector<int32_t> region = regions_at(regions_of(tin), ground.places, run);
     set_peaks(tin, ground, region);
     grow_nodes(tin, inputs_.probability, grow, seed, run.part(0.6, 0.8));
-    tin = heights(std::move(tin), nullptr, heights_params(ground, tin, region, params_), run.part(0.8, 1.0));
+    const HeightsParams distribution = heights_params(ground, tin, region, params_);
+    tin = heights(std::move(tin), nullptr, distribution, run.part(0.8, 1.0));
     fill_pits(tin);
     return tin;
   }
