@@ -14,6 +14,7 @@
 #include "seamount/geom/polygon.h"
 #include "seamount/geom/tin_border.h"
 #include "seamount/ops/contour/growth.h"
+#include "seamount/ops/contour/outline_detail.h"
 #include "seamount/ops/contour/probability.h"
 #include "seamount/ops/contour/rivers.h"
 
@@ -200,9 +201,15 @@ void grow_nodes(Tin& tin, const ScalarField* probability, const GrowParams& para
                         run.part(0.2, 1.0));
 }
 
-Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
-         const GrowParams& params, Seed seed, const RunContext& run) {
+Tin grow(RegionTree tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
+         GrowParams params, Seed seed, const RunContext& run) {
   check_params(params);
+  if (params.irregularity > 0.0) {
+    check_size(measure(tree, domain), node_spacing(tree, domain, params));
+    rivers.insert(rivers.end(), params.rivers.begin(), params.rivers.end());
+    params.rivers.clear();
+    add_outline_detail(tree, rivers, params.irregularity, domain, seed.derive("outlines"), run);
+  }
   Tin tin = strew_nodes(tree, domain, std::move(rivers), params, seed, run.part(0.0, 0.7));
   check_regions(tree, domain, node_spacing(tree, domain, params), tin.region, run);
   grow_nodes(tin, probability, params, seed, run.part(0.7, 1.0));

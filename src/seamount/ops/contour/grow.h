@@ -37,6 +37,7 @@ struct GrowParams {
   std::string feature;
   std::vector<RiverLine> rivers;
   bool darkest_is_land = false;
+  double irregularity = 0.0;
   std::optional<double> spacing_m;
   int particles = 50000;
   ProbabilityKind probability = ProbabilityKind::noise;
@@ -60,6 +61,9 @@ struct GrowParams {
               "none, and the width of its valley floor"),
         field(&P::darkest_is_land, "darkest_is_land",
               "the darkest grey of a picture is the lowest region instead of the world outside"),
+        field(&P::irregularity, "irregularity", "", between(0, 1),
+              "detail given to outlines drawn with few points: round corners, bays and headlands smaller than their "
+              "sides; 0 keeps every point"),
         field(&P::spacing_m, "spacing_m", "m", between(1e-3, 1e6),
               "least distance between nodes; absent: what gives `particles`"),
         field(&P::particles, "particles", "", between(1, 16e6),
@@ -84,8 +88,8 @@ struct GrowParams {
 /// than kMostNodes nodes (with the estimate of memory and the spacing that would do), a region into which no node falls
 /// (with the spacing that would do), what prepare_rivers throws, IncompatibleInputs for probabilities that are not
 /// numbers in [0, 1]. Growth of one region is serial, the rest parallel; about 1.5 us and 200 bytes per node.
-Tin grow(const RegionTree& tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
-         const GrowParams& params, Seed seed, const RunContext& run);
+Tin grow(RegionTree tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
+         GrowParams params, Seed seed, const RunContext& run);
 
 // Its two halves, for networks whose regions are not a person's own (refine.h). Params are not checked.
 

@@ -225,6 +225,19 @@ TEST(Grow, AllOfTheDomainCanBeLand) {
   EXPECT_EQ(std::count(tin.region.begin(), tin.region.end(), -1), 0);
 }
 
+TEST(Grow, LandWithoutCoastStartsAtTheRiversThatLeaveIt) {
+  const RegionTree tree{{region("land", {{-900, -900}, {900, -900}, {900, 900}, {-900, 900}}, -1)}};
+  GrowParams params = particles(4000);
+  params.probability = ProbabilityKind::uniform;
+  params.rivers = {{{{300, 0}, {-900, 0}}, {}, 0.0, 0.0}};
+  const Tin tin = grow(tree, kDomain, nullptr, {}, params, Seed{3}, {});
+  for (size_t i = 0; i < tin.nodes.size(); ++i) {
+    if (tin.region[i] == 0 && std::abs(tin.nodes[i].y) > 450) {
+      EXPECT_GT(tin.rank[i], 0.5F) << "at the edges that no river crosses the ground is high";
+    }
+  }
+}
+
 TEST(Grow, ProbableGroundIsLow) {
   // A band of high probability across a disc is reached earlier than its surroundings: a valley.
   ScalarField field(kDomain, 0.05F);
@@ -317,6 +330,18 @@ TEST(Grow, AFewNodesAreEnough) {
     if (count >= 10) {
       EXPECT_EQ(endorheic(tin), 0);
     }
+  }
+}
+
+TEST(NoiseProbability, KeepsAQuarterAsItsLeast) {
+  std::vector<Vec2> places;
+  for (int i = 0; i < 10000; ++i) places.push_back({37.0 * i, 11.0 * (i % 97)});
+  geom::Fbm shape;
+  shape.wavelength_m = 500;
+  for (const double exponent : {1.0, 2.0}) {
+    const std::vector<float> p = noise_probability(places, shape, exponent, Seed(1), RunContext());
+    EXPECT_NEAR(*std::min_element(p.begin(), p.end()), std::pow(0.25, exponent), 1e-3);
+    EXPECT_NEAR(*std::max_element(p.begin(), p.end()), 1.0, 1e-3);
   }
 }
 

@@ -59,18 +59,20 @@ class RegionGrowth {
   RegionGrowth(const RegionGraph& graph, const std::vector<TinRegion>& regions, int32_t region,
                const std::vector<int32_t>& outlets, Seed seed)
       : graph_(graph), levels_(regions, region), members_(graph.members(at(region))), seed_(seed) {
-    bool has_outline = false;
+    const auto is_member = [&](int32_t node) { return std::binary_search(members_.begin(), members_.end(), node); };
+    bool drains = false;
     for (const BorderNode& border : graph.borders[at(region)]) {
       add(border);
-      has_outline |= border.beyond < 0;
-    }
-    for (const int32_t node : graph.rim) {  // land without a coast ends at the edge of the network
-      if (has_outline) break;
-      const Side side = regions[at(region)].basin ? Side::upper : Side::lower;
-      if (std::binary_search(members_.begin(), members_.end(), node)) add({node, -1, side});
+      drains |= border.beyond < 0;
     }
     for (const int32_t node : outlets) {
-      if (std::binary_search(members_.begin(), members_.end(), node)) add({node, -1, Side::lower});
+      if (!is_member(node)) continue;
+      add({node, -1, Side::lower});
+      drains = true;
+    }
+    for (const int32_t node : graph.rim) {  // land without coast or rivers ends at the edge of the network
+      if (drains) break;
+      if (is_member(node)) add({node, -1, regions[at(region)].basin ? Side::upper : Side::lower});
     }
     const auto between = [&](const BorderNode& b) {
       const double level = levels_.of(b.beyond, b.side);

@@ -9,7 +9,8 @@
 //  - Where the heights of a region's outline and of those in it are known, the fronts start at those heights' shares of
 //    its range instead of 0 and 1, so that a low hill in a high region does not draw the ground around it up; between
 //    outlines of different height the shares blend.
-//  - Land whose outline lies nowhere in the network starts at the network's edge. A part of a region that no lower
+//  - Land whose outline lies nowhere in the network starts where rivers leave it, else at the network's edge. A part of
+//  a region that no lower
 //    ground touches drains over that edge if it reaches it, else (in a basin) to its own lowest node.
 #pragma once
 

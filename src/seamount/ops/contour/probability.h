@@ -13,7 +13,8 @@
 
 namespace seamount::contour {
 
-/// Fractal noise about 1/2, clamped to [0, 1] and raised to a power. Parallel.
+/// Fractal noise from 1/4 to 1, even in its logarithm (fronts run as fast as P is high, so that heights vary evenly),
+/// raised to a power. Parallel.
 std::vector<float> noise_probability(std::span<const Vec2> places, const geom::Fbm& shape, double exponent, Seed seed,
                                      const RunContext& run);
 

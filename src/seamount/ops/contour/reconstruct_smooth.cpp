@@ -22,6 +22,7 @@ namespace seamount::contour {
 namespace {
 
 constexpr float kNoSlope = -1.0F;
+constexpr float kBeside = 6.0F;  ///< cells over which an edge's own slope fades into that of open ground
 
 /// Metres a cell across the face's band where it is nearest to a place (in cells); kNoSlope where no cell of the face
 /// is near or no band has two bounds.
@@ -100,8 +101,11 @@ class Blend {
     const auto f = static_cast<size_t>(face);
     if (ground_.open(face)) {
       const float reach = ground_.reach_m[f];
-      const float slope = slope_of(ground_.between.low_edge(x, y), ground_.slope[f]);
-      return foot + ground_.sign(face) * reach * (std::isfinite(low) ? saturated(slope * low / reach) : 0.5F);
+      if (!std::isfinite(low)) return foot + ground_.sign(face) * reach * 0.5F;
+      // The nearest edge's own slope counts beside it alone, or else each edge would draw a ray across open ground.
+      const float own = slope_of(ground_.between.low_edge(x, y), ground_.slope[f]) - ground_.slope[f];
+      const float climb = low * (ground_.slope[f] + own * std::exp(-low / kBeside));
+      return foot + ground_.sign(face) * reach * saturated(climb / reach);
     }
     if (ground_.faces.bounds_of(face) != 2 || !std::isfinite(low) || !std::isfinite(high))
       return ground_.between.height_m(x, y);
