@@ -11,6 +11,14 @@ for recipe in reef/barrier reef/platform reef/ribbon reef/patch erosion/worn_isl
   ./run run "recipes/$recipe.json" --out "$made/$recipe" --no-cache
   cp "$made/$recipe/view.png" "docs/gallery/${recipe/\//_}.png"
 done
+for recipe in volcano mesa canyon range; do
+  ./run run "recipes/contours/$recipe.json" --out "$made/contours_$recipe" --no-cache
+  cp "$made/contours_$recipe/view.png" "docs/gallery/contours_$recipe.png"
+done
+./run run recipes/contours/coastline.json --out "$made/coastline" --no-cache
+for step in 1_coast 2_ranges 3_summits 4_histogram 5_edits 5_contours; do
+  cp "$made/coastline/$step.png" "docs/gallery/coastline_$step.png"
+done
 mv docs/gallery/erosion_worn_island.png docs/gallery/worn_island.png
 cp "$made"/{stone,desert,volcano}.png docs/gallery/
 cp "$made"/view.png docs/gallery/kauai.png
