@@ -335,11 +335,12 @@ TEST(Grow, AFewNodesAreEnough) {
 
 TEST(NoiseProbability, KeepsAQuarterAsItsLeast) {
   std::vector<Vec2> places;
+  places.reserve(10000);
   for (int i = 0; i < 10000; ++i) places.push_back({37.0 * i, 11.0 * (i % 97)});
   geom::Fbm shape;
   shape.wavelength_m = 500;
   for (const double exponent : {1.0, 2.0}) {
-    const std::vector<float> p = noise_probability(places, shape, exponent, Seed(1), RunContext());
+    const std::vector<float> p = noise_probability(places, shape, exponent, Seed{1}, {});
     EXPECT_NEAR(*std::min_element(p.begin(), p.end()), std::pow(0.25, exponent), 1e-3);
     EXPECT_NEAR(*std::max_element(p.begin(), p.end()), 1.0, 1e-3);
   }

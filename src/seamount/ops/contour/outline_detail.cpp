@@ -63,6 +63,7 @@ Ring rounded(const Ring& ring, double step_m) {
 /// The same polygon with points at most step_m apart.
 Ring subdivided(const Ring& ring, double step_m) {
   Ring fine;
+  fine.reserve(2 * ring.size());
   for (size_t i = 0; i < ring.size(); ++i) {
     const Vec2 from = ring[i], side = ring[(i + 1) % ring.size()] - from;
     const int parts = std::max(1, static_cast<int>(std::ceil(std::sqrt(dot(side, side)) / step_m)));

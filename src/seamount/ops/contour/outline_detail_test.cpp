@@ -17,6 +17,7 @@ constexpr uint64_t kScenes = 100;
 
 Ring polygon(Vec2 centre, double radius, int sides) {
   Ring ring;
+  ring.reserve(static_cast<size_t>(sides));
   for (int i = 0; i < sides; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / sides;
     ring.push_back(centre + radius * Vec2{std::cos(angle), std::sin(angle)});
@@ -33,7 +34,7 @@ RegionTree island() {
 }
 
 RegionTree detailed(RegionTree tree, double irregularity, uint64_t seed, std::vector<RiverLine> rivers = {}) {
-  add_outline_detail(tree, rivers, irregularity, kDomain, Seed(seed), RunContext());
+  add_outline_detail(tree, rivers, irregularity, kDomain, Seed{seed}, RunContext());
   return tree;
 }
 
@@ -84,7 +85,7 @@ TEST(OutlineDetail, RiversMoveWithTheOutlinesAroundThem) {
   std::vector<RiverLine> rivers = {{{{0, 0}, {1000, 2000}}, {}, 0, 0}};
   // A drawn point on the coast: the spline goes through it, and both are displaced alike.
   rivers[0].points.push_back(tree.regions[0].outline[1]);
-  add_outline_detail(tree, rivers, 0.7, kDomain, Seed(4), RunContext());
+  add_outline_detail(tree, rivers, 0.7, kDomain, Seed{4}, RunContext());
   const Vec2 mouth = rivers[0].points.back();
   EXPECT_THAT(tree.regions[0].outline, ::testing::Contains(mouth));
 }
@@ -97,6 +98,7 @@ TEST(OutlineDetail, IsTheSameForASeedAndDiffersBySeed) {
 TEST(OutlineDetail, SaysWhereRoundedOutlinesCross) {
   // The spline through a square's corners bulges over its sides, the one through many points of them does not.
   Ring outer;
+  outer.reserve(80);
   for (int i = -10; i < 10; ++i) outer.push_back({300.0 * i, -3000});
   for (int i = -10; i < 10; ++i) outer.push_back({3000, 300.0 * i});
   for (int i = -10; i < 10; ++i) outer.push_back({-300.0 * i, 3000});
@@ -105,7 +107,7 @@ TEST(OutlineDetail, SaysWhereRoundedOutlinesCross) {
   RegionTree tree =
       nest_regions({{"outer", outer, -1, {}, false, {}}, {"inner", inner, 0, {}, false, {}}}, kDomain, "outlines");
   std::vector<RiverLine> rivers;
-  EXPECT_THROW(add_outline_detail(tree, rivers, 0.1, kDomain, Seed(1), RunContext()), InvalidArgument);
+  EXPECT_THROW(add_outline_detail(tree, rivers, 0.1, kDomain, Seed{1}, RunContext()), InvalidArgument);
 }
 
 }  // namespace
