@@ -1,6 +1,6 @@
 // Registration of the erosion family.
+#include "seamount/ops/erosion/balance.h"
 #include "seamount/ops/erosion/run.h"
-
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
@@ -15,11 +15,11 @@ Values run(const erosion::RunParams& params, const Call& call) {
   erosion::Ground ground{call.in.at("terrain").heights(), copy_of(call, "rock"), copy_of(call, "sediment")};
   erosion::Site site{copy_of(call, "hardness"), copy_of(call, "mask"), copy_of(call, "uplift")};
   erosion::Eroded made = erosion::run(std::move(ground), std::move(site), params, call.seed, call.run);
-  return {{"terrain", Value::terrain(std::move(made.terrain))},
-          {"rock", Value::field(std::move(made.rock))},
-          {"sediment", Value::field(std::move(made.sediment))},
-          {"flow", Value::field(std::move(made.flow))},
-          {"lake", Value::field(std::move(made.lake))}};
+  Report balance = erosion::balance_report(
+      {call.in.at("terrain").heights(), call.scalars("rock"), call.scalars("sediment")}, made, params);
+  return {{"terrain", Value::terrain(std::move(made.terrain))}, {"rock", Value::field(std::move(made.rock))},
+          {"sediment", Value::field(std::move(made.sediment))}, {"flow", Value::field(std::move(made.flow))},
+          {"lake", Value::field(std::move(made.lake))},         {"balance", Value::report(std::move(balance))}};
 }
 
 }  // namespace
@@ -27,6 +27,7 @@ Values run(const erosion::RunParams& params, const Call& call) {
 void add_erosion_operators(Registry& registry) {
   registry.add<erosion::RunParams>(
       {.name = "erosion.run",
+       .revision = 2,
        .summary =
            "Years of rivers, slides, creep and waves on bedrock, rock and sediment; or a range that rises and wears",
        .source = "P1 sec. 5.4; Braun and Willett 2013, Yuan et al. 2019, Musgrave et al. 1989",
@@ -41,7 +42,10 @@ void add_erosion_operators(Registry& registry) {
                {"rock", ValueKind::field, "thickness of debris in metres"},
                {"sediment", ValueKind::field, "thickness of fine sediment in metres"},
                {"flow", ValueKind::field, "discharge in m3 per year"},
-               {"lake", ValueKind::field, "depth of standing water on land in metres"}}},
+               {"lake", ValueKind::field, "depth of standing water on land in metres"},
+               {"balance", ValueKind::report,
+                "volumes in m3: bedrock worn, laid down on land and under water, left over "
+                "the border; and the error"}}},
       run);
 }
 
