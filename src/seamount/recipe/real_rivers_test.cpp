@@ -2,6 +2,7 @@
 // what is drawn is a river (precision), and how much of the rivers is drawn (recall), within three cells.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -128,6 +129,39 @@ TEST_P(RealRivers, SketchFollowsTheNetworkAsFarAsItsCoarseCellsShow) {
   EXPECT_GT(found.recall, 0.75);
   // of rivers with twice the area 0.89 to 0.99 are drawn.
   EXPECT_GT(overlap(lines, "sketch_of_large", network(2.0 / kRiverParts), kTolerance * in_cells).recall, 0.87);
+}
+
+TEST_P(RealRivers, SketchIsThinAndSparseAndItsCuesAreSummitsAndValleys) {
+  const sketch::Sketch sketch = sketch::extract(dem_, {}, Seed{}, {});
+  for (const Mask* lines : {&sketch.river, &sketch.ridge}) {
+    int64_t cells = 0;
+    int64_t thick = 0;  // squares of four cells
+    for (int y = 0; y + 1 < lines->height(); ++y) {
+      for (int x = 0; x + 1 < lines->width(); ++x) {
+        cells += (*lines)(x, y) > 0.0F ? 1 : 0;
+        const float four = (*lines)(x, y) + (*lines)(x + 1, y) + (*lines)(x, y + 1) + (*lines)(x + 1, y + 1);
+        thick += four > 3.5F ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(thick, 0);
+    const double share = static_cast<double>(cells) / static_cast<double>(dem_.size());
+    std::printf("%s: lines on %.4f of the cells\n", GetParam().c_str(), share);
+    EXPECT_GT(share, 0.008);  // measured: 0.014 to 0.016
+    EXPECT_LT(share, 0.03);
+  }
+  std::array<double, 2> heights = {};
+  std::array<int, 2> counts = {};
+  for (const ValuedPoint& cue : sketch.lines.points) {
+    const size_t basin = cue.attributes.at(0).value > 0.5 ? 1 : 0;
+    heights.at(basin) += cue.value;
+    ++counts.at(basin);
+  }
+  std::printf("%s: %d peaks, %d basins\n", GetParam().c_str(), counts[0], counts[1]);
+  for (const int count : counts) {
+    EXPECT_GE(count, 5);  // measured: 39 to 48 peaks, 8 to 17 basins
+    EXPECT_LE(count, 100);
+  }
+  EXPECT_GT(heights[0] / counts[0], heights[1] / counts[1]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Dems, RealRivers,
