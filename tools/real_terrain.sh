@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Pictures and numbers of docs/guide/real_terrain.md, from elevation models that are not part of the repository:
-#   SEAMOUNT_DEMS=FOLDER tools/real_terrain.sh OUT [NAME...]
+#   SEAMOUNT_DEM_DIR=FOLDER tools/real_terrain.sh OUT [NAME...]
 # For each FOLDER/NAME.tif: OUT/NAME/*.png, the reports of hydrology.describe, and the table of their distances.
 set -euo pipefail
-: "${SEAMOUNT_DEMS:?names the folder of elevation models}"
-dems=$(realpath "$SEAMOUNT_DEMS")
+: "${SEAMOUNT_DEM_DIR:?names the folder of elevation models}"
+dems=$(realpath "$SEAMOUNT_DEM_DIR")
 out=$(realpath -m "${1:?the folder for the results}")
 shift
 (($#)) || set -- alps_n46e008_3arcsec

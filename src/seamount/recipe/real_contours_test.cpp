@@ -24,7 +24,7 @@ class RealContours : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
     const std::optional<std::string> path = find_dem(GetParam());
-    if (!path) GTEST_SKIP() << "no " << GetParam() << ".tif; SEAMOUNT_DEMS names the folder of elevation models";
+    if (!path) GTEST_SKIP() << "no " << GetParam() << ".tif; SEAMOUNT_DEM_DIR names the folder of elevation models";
     io::ReadOptions options;
     options.voids = io::Voids::fill;
     const HeightField whole = io::read_heights(*path, options);

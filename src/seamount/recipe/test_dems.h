@@ -1,4 +1,4 @@
-// Real elevation models for tests: looked for in the folder $SEAMOUNT_DEMS, else in ../shared/data/dem beside the
+// Real elevation models for tests: looked for in the folder $SEAMOUNT_DEM_DIR, else in ../shared/data/dem beside the
 // checkout. They are not part of the repository; a test without them says so and is skipped.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace seamount::recipe {
 /// The path of `name`.tif, if it is there.
 inline std::optional<std::string> find_dem(const std::string& name) {
   namespace fs = std::filesystem;
-  const char* folder = std::getenv("SEAMOUNT_DEMS");
+  const char* folder = std::getenv("SEAMOUNT_DEM_DIR");
   const fs::path path =
       (folder != nullptr ? fs::path(folder) : fs::path(SEAMOUNT_SOURCE_DIR) / "../shared/data/dem") / (name + ".tif");
   std::error_code error;
