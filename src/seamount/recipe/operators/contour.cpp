@@ -105,7 +105,7 @@ Values pattern(const contour::PatternParams& params, const Call& call) {
 void add_contour_operators(Registry& registry) {
   registry.add<contour::GrowParams>(
       {.name = "contour.grow",
-       .revision = 2,
+       .revision = 3,
        .summary = "Grows nested regions into a network whose nodes know in which order they rise, without basins",
        .source = "P2 sec. 4.2, 4.3, 4.5, Algorithm 1",
        .stochastic = true,

@@ -42,6 +42,7 @@ void add_contour_conversions(Registry& registry) {
                                        extract);
   registry.add<contour::ReconstructParams>(
       {.name = "contour.reconstruct",
+       .revision = 2,
        .summary = "A terrain from its contours or from a network, at any resolution",
        .source = "P2 sec. 3.2",
        .in = {{"contours", ValueKind::contours, "nested closed contours", false},
