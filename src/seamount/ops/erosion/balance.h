@@ -24,7 +24,8 @@ struct Balance {
   double under_water = 0;  ///< the same under sea and lakes
   double exported = 0;     ///< left over the border; negative: more came to lie on hollows' floors than left
   double uplifted = 0;
-  double picked_up = 0;  ///< by water and waves, most of it more than once
+  double picked_up =
+      0;  ///< by water, waves and failing slopes, most of it more than once; not what slides from cell to cell
   double error = 0;
 };
 

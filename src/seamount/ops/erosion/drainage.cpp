@@ -11,6 +11,7 @@ namespace seamount::erosion {
 namespace {
 
 constexpr double kGradient = 0.005;  // of a river along the border
+constexpr size_t kLeastPart = 1 << 13, kMostParts = 100;
 
 /// Border cells in order around the map.
 std::vector<int32_t> ring_of(const GridFrame& frame) {
@@ -118,11 +119,40 @@ void Drainage::order_trees(const RunContext& run) {
   }
 }
 
+void Drainage::divide(ScalarField& upstream) {
+  const size_t size = std::max(kLeastPart, order_.size() / kMostParts);
+  float* count = upstream.data();
+  std::fill(upstream.cells().begin(), upstream.cells().end(), 1.0F);
+  for (size_t k = order_.size(); k-- > 0;) {
+    if (!is_root(order_[k])) count[receiver(order_[k])] += count[order_[k]];
+  }
+  // The trunk moves to the front. What lies behind it stays in order, so that catchments are runs of it.
+  std::vector<int32_t> trunk;
+  size_t free = order_.size();
+  for (size_t k = order_.size(); k-- > 0;) {
+    if (count[order_[k]] > static_cast<float>(size)) {
+      trunk.push_back(order_[k]);
+    } else {
+      order_[--free] = order_[k];
+    }
+  }
+  std::reverse_copy(trunk.begin(), trunk.end(), order_.begin());
+  for (const int32_t cell : trunk) part_of_.data()[cell] = kTrunk;
+  part_begins_.assign(1, free);
+  for (size_t k = free; k < order_.size();) {
+    if (k - part_begins_.back() >= size) part_begins_.push_back(k);
+    const size_t end = k + static_cast<size_t>(count[order_[k]]);
+    for (; k < end; ++k) part_of_.data()[order_[k]] = static_cast<uint8_t>(part_begins_.size() - 1);
+  }
+  part_begins_.push_back(order_.size());
+}
+
 void Drainage::route(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, float uncertainty,
-                     Seed seed, const RunContext& run) {
+                     Seed seed, ScalarField& room, const RunContext& run) {
   const GridFrame& frame = surface.frame();
   if (!(direction_.frame() == frame)) {
     direction_ = Grid<uint8_t>(frame);
+    part_of_ = Grid<uint8_t>(frame);
     order_.resize(surface.size());
     for (size_t d = 0; d < 8; ++d) {
       offset_[d] = static_cast<int32_t>(geom::flow_steps(frame.width)[d]);
@@ -132,6 +162,7 @@ void Drainage::route(const HeightField& surface, const Grid<uint8_t>& outlets, f
   choose_receivers(surface, outlets, sea_m, uncertainty, seed, run);
   geom::route_through_pits(surface, direction_, std::numeric_limits<float>::infinity(), run);
   order_trees(run);
+  divide(room);
 }
 
 }  // namespace seamount::erosion

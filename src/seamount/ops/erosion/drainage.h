@@ -27,13 +27,24 @@ Grid<uint8_t> refined_outlets(const Grid<uint8_t>& coarse, const HeightField& fi
 
 class Drainage {
  public:
-  /// Routes water over a surface. uncertainty: 0 steepest descent, 1 strongly random. REQUIRES: one cell is a root
-  /// (border_outlets makes one). About 60 ns per cell, more on a rough surface; receivers are found in parallel.
+  static constexpr uint8_t kTrunk = 255;
+
+  /// Routes water over a surface. uncertainty: 0 steepest descent, 1 strongly random. `room` is of the surface's size
+  /// and spent. REQUIRES: one cell is a root (border_outlets makes one). About 60 ns per cell, more on a rough surface;
+  /// receivers are found in parallel.
   void route(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, float uncertainty, Seed seed,
-             const RunContext& run);
+             ScalarField& room, const RunContext& run);
 
   /// Every cell, each after its receiver.
   std::span<const int32_t> order() const { return order_; }
+  /// For parallel work the order begins with the trunk, the cells that much water passes through, and goes on with
+  /// parts: whole catchments that drain to the trunk or off the map, some ten thousand cells each, at most 200. Trunk
+  /// and parts depend on the ground alone.
+  std::span<const int32_t> trunk() const { return cells(0, part_begins_.front()); }
+  size_t parts() const { return part_begins_.size() - 1; }
+  std::span<const int32_t> part(size_t index) const { return cells(part_begins_[index], part_begins_[index + 1]); }
+  /// Index of a cell's part, or kTrunk.
+  uint8_t part_of(int32_t cell) const { return part_of_.data()[cell]; }
   uint8_t direction(int32_t cell) const { return direction_.data()[cell]; }
   bool is_root(int32_t cell) const { return direction(cell) == geom::kOutlet; }
   /// REQUIRES: not a root.
@@ -45,9 +56,13 @@ class Drainage {
   void choose_receivers(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, float uncertainty,
                         Seed seed, const RunContext& run);
   void order_trees(const RunContext& run);
+  void divide(ScalarField& upstream);
+  std::span<const int32_t> cells(size_t begin, size_t end) const { return order().subspan(begin, end - begin); }
 
   geom::FlowDirections direction_;
   std::vector<int32_t> order_;
+  std::vector<size_t> part_begins_;  ///< in the order, and its end
+  Grid<uint8_t> part_of_;
   std::array<int32_t, 8> offset_ = {};
   std::array<float, 8> distance_ = {};
 };

@@ -48,7 +48,8 @@ TEST(Drainage, LeadsEveryCellOutOverTheLowestPasses) {
       const float sea_m = seed % 2 == 0 ? 5.0F : -1.0F;
       const Grid<uint8_t> outlets = border_outlets(z, 100);
       Drainage drainage;
-      drainage.route(z, outlets, sea_m, 1.0F, Seed{seed}, {});
+      ScalarField room(z.frame());
+      drainage.route(z, outlets, sea_m, 1.0F, Seed{seed}, room, {});
       const std::vector<float> judge = flooded(z, outlets, sea_m);
       std::vector<float> water(z.size(), -1.0F);
       ASSERT_EQ(drainage.order().size(), z.size());
@@ -64,6 +65,32 @@ TEST(Drainage, LeadsEveryCellOutOverTheLowestPasses) {
       }
     }
   }
+}
+
+TEST(Drainage, PartsAreWholeCatchmentsBesideATrunk) {
+  HeightField z = rough(300, 260, 4);
+  for (int y = 0; y < 260; ++y) {
+    for (int x = 0; x < 300; ++x) z(x, y) = 0.2F * z(x, y) + static_cast<float>(y) + 0.5F * std::abs(x - 150.0F);
+  }
+  Grid<uint8_t> outlets(z.frame(), 0);
+  outlets(150, 0) = 1;
+  ScalarField room(z.frame());
+  Drainage drainage;
+  drainage.route(z, outlets, -1, 0.5F, Seed{1}, room, {});
+  size_t cells = drainage.trunk().size();
+  for (const int32_t cell : drainage.trunk()) EXPECT_EQ(drainage.part_of(cell), Drainage::kTrunk);
+  for (size_t part = 0; part < drainage.parts(); ++part) {
+    cells += drainage.part(part).size();
+    for (const int32_t cell : drainage.part(part)) {
+      ASSERT_EQ(drainage.part_of(cell), part);
+      if (drainage.is_root(cell)) continue;
+      const uint8_t below = drainage.part_of(drainage.receiver(cell));
+      ASSERT_TRUE(below == part || below == Drainage::kTrunk);
+    }
+  }
+  EXPECT_EQ(cells, z.size());
+  EXPECT_GT(drainage.parts(), 3);
+  EXPECT_LT(drainage.trunk().size(), z.size() / 50);
 }
 
 TEST(Drainage, ABorderHasItsOutletsWhereValleysLeave) {
@@ -88,7 +115,8 @@ TEST(Drainage, DrawsTheSameWaysForTheSameSeed) {
   const Grid<uint8_t> outlets = border_outlets(z, 100);
   const auto ways = [&](uint64_t seed, int threads) {
     Drainage drainage;
-    drainage.route(z, outlets, -1, 2.0F, Seed{seed}, {.threads = threads});
+    ScalarField room(z.frame());
+    drainage.route(z, outlets, -1, 2.0F, Seed{seed}, room, {.threads = threads});
     std::vector<int> all;
     for (int32_t i = 0; i < 2500; ++i) all.push_back(drainage.direction(i));
     return all;

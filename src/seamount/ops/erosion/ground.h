@@ -34,20 +34,25 @@ struct Ground {
   }
 };
 
-/// Maps of a site, each empty where it was not given.
-struct Site {
-  ScalarField hardness;  ///< how many times as hard as the erodibility says; > 0
-  Mask mask;             ///< where erosion acts: 0 nowhere, 1 fully
-  ScalarField uplift;    ///< share of the uplift
-};
-
 /// Value of a map that may be absent.
 SEAMOUNT_INLINE float value_or_one(const ScalarField& map, size_t cell) {
   return map.empty() ? 1.0F : map.data()[cell];
 }
 
-/// Volumes in m3, added up over a run. Eroded is what was picked up by water, waves and slopes, most of it more than
-/// once.
+/// Maps of a site, each empty where it was not given.
+struct Site {
+  ScalarField hardness;  ///< how many times as hard as the erodibility says; > 0
+  Mask mask;             ///< where erosion acts: 0 nowhere, 1 fully
+  ScalarField uplift;    ///< share of the uplift
+
+  /// What a cell rises when the land rises by `uplift_m`.
+  float rise(size_t cell, float uplift_m) const {
+    return uplift_m * value_or_one(uplift, cell) * value_or_one(mask, cell);
+  }
+};
+
+/// Volumes in m3, added up over a run. Eroded is what water, waves and failing slopes picked up, most of it more than
+/// once; what slides from cell to cell is none of it.
 struct Ledger {
   double uplifted = 0;
   double exported = 0;

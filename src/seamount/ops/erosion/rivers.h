@@ -1,14 +1,17 @@
-// Rivers: rain gathers, cuts into the ground, carries what it cut, and drops it where the slope gives out.
+// Rivers and the slopes above them: rain gathers, cuts into the ground, carries what it cut, and drops it where the
+// slope gives out; soil creeps, and what stands too steep over the valleys fails.
 //
-//   dh/dt = - K sqrt(Q - Q_c) dh/dx  +  G q_s / Q      (Davy and Lague 2009; Yuan, Braun, Guerit, Rouby, Cordonnier
-//   2019)
+//   dh/dt = - K sqrt(Q - Q_c) dh/dx  +  G q_s (Q - Q_c) / Q^2  +  D laplace(h),   |dh/dx| <= S sqrt(hardness)
 //
-// with Q the discharge (m3 per year), q_s the load (m3 per year), K by the material on top of each cell. Erosion is
-// implicit from the outlets up (Braun and Willett 2013), so that any time step is stable; erosion and deposition are
-// made to agree by Gauss-Seidel sweeps (Yuan et al.), and a last sweep downstream moves exactly what there is, so mass
-// is conserved to rounding. Departures: the exponents are m = 1/2 and n = 1; layers wear one after the other within a
-// step; no channel starts below a discharge Q_c (slopes.h shapes what lies between channels); lakes are filled up to
-// their water level before anything flows out of them.
+// (Davy and Lague 2009; Yuan, Braun, Guerit, Rouby, Cordonnier 2019; Culling 1960 for creep) with Q the discharge (m3
+// per year), q_s the load (m3 per year), K by the material on top of each cell, and S the slope at which bedrock fails
+// (repose.h). All of it is one implicit step from the outlets up (Braun and Willett 2013), so that any time step is
+// stable and rivers and slopes agree in each: taken one after the other, creep would fill in a long step the valleys
+// that rivers keep open. Gauss-Seidel sweeps make erosion, deposition and creep agree (Yuan et al.), and a last sweep
+// downstream moves exactly what there is, so mass is conserved to rounding: what creep and failing slopes lose goes
+// with the water and comes to lie where creep or rivers ask for it. Departures: the exponents are m = 1/2 and n = 1;
+// layers wear one after the other within a step; no channel starts below a discharge Q_c; lakes are filled up to their
+// water level before anything flows out of them.
 #pragma once
 
 #include "seamount/base/run_context.h"
@@ -26,6 +29,9 @@ struct Rivers {
   double sediment_ease = 4;  ///< K of sediment over that of bedrock
   double deposition = 1;     ///< G
   double channel_m2 = 0;     ///< area whose runoff is Q_c
+  double creep_m2 = 0;       ///< D, m2 per year
+  double steepest = 1e9;     ///< S, rise over run
+  double uplift_m = 0;       ///< by which the ground has just risen, times the maps of the site; where sweeps begin
   double sea_m = 0;
   int sweeps = 2;  ///< of Gauss-Seidel, >= 1
 };

@@ -24,7 +24,7 @@ struct River {
     discharge = load = level = ScalarField(frame);
   }
   void step(const Rivers& rivers) {
-    drainage.route(ground.surface, outlets, -1e4F, 0, Seed{}, {});
+    drainage.route(ground.surface, outlets, -1e4F, 0, Seed{}, level, {});
     gather(drainage, rivers, discharge, {});
     run_rivers(ground, {}, drainage, discharge, rivers, load, level, ledger, {});
   }
@@ -86,6 +86,77 @@ TEST(Rivers, FillALakeBeforeTheyLeaveIt) {
     lake = river.ground.sediment(14, 0);
   }
   EXPECT_GT(lake, 5);
+}
+
+/// A hill on a plain without rivers, `years` of creep in `steps`.
+HeightField crept(double years, int steps) {
+  const GridFrame frame = GridFrame::centred(101, 101, 10);
+  Ground ground{HeightField(frame), ScalarField(frame, 0.0F), ScalarField(frame, 1000.0F)};
+  for (int y = 0; y < 101; ++y) {
+    for (int x = 0; x < 101; ++x) {
+      const double r2 = std::pow(x - 50, 2) + std::pow(y - 50, 2);
+      ground.surface(x, y) = static_cast<float>(100 + 20 * std::exp(-0.5 * r2 / 64));
+    }
+  }
+  const Grid<uint8_t> outlets = border_outlets(ground.surface, 50);
+  ScalarField discharge(frame), load(frame), level(frame);
+  Drainage drainage;
+  Ledger ledger;
+  const Rivers rivers{.years = years / steps, .deposition = 0, .creep_m2 = 1, .sea_m = -1e4, .sweeps = 4};
+  for (int i = 0; i < steps; ++i) {
+    drainage.route(ground.surface, outlets, -1e4F, 0, Seed{}, level, {});
+    gather(drainage, rivers, discharge, {});
+    run_rivers(ground, {}, drainage, discharge, rivers, load, level, ledger, {});
+  }
+  return ground.surface;
+}
+
+TEST(Rivers, CreepSpreadsAsTheHeatEquationSays) {
+  // A Gaussian of variance s^2 + 2 D t, of the same volume. Long steps lag behind.
+  const double variance = 6400, later = variance + 2 * 8000, peak = 20 * variance / later;
+  const HeightField z = crept(8000, 80), lagging = crept(8000, 8);
+  EXPECT_NEAR(z(50, 50) - 100, peak, 0.1 * peak);
+  EXPECT_NEAR(z(62, 50) - 100, peak * std::exp(-0.5 * 14400 / later), 0.1 * peak);
+  EXPECT_LT(z(50, 50), lagging(50, 50));
+  EXPECT_LT(lagging(50, 50), 116);
+}
+
+TEST(Rivers, CreepRoundsACrestToTheParabolaThatUpliftAsksFor) {
+  // h = U (L^2 - x^2) / (2 D) between two valleys L to either side, whatever the length of the steps.
+  constexpr int kHalf = 10;
+  constexpr double kUplift = 1e-4, kCreep = 0.02;
+  const GridFrame frame = GridFrame::centred(2 * kHalf + 1, 3, 10);
+  for (const double years : {500.0, 10000.0}) {
+    Ground ground{HeightField(frame, 0.0F), ScalarField(frame, 0.0F), ScalarField(frame, 0.0F)};
+    Grid<uint8_t> outlets(frame, 0);
+    for (int y = 0; y < 3; ++y) outlets(0, y) = outlets(2 * kHalf, y) = 1;
+    ScalarField discharge(frame), load(frame), level(frame);
+    Drainage drainage;
+    Ledger ledger;
+    const Rivers rivers{
+        .years = years, .deposition = 0, .creep_m2 = kCreep, .uplift_m = kUplift * years, .sea_m = -1e4, .sweeps = 1};
+    for (int i = 0; i < static_cast<int>(3e6 / years); ++i) {
+      for (int y = 0; y < 3; ++y) {
+        for (int x = 1; x < 2 * kHalf; ++x) ground.surface(x, y) += static_cast<float>(kUplift * years);
+      }
+      drainage.route(ground.surface, outlets, -1e4F, 0, Seed{}, level, {});
+      gather(drainage, rivers, discharge, {});
+      run_rivers(ground, {}, drainage, discharge, rivers, load, level, ledger, {});
+    }
+    for (int x = 0; x <= 2 * kHalf; ++x) {
+      const double wanted = kUplift * 100 * (kHalf * kHalf - (x - kHalf) * (x - kHalf)) / (2 * kCreep);
+      EXPECT_NEAR(ground.surface(x, 1), wanted, 0.05 * kUplift * 100 * kHalf * kHalf / (2 * kCreep))
+          << x << " " << years;
+    }
+  }
+}
+
+TEST(Rivers, NothingStandsSteeperOverThemThanItCan) {
+  River river(40);
+  for (int x = 1; x < 40; ++x) river.ground.surface(x, 0) += 400;
+  river.step({.years = 100, .erodibility = 0, .steepest = 0.5, .sea_m = -1e4});
+  for (int x = 1; x < 40; ++x) EXPECT_LE(river.ground.surface(x, 0) - river.ground.surface(x - 1, 0), 50.01) << x;
+  EXPECT_GT(river.ledger.exported, 0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/noise.h"
@@ -19,6 +20,7 @@ constexpr int kCoarsestSide = 64;         // grids are halved until the next one
 constexpr double kShareOfRest = 0.3;      // of the remaining years that a coarse grid takes
 constexpr double kRockBodies_m = 2500.0;  // size of the largest bodies of harder and softer rock
 constexpr int kMostSteps = 24, kFewestSteps = 8;
+constexpr int kSlides = 2;                 // rounds per step
 constexpr double kOutletReach = 1.0 / 16;  // of the map's side along which valleys compete for an outlet
 
 /// How a grid spends its share of the years.
@@ -31,9 +33,6 @@ struct Stage {
 int steps_for(const GridFrame& frame) {
   return std::clamp(kMostSteps * 256 / std::max(frame.width, frame.height), kFewestSteps, kMostSteps);
 }
-
-/// Rounds of sliding per step: many where cells are few.
-int slides_for(const GridFrame& frame) { return std::max(frame.width, frame.height) <= 256 ? 12 : 4; }
 
 void check_map(const ScalarField& map, const GridFrame& frame, const char* name) {
   if (map.empty() || (map.width() == frame.width && map.height() == frame.height)) return;
@@ -72,18 +71,20 @@ Rivers rivers_of(const RunParams& p, double years) {
           .sediment_ease = carries ? p.sediment_ease : 1.0,
           .deposition = carries ? p.deposition : 0.0,
           .channel_m2 = p.channel_m2,
-          .sea_m = p.sea_m};
+          .creep_m2 = p.creep_m2,
+          .steepest = std::tan(p.bedrock_angle_deg * std::numbers::pi / 180.0),
+          .uplift_m = p.uplift_mm * 1e-3 * years,
+          .sea_m = p.sea_m,
+          .sweeps = carries ? 2 : 1};
 }
 
-Slopes slopes_of(const RunParams& p, double years, int slides) {
+Slopes slopes_of(const RunParams& p, double years) {
   return {.years = years,
           .sediment_angle_deg = p.sediment_angle_deg,
           .rock_angle_deg = p.rock_angle_deg,
           .bedrock_angle_deg = p.bedrock_angle_deg,
           .weathering_m = p.method == Method::hydraulic ? p.weathering_mm * 1e-3 : 0.0,
-          .creep_m2 = p.creep_m2,
-          .sea_m = p.sea_m,
-          .slides = slides};
+          .slides = kSlides};
 }
 
 Coast coast_of(const RunParams& p, double years) {
@@ -114,10 +115,11 @@ class Level {
   void step(double years, double progress, Seed seed, Ledger& ledger, const RunContext& run) {
     uplift(years, ledger);
     // First, so that rivers clear away what slides into them.
-    run_slopes(ground_, site_, slopes_of(params_, years, slides_for(ground_.frame())), load_, room_, run);
+    run_slopes(ground_, site_, slopes_of(params_, years), load_, room_, run);
+    clear_outlets(ledger);
     const Rivers rivers = rivers_of(params_, years);
-    const auto wandering = static_cast<float>(kWandering + progress * (kSettled - kWandering));
-    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), wandering, seed, run);
+    const auto wandering = static_cast<float>(kWandering * (1.0 - progress));
+    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), wandering, seed, room_, run);
     gather(drainage_, rivers, flow_, run);
     run_rivers(ground_, site_, drainage_, flow_, rivers, load_, room_, ledger, run);
     run_coast(ground_, site_, coast_of(params_, years), load_, room_, ledger, run);
@@ -126,7 +128,7 @@ class Level {
 
   /// Discharge, lakes and the last shallow hollows.
   void finish(bool fill_hollows, Ledger& ledger, ScalarField& flow, ScalarField& lake, const RunContext& run) {
-    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), 0.0F, Seed{}, run);
+    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), 0.0F, Seed{}, room_, run);
     gather(drainage_, rivers_of(params_, 0), flow_, run);
     settle_hollows(ground_, site_, drainage_, static_cast<float>(params_.sea_m), fill_hollows, load_, room_, ledger);
     flow = std::move(flow_);
@@ -134,7 +136,7 @@ class Level {
   }
 
  private:
-  static constexpr double kWandering = 2.0, kSettled = 0.2;
+  static constexpr double kWandering = 0.5;
 
   void uplift(double years, Ledger& ledger) {
     const auto rise = static_cast<float>(params_.uplift_mm * 1e-3 * years);
@@ -142,7 +144,7 @@ class Level {
     double sum = 0;
     for (size_t i = 0; i < ground_.surface.size(); ++i) {
       if (outlets_.data()[i] != 0) continue;
-      const float own = rise * value_or_one(site_.uplift, i) * value_or_one(site_.mask, i);
+      const float own = site_.rise(i, rise);
       ground_.surface.data()[i] += own;
       sum += own;
     }
@@ -187,7 +189,10 @@ Pyramid pyramid_of(Ground ground, Site site, const RunContext& run) {
 }
 
 /// Steps become shorter towards the end of a stage, so that its last changes have settled.
-double share_of_step(int i, int steps) { return 2.0 * (steps - i) / (static_cast<double>(steps) * (steps + 1)); }
+double share_of_step(int i, int steps) {
+  const double left = steps - i, all = steps;
+  return 6.0 * left * left / (all * (all + 1) * (2 * all + 1));
+}
 
 double end_year(const RunParams& params) { return std::min(params.years, params.stop_year.value_or(params.years)); }
 

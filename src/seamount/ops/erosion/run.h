@@ -1,11 +1,11 @@
 // erosion.run: years of rain, rivers, slides and waves on a terrain of bedrock, rock and sediment.
 //
 // Rivers cut into the ground by their discharge and slope, carry what they cut and drop it where they slow down, so
-// that drained valleys, filled valley floors and fans appear (rivers.h); slopes weather, slide to the angle of their
-// material and creep (slopes.h); waves cut the coast and sediment settles under water (coast.h). Water always finds a
-// way out (drainage.h). Cf. P1 sec. 5.4, which simulates interleaved hydraulic and thermal erosion of the same three
-// layers by stochastic events after Cordonnier et al. 2017; we solve for the same processes with implicit steps of many
-// years.
+// that drained valleys, filled valley floors and fans appear; soil creeps, and rock that stands too steep over its
+// valley fails (rivers.h); bare rock weathers, and debris slides to its angle (slopes.h); waves cut the coast and
+// sediment settles under water (coast.h). Water always finds a way out (drainage.h). Cf. P1 sec. 5.4, which simulates
+// interleaved hydraulic and thermal erosion of the same three layers by stochastic events after Cordonnier et al. 2017;
+// we solve for the same processes with implicit steps of many years.
 //
 // The run goes from coarse to fine (levels.h): it begins on a grid of about 64 cells a side and each finer grid takes a
 // share of the remaining years, so that valleys of all sizes have had their time, and a small grid previews a large
@@ -75,10 +75,12 @@ struct RunParams {
         field(&P::uplift_mm, "uplift_mm", "mm", between(0, 100), "rise of the land per year, times the input `uplift`"),
         field(&P::weathering_mm, "weathering_mm", "mm", between(0, 100),
               "bedrock that crumbles per year where it is bare and steep"),
-        field(&P::bedrock_angle_deg, "bedrock_angle_deg", "deg", between(1, 89), "steepest slope of bedrock"),
+        field(&P::bedrock_angle_deg, "bedrock_angle_deg", "deg", between(1, 89),
+              "steepest slope of bedrock; rock four times as hard stands twice as steep"),
         field(&P::rock_angle_deg, "rock_angle_deg", "deg", between(1, 89), "steepest slope of rock debris"),
         field(&P::sediment_angle_deg, "sediment_angle_deg", "deg", between(1, 89), "steepest slope of fine sediment"),
-        field(&P::creep_m2, "creep_m2", "m2", between(0, 10), "diffusivity of soil per year: rounds crests"),
+        field(&P::creep_m2, "creep_m2", "m2", between(0, 10),
+              "diffusivity of soil per year: rounds crests and spaces valleys; 0.001 dry to 0.05 wet"),
         field(&P::sea_m, "sea_m", "m", between(-12000, 9000), "level of the sea; far below the terrain for none"),
         field(&P::retreat_mm, "retreat_mm", "mm", between(0, 10000), "retreat of exposed cliffs per year"),
         field(&P::wave_base_m, "wave_base_m", "m", between(0.1, 200), "depth down to which waves move sediment"),
@@ -99,8 +101,8 @@ struct Eroded {
 /// Erodes a terrain. Maps are optional (empty) and cover the same frame: hardness > 0, mask and uplift in [0, 1];
 /// `rock` and `sediment` are what already lies on the bedrock. Zero years change nothing. The terrain loses to the
 /// border what ledger.exported says, and nothing else (to 1e-4). Throws InvalidArgument for params out of range,
-/// IncompatibleInputs for maps of another size. Rivers are followed in one thread per run, the rest is parallel; about
-/// 4 us and 34 bytes per cell.
+/// IncompatibleInputs for maps of another size. Parallel but for the order of the rivers; about 3 us and 35 bytes per
+/// cell.
 Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const RunContext& run);
 
 }  // namespace seamount::erosion

@@ -79,6 +79,17 @@ TEST(Erosion, ZeroYearsChangeNothing) {
   EXPECT_TRUE(eroded(start, {.stop_year = 0}).terrain == start);
 }
 
+TEST(Erosion, AnyNumberOfThreadsMakesTheSameBytes) {
+  for (const Method method : {Method::hydraulic, Method::stream_power}) {
+    const HeightField start = hills(300, 280, 20);
+    const RunParams params{.method = method, .uplift_mm = 0.2};
+    const Eroded one = eroded(start, params, {}, 1), more = eroded(start, params, {}, 5);
+    EXPECT_TRUE(one.terrain == more.terrain);
+    EXPECT_TRUE(one.sediment == more.sediment);
+    EXPECT_EQ(one.ledger.exported, more.ledger.exported);
+  }
+}
+
 TEST(Erosion, FlatGroundStaysFlat) {
   for (const float level : {0.0F, 120.0F, -30.0F}) {
     const HeightField flat(GridFrame::centred(150, 130, 20), level);

@@ -51,41 +51,11 @@ void weather(Ground& ground, const Site& site, const Slopes& slopes, const RunCo
   });
 }
 
-/// One explicit round of diffusion; `number` = D dt / dx^2, at most 0.2.
-void creep(Ground& ground, const Site& site, float number, float sea_m, ScalarField& next, const RunContext& run) {
-  const float* z = ground.surface.data();
-  for_cells(ground.frame(), run, [&](size_t cell, int x, int y) {
-    float change = 0.0F;
-    if (z[cell] >= sea_m) {
-      for_neighbours(ground.frame(), x, y, [&](size_t other, int d) {
-        if (z[other] < sea_m) return;
-        const float weight = d % 2 == 0 ? 2.0F / 3.0F : 1.0F / 6.0F;
-        const float mask = std::min(value_or_one(site.mask, cell), value_or_one(site.mask, other));
-        change += weight * mask * (z[other] - z[cell]);
-      });
-    }
-    change *= number;
-    next.data()[cell] = z[cell] + change;
-    float& fine = ground.sediment.data()[cell];
-    const float from_fine = std::max(-fine, change);
-    fine += from_fine;
-    float& rock = ground.rock.data()[cell];
-    rock = std::max(0.0F, rock + (change - from_fine));
-  });
-  std::swap(ground.surface, next);
-}
-
 }  // namespace
 
 void run_slopes(Ground& ground, const Site& site, const Slopes& slopes, ScalarField& share, ScalarField& next,
                 const RunContext& run) {
-  const double cell_m = ground.surface.cell_m();
   if (slopes.weathering_m > 0) weather(ground, site, slopes, run);
-  const auto sea = static_cast<float>(slopes.sea_m);
-  const double number = slopes.creep_m2 * slopes.years / (cell_m * cell_m);
-  const int rounds = static_cast<int>(std::min(64.0, std::ceil(number / 0.2)));
-  for (int k = 0; k < rounds; ++k)
-    creep(ground, site, static_cast<float>(std::min(0.2, number / rounds)), sea, next, run);
   const double speed = kSlidePerRound * std::min(1.0, slopes.years / kSlideTime_yr);
   for (int k = 0; k < slopes.slides; ++k) {
     slide(ground, site, Layer::bedrock, slopes.bedrock_angle_deg, speed, share, next, run);

@@ -1,9 +1,9 @@
-// Slopes: what is steeper than its material can stand slides, bedrock crumbles to rock, and soil creeps.
+// Slopes: what is steeper than its material can stand slides, and bedrock crumbles to rock.
 //
 // Each layer slides at its own angle (slides.h; Benes and Forsbach 2001); bedrock that breaks off is rock from then on.
-// Weathering turns bare bedrock into rock where it is steep, less under cover (Cordonnier et al. 2017b). Creep is
-// linear diffusion of the ground above the sea (Culling 1960). All of it moves mass between neighbours only, nothing
-// across the border of the map.
+// Weathering turns bare bedrock into rock where it is steep, less under cover (Cordonnier et al. 2017b). All of it
+// moves mass between neighbours only, nothing across the border of the map. Creep is in rivers.h, where it and water
+// shape ground together.
 #pragma once
 
 #include "seamount/base/run_context.h"
@@ -17,9 +17,7 @@ struct Slopes {
   double rock_angle_deg = 35;
   double bedrock_angle_deg = 50;
   double weathering_m = 0;  ///< bedrock that turns to rock per year where it stands bare and steep
-  double creep_m2 = 0;      ///< diffusivity of soil, m2 per year
-  double sea_m = 0;
-  int slides = 4;  ///< rounds of sliding
+  int slides = 2;           ///< rounds of sliding
 };
 
 /// One step. `share` and `next` are room to work in, of the ground's size. Parallel; about 10 ns per cell and round.

@@ -50,23 +50,6 @@ TEST(Slopes, EachLayerComesToRestAtItsAngle) {
   }
 }
 
-TEST(Slopes, CreepSpreadsAsTheHeatEquationSays) {
-  Ground ground = flat(101, 101, 1000, 0);
-  for (int y = 0; y < 101; ++y) {
-    for (int x = 0; x < 101; ++x) {
-      ground.surface(x, y) += 20 * std::exp(-0.5F * static_cast<float>((x - 50) * (x - 50) + (y - 50) * (y - 50)) / 64);
-    }
-  }
-  const Slopes slopes{.years = 1000, .creep_m2 = 1, .slides = 0};
-  const double before = sum(ground.surface);
-  settle(ground, slopes, 8);
-  EXPECT_NEAR(sum(ground.surface), before, 1e-6 * before);
-  // A Gaussian of variance s^2 + 2 D t, of the same volume.
-  const double variance = 6400, later = variance + 2 * 8000;
-  EXPECT_NEAR(ground.surface(50, 50) - 100, 20 * variance / later, 0.2);
-  EXPECT_NEAR(ground.surface(62, 50) - 100, 20 * variance / later * std::exp(-0.5 * 14400 / later), 0.2);
-}
-
 TEST(Slopes, BareSteepRockCrumbles) {
   Ground ground = flat(30, 30, 0, 0);
   for (int y = 0; y < 30; ++y) {

@@ -27,7 +27,7 @@ Values run(const erosion::RunParams& params, const Call& call) {
 void add_erosion_operators(Registry& registry) {
   registry.add<erosion::RunParams>(
       {.name = "erosion.run",
-       .revision = 2,
+       .revision = 3,
        .summary =
            "Years of rivers, slides, creep and waves on bedrock, rock and sediment; or a range that rises and wears",
        .source = "P1 sec. 5.4; Braun and Willett 2013, Yuan et al. 2019, Musgrave et al. 1989",
