@@ -49,6 +49,9 @@ class Drainage {
   bool is_root(int32_t cell) const { return direction(cell) == geom::kOutlet; }
   /// REQUIRES: not a root.
   int32_t receiver(int32_t cell) const { return cell + offset_[direction(cell)]; }
+  /// The cell beside a cell, `turn` eighths of a circle from the way its water takes. REQUIRES: not a root, not on the
+  /// border.
+  int32_t beside(int32_t cell, int turn) const { return cell + offset_[(direction(cell) + turn) & 7]; }
   /// Metres to the receiver.
   float distance(int32_t cell) const { return distance_[direction(cell)]; }
 

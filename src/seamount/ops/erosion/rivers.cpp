@@ -54,6 +54,9 @@ void flow_down(const Drainage& drainage, float* to, const RunContext& run, const
   }
 }
 
+/// How far a river builds its bed above both of its banks in a step, in cells.
+constexpr float kLevee = 0.25F;
+
 double area_of(const Ground& ground) { return ground.surface.cell_m() * ground.surface.cell_m(); }
 
 /// How fast a layer goes down towards the base level, times the step: K dt sqrt(Q) / dx.
@@ -61,19 +64,18 @@ struct Rates {
   float sediment, rock, bedrock;
 };
 
-/// Height after a step of dh/dt = -F (h - base), F by layer: backward Euler in each layer, in turn. `top` > base.
+/// Height after a step of dh/dt = -F (h - base), F by layer: backward Euler, in which every layer wears at the slope
+/// that the step ends with, so that a metre of it counts as F_below / F metres of the layer below. `top` > base.
 float cut_down(float top, float base, float sediment, float rock, const Rates& rates) {
-  float time = 1.0F;
+  float bottom = top, worn = 0.0F;  // how long the layers above took, times the slope at the end
   for (const auto& [thickness, rate] : {std::pair{sediment, rates.sediment}, {rock, rates.rock}}) {
     if (thickness <= 0.0F) continue;
-    const float reached = (top + time * rate * base) / (1.0F + time * rate);
-    const float bottom = top - thickness;
+    const float reached = (bottom + rate * (base + worn)) / (1.0F + rate);
+    bottom -= thickness;
     if (reached >= bottom) return reached;
-    time -= (top - bottom) / (rate * (bottom - base));
-    top = bottom;
-    if (time <= 0.0F) return top;
+    worn += thickness / rate;
   }
-  return (top + time * rates.bedrock * base) / (1.0F + time * rates.bedrock);
+  return (bottom + rates.bedrock * (base + worn)) / (1.0F + rates.bedrock);
 }
 
 /// Ground that creep has moved, before rivers cut it: where its top is, and how much it resists going anywhere else.
@@ -81,6 +83,10 @@ struct Crept {
   float top;
   float stiffness;  ///< 1 + D dt (neighbours) / dx^2
 };
+
+/// What a sweep downstream is for: a first guess of the load, where the ground has come to lie without any; the load of
+/// the next sweep; or to move the ground.
+enum class Carry { guess, tell, move };
 
 /// The sweeps of one step over one ground.
 class Step {
@@ -103,7 +109,8 @@ class Step {
         threshold_(static_cast<float>(rivers.rain_m * rivers.channel_m2)),
         heads_(static_cast<float>(rivers.rain_m * kHeadCells * area_of(ground))),
         settling_(static_cast<float>(rivers.deposition * rivers.rain_m * area_of(ground))),
-        creep_(static_cast<float>(rivers.creep_m2 * rivers.years / area_of(ground))) {}
+        creep_(static_cast<float>(rivers.creep_m2 * rivers.years / area_of(ground))),
+        trust_(static_cast<float>(1.0 / (1.0 + 0.5 * rivers.deposition))) {}
 
   /// Where each cell would come to lie, from the outlets up, given the load. Below a lake's level: that level.
   void solve(const RunContext& run) {
@@ -115,16 +122,27 @@ class Step {
     for_parts(drainage_, run, [&](size_t part) { all(drainage_.part(part)); });
   }
 
-  /// Carries the load downstream. `moving`: changes the ground; else only tells the load of the next sweep.
-  template <bool moving>
+  /// The load of the next sweep: where the ground has come to lie without any load, a first guess, and later so far
+  /// from the last one that sweeps do not swing.
+  void tell(bool first, const RunContext& run) {
+    Ledger none;
+    if (first) return carry<Carry::guess>(none, run);
+    const std::vector<float> last(load_, load_ + drainage_.order().size());
+    carry<Carry::tell>(none, run);
+    for (size_t i = 0; i < last.size(); ++i) load_[i] = last[i] + trust_ * (load_[i] - last[i]);
+  }
+
+  /// Carries the load downstream.
+  template <Carry what>
   void carry(Ledger& ledger, const RunContext& run) {
+    constexpr bool moving = what == Carry::move;
     std::fill_n(load_, drainage_.order().size(), 0.0F);
     std::vector<Ledger> ledgers(drainage_.parts() + 1);
     flow_down(drainage_, load_, run, [&](int32_t cell, size_t part, const auto& add) {
       if (drainage_.is_root(cell)) {
-        if (moving) leave(cell, ledgers[part]);
+        if (moving) level_[cell] = 0.0F, leave(cell, ledgers[part]);
       } else {
-        add(pass_on<moving>(cell, ledgers[part]));
+        add(pass_on<what>(cell, ledgers[part]));
       }
     });
     if (!moving) return;
@@ -145,10 +163,13 @@ class Step {
   }
 
   /// Lets a cell take its share of the load or add to it, and returns what goes on.
-  template <bool moving>
+  template <Carry what>
   float pass_on(int32_t cell, Ledger& ledger) {
+    constexpr bool moving = what == Carry::move;
     const float change = level_[cell] - surface_[cell];
     float leaving = load_[cell];
+    if (moving) level_[cell] = 0.0F;
+    if (what == Carry::guess) leaving -= leaving * settling_share(cell) / (1.0F + cutting(cell) * sediment_ease_);
     if (change < 0.0F) {
       leaving -= change;
       if (moving) ground_.lower(cell, -change);
@@ -156,30 +177,54 @@ class Step {
     } else if (value_or_one(site_.mask, cell) > 0.0F) {
       const float laid = std::min(change, leaving);
       leaving -= laid;
-      if (moving) ground_.bury(cell, laid);
+      if (moving) {
+        ground_.bury(cell, laid);
+        level_[cell] = laid;
+      }
       ledger.deposited += laid;
     }
     if (moving) load_[cell] = 0.0F;
     return leaving;
   }
 
-  float level_of(int32_t cell) const {
-    const float base = level_[drainage_.receiver(cell)], distance = drainage_.distance(cell);
-    const float mask = value_or_one(site_.mask, cell), hardness = value_or_one(site_.hardness, cell);
+  /// Water that cuts and lays down, and what of a cell's discharge it is.
+  float in_channel(int32_t cell) const { return std::max(0.0F, discharge_[cell] - threshold_); }
+
+  /// What a river lays down of the load that comes to a cell.
+  float settling_share(int32_t cell) const {
     const float water = discharge_[cell];
-    const float in_channel = std::max(0.0F, water - threshold_);
-    const float laid = mask * load_[cell] * std::min(1.0F, settling_ / water) * (in_channel / water);
+    return value_or_one(site_.mask, cell) * std::min(1.0F, settling_ / water) * (in_channel(cell) / water);
+  }
+
+  /// K dt sqrt(Q) / dx for bedrock of hardness 1.
+  float cutting(int32_t cell) const {
+    const float water = in_channel(cell);
+    return value_or_one(site_.mask, cell) * rate_ * std::sqrt(std::max(water - heads_, kHeadShare * water)) /
+           drainage_.distance(cell);
+  }
+
+  float level_of(int32_t cell) const {
+    const float base = level_[drainage_.receiver(cell)];
+    const float laid = std::min(load_[cell] * settling_share(cell), room_below_banks(cell));
     const float before = surface_[cell] + laid;
-    const Crept crept = creep(cell, before, creep_ * mask);
+    const Crept crept = creep(cell, before, creep_ * value_or_one(site_.mask, cell));
     if (crept.top <= base) return base;
-    const float cutting =
-        mask * rate_ * std::sqrt(std::max(in_channel - heads_, kHeadShare * in_channel)) / (distance * crept.stiffness);
+    const float rate = cutting(cell) / crept.stiffness;
+    if (rate <= 0.0F) return crept.top;
     const float gone = std::max(0.0F, before - crept.top);
     const float fine = ground_.sediment.data()[cell] + laid - gone;
     const float coarse = ground_.rock.data()[cell] + std::min(0.0F, fine);
-    if (cutting <= 0.0F) return crept.top;
     return cut_down(crept.top, base, fine, coarse,
-                    {cutting * sediment_ease_, cutting * rock_ease_, cutting / hardness});
+                    {rate * sediment_ease_, rate * rock_ease_, rate / value_or_one(site_.hardness, cell)});
+  }
+
+  /// How much a river may lay down: up to its banks and a little, then it breaks out.
+  float room_below_banks(int32_t cell) const {
+    const float levee = kLevee * drainage_.distance(cell);
+    const int x = cell % width_;
+    if (x == 0 || x == width_ - 1 || cell < width_ || cell >= width_ * (height_ - 1)) return levee;
+    const float bank = std::max(surface_[drainage_.beside(cell, 2)], surface_[drainage_.beside(cell, 6)]);
+    return levee + std::max(0.0F, bank - surface_[cell]);
   }
 
   /// The implicit step of diffusion between a cell and its four neighbours on land, the others where they are now. What
@@ -214,7 +259,7 @@ class Step {
   float* load_;
   float* level_;
   int32_t width_, height_;
-  float sea_, rate_, rock_ease_, sediment_ease_, threshold_, heads_, settling_, creep_;
+  float sea_, rate_, rock_ease_, sediment_ease_, threshold_, heads_, settling_, creep_, trust_;
 };
 
 }  // namespace
@@ -235,13 +280,14 @@ void run_rivers(Ground& ground, const Site& site, const Drainage& drainage, cons
   std::fill(load.cells().begin(), load.cells().end(), 0.0F);
   for (size_t i = 0; i < level.size(); ++i)
     level.data()[i] = ground.surface.data()[i] - site.rise(i, static_cast<float>(rivers.uplift_m));
-  for (int sweep = 0; sweep < rivers.sweeps && (rivers.deposition > 0 || rivers.creep_m2 > 0); ++sweep) {
+  const int sweeps = rivers.deposition > 0 || rivers.creep_m2 > 0 ? rivers.sweeps : 0;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
     step.solve(run);
-    step.carry<false>(ledger, run);
+    if (rivers.deposition > 0) step.tell(sweep == 0, run);
   }
   step.solve(run);
   limit_slopes(level, drainage, site, rivers.steepest, run);
-  step.carry<true>(ledger, run);
+  step.carry<Carry::move>(ledger, run);
 }
 
 }  // namespace seamount::erosion

@@ -11,7 +11,7 @@
 // downstream moves exactly what there is, so mass is conserved to rounding: what creep and failing slopes lose goes
 // with the water and comes to lie where creep or rivers ask for it. Departures: the exponents are m = 1/2 and n = 1;
 // layers wear one after the other within a step; no channel starts below a discharge Q_c; lakes are filled up to their
-// water level before anything flows out of them.
+// water level before anything flows out of them; beds do not rise far above both of their banks.
 #pragma once
 
 #include "seamount/base/run_context.h"
@@ -40,7 +40,8 @@ struct Rivers {
 void gather(const Drainage& drainage, const Rivers& rivers, ScalarField& discharge, const RunContext& run);
 
 /// One step of erosion and deposition. After it `load` holds, in metres of thickness on its cell, what arrived at each
-/// sea cell, and `level` is spent. What arrived at outlets of the border is added to ledger.exported.
+/// sea cell, and `level` what was laid down on each cell of land. What arrived at outlets of the border is added to
+/// ledger.exported.
 void run_rivers(Ground& ground, const Site& site, const Drainage& drainage, const ScalarField& discharge,
                 const Rivers& rivers, ScalarField& load, ScalarField& level, Ledger& ledger, const RunContext& run);
 

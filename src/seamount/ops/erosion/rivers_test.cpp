@@ -31,18 +31,27 @@ struct River {
 };
 
 TEST(Rivers, ReachTheSlopeAtWhichTheyKeepUpWithUplift) {
-  River river(60);
-  const Rivers rivers{.years = 20000, .erodibility = 1e-5, .deposition = 0, .sea_m = -1e4};
-  constexpr double kUplift = 5e-4;
-  for (int i = 0; i < 4000; ++i) {
-    for (int x = 1; x < 60; ++x) river.ground.surface(x, 0) += static_cast<float>(kUplift * rivers.years);
-    river.step(rivers);
-  }
-  for (int x = 5; x < 50; ++x) {
-    // U = K sqrt(Q) S with the discharge that cuts: all but that of two cells.
-    const double cutting = (60 - x - 2) * 1e4;
-    const double slope = (river.ground.surface(x, 0) - river.ground.surface(x - 1, 0)) / 100;
-    EXPECT_NEAR(slope, kUplift / (1e-5 * std::sqrt(cutting)), 0.02 * slope) << x;
+  // U (1 + G) = K sqrt(Q) S (Yuan et al. 2019, eq. 9 for a runoff of 1), with the discharge that cuts: all but that of
+  // two cells.
+  for (const double deposition : {0.0, 0.5, 1.0}) {
+    River river(60);
+    constexpr double kUplift = 5e-4;
+    const Rivers rivers{.years = 20000,
+                        .erodibility = 1e-5,
+                        .rock_ease = 1,
+                        .sediment_ease = 1,
+                        .deposition = deposition,
+                        .sea_m = -1e4};
+    for (int i = 0; i < 4000; ++i) {
+      for (int x = 1; x < 60; ++x) river.ground.surface(x, 0) += static_cast<float>(kUplift * rivers.years);
+      river.step(rivers);
+    }
+    for (int x = 5; x < 50; ++x) {
+      const double cutting = (60 - x - 2) * 1e4;
+      const double slope = (river.ground.surface(x, 0) - river.ground.surface(x - 1, 0)) / 100;
+      EXPECT_NEAR(slope, (1 + deposition) * kUplift / (1e-5 * std::sqrt(cutting)), 0.05 * slope)
+          << x << " " << deposition;
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 #include "seamount/geom/noise.h"
 #include "seamount/ops/erosion/coast.h"
 #include "seamount/ops/erosion/drainage.h"
+#include "seamount/ops/erosion/fans.h"
 #include "seamount/ops/erosion/hollows.h"
 #include "seamount/ops/erosion/levels.h"
 #include "seamount/ops/erosion/rivers.h"
@@ -122,7 +123,9 @@ class Level {
     drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), wandering, seed, room_, run);
     gather(drainage_, rivers, flow_, run);
     run_rivers(ground_, site_, drainage_, flow_, rivers, load_, room_, ledger, run);
+    std::swap(flow_, room_);  // what rivers laid down; their discharge is not needed any more
     run_coast(ground_, site_, coast_of(params_, years), load_, room_, ledger, run);
+    if (rivers.deposition > 0) spread_deposits(ground_, flow_, site_, load_, room_, run);
     clear_outlets(ledger);
   }
 

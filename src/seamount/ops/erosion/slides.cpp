@@ -114,35 +114,34 @@ constexpr float kEndless = 1e30F;  // bedrock
 
 }  // namespace
 
-void slide(Ground& ground, const Site& site, Layer layer, double angle_deg, double speed, ScalarField& share,
-           ScalarField& next, const RunContext& run) {
-  const double straight = std::tan(angle_deg * std::numbers::pi / 180.0) * ground.surface.cell_m();
+void slide(HeightField& surface, ScalarField& layer, Sliding what, const Site& site, double angle_deg, double speed,
+           ScalarField& share, ScalarField& next, const RunContext& run) {
+  const double straight = std::tan(angle_deg * std::numbers::pi / 180.0) * surface.cell_m();
   const Talus talus{static_cast<float>(straight), static_cast<float>(straight * std::sqrt(2.0)),
                     static_cast<float>(speed)};
-  const int width = ground.frame().width, height = ground.frame().height;
-  const bool is_bedrock = layer == Layer::bedrock;
-  ScalarField& moved = layer == Layer::sediment ? ground.sediment : ground.rock;
+  const int width = surface.width(), height = surface.height();
+  const bool from_below = what == Sliding::rock_below;
   const std::vector<float> ones(static_cast<size_t>(width) + 2, 1.0F), endless(static_cast<size_t>(width), kEndless);
   const Rows all_open{ones.data() + 1, ones.data() + 1, ones.data() + 1};
   // Off the map everything stands too high to slide there, and nothing comes from there.
   constexpr float kWall = 1e9F;
-  const ScalarField& limits = site.mask.empty() ? ground.surface : site.mask;
+  const ScalarField& limits = site.mask.empty() ? surface : site.mask;
   const auto open = [&](Window& mask, int y) { return site.mask.empty() ? all_open : mask.at(y); };
   parallel_rows(run, width, height, [&](int begin, int end) {
-    Window surface(ground.surface, kWall), mask(limits, 0.0F);
+    Window heights(surface, kWall), mask(limits, 0.0F);
     for (int y = begin; y < end; ++y) {
-      const float* loose = is_bedrock ? endless.data() : moved.row(y).data();
-      share_row(talus, surface.at(y), open(mask, y), loose, share.row(y).data(), width);
+      const float* loose = from_below ? endless.data() : layer.row(y).data();
+      share_row(talus, heights.at(y), open(mask, y), loose, share.row(y).data(), width);
     }
   });
   parallel_rows(run, width, height, [&](int begin, int end) {
-    Window surface(ground.surface, kWall), mask(limits, 0.0F), shares(share, 0.0F);
+    Window heights(surface, kWall), mask(limits, 0.0F), shares(share, 0.0F);
     for (int y = begin; y < end; ++y) {
-      move_row(talus, is_bedrock ? 0.0F : 1.0F, surface.at(y), open(mask, y), shares.at(y), next.row(y).data(),
-               moved.row(y).data(), width);
+      move_row(talus, from_below ? 0.0F : 1.0F, heights.at(y), open(mask, y), shares.at(y), next.row(y).data(),
+               layer.row(y).data(), width);
     }
   });
-  std::swap(ground.surface, next);
+  std::swap(surface, next);
 }
 
 }  // namespace seamount::erosion

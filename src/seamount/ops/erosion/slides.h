@@ -9,12 +9,13 @@
 
 namespace seamount::erosion {
 
-enum class Layer { sediment, rock, bedrock };
+/// What slides: the loose layer itself, or the rock below it, which becomes part of the layer.
+enum class Sliding { layer, rock_below };
 
-/// Moves what is too steep by one cell: sediment and rock stay what they are, bedrock becomes rock. speed in (0, 1]:
-/// share of what would level the excess. `share` and `next` are room to work in; `next` is swapped with the surface.
-/// Parallel and vectorised, about 4 ns per cell.
-void slide(Ground& ground, const Site& site, Layer layer, double angle_deg, double speed, ScalarField& share,
-           ScalarField& next, const RunContext& run);
+/// Moves what is too steep by one cell: the surface, and the layer with it. speed in (0, 1]: share of what would level
+/// the excess. `share` and `next` are room to work in; `next` is swapped with the surface. Parallel and vectorised,
+/// about 4 ns per cell.
+void slide(HeightField& surface, ScalarField& layer, Sliding what, const Site& site, double angle_deg, double speed,
+           ScalarField& share, ScalarField& next, const RunContext& run);
 
 }  // namespace seamount::erosion

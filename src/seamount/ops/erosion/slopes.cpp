@@ -58,9 +58,9 @@ void run_slopes(Ground& ground, const Site& site, const Slopes& slopes, ScalarFi
   if (slopes.weathering_m > 0) weather(ground, site, slopes, run);
   const double speed = kSlidePerRound * std::min(1.0, slopes.years / kSlideTime_yr);
   for (int k = 0; k < slopes.slides; ++k) {
-    slide(ground, site, Layer::bedrock, slopes.bedrock_angle_deg, speed, share, next, run);
-    slide(ground, site, Layer::rock, slopes.rock_angle_deg, speed, share, next, run);
-    slide(ground, site, Layer::sediment, slopes.sediment_angle_deg, speed, share, next, run);
+    slide(ground.surface, ground.rock, Sliding::rock_below, site, slopes.bedrock_angle_deg, speed, share, next, run);
+    slide(ground.surface, ground.rock, Sliding::layer, site, slopes.rock_angle_deg, speed, share, next, run);
+    slide(ground.surface, ground.sediment, Sliding::layer, site, slopes.sediment_angle_deg, speed, share, next, run);
   }
 }
 
