@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Pictures and numbers of docs/guide/real_erosion.md, from elevation models that are not part of the repository:
 #   SEAMOUNT_DEM_DIR=FOLDER tools/real_erosion.sh OUT
-# For each terrain below and eight noises: OUT/NAME/SEED/*.png and reports; and the table of their distances.
+# For each terrain below and 24 noises: OUT/NAME/SEED/*.png and reports; and the table of their distances.
 set -euo pipefail
 : "${SEAMOUNT_DEM_DIR:?names the folder of elevation models}"
 dems=$(realpath "$SEAMOUNT_DEM_DIR")
@@ -10,19 +10,19 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 compare() { # NAME, then the parameters that are its own
   local name=$1
   shift
-  for seed in 1 2 3 4 5 6 7 8; do
+  for seed in {1..24}; do
     ./run run tools/real_erosion.json --set "steps.file.params.file=\"$dems/$name.tif\"" "$@" --seed "$seed" \
-      --out "$out/$name/$seed" --no-cache >/dev/null
+      --out "$out/$name/$seed" --no-cache >/dev/null 2>&1
   done
   python3 - "$out/$name" <<'TABLE'
 import json, pathlib, sys
 folder = pathlib.Path(sys.argv[1])
-runs = sorted(path for path in folder.iterdir() if path.is_dir())
+runs = sorted((path for path in folder.iterdir() if path.is_dir()), key=lambda path: int(path.name))
 def distances(run, what):
     return {key: d["distance"] for key, d in json.loads((run / what).read_text())["descriptors"].items()}
 noise, worn = ([distances(run, what) for run in runs] for what in ("noise.json", "eroded.json"))
 print(f"\n{folder.name}\n\n| descriptor | noise 1 | eroded | mean of {len(runs)} noises | eroded | nearer in |\n|---|---|---|---|---|---|")
-for key in noise[0]:
+for key in noise[0]:  # the first is the one of the pictures
     pairs = [(a[key], b[key]) for a, b in zip(noise, worn)]
     means = [sum(pair[i] for pair in pairs) / len(pairs) for i in (0, 1)]
     print(f"| {key} | {pairs[0][0]:.3f} | {pairs[0][1]:.3f} | {means[0]:.3f} | {means[1]:.3f} | {sum(b < a for a, b in pairs)} |")

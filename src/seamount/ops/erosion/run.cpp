@@ -259,6 +259,8 @@ Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const R
     outlets = refined_outlets(outlets, finer.surface);
     refine(now, levels.starts[k], finer, levels.sites[k - 1], outlets, out.ledger, run);
     now = std::move(finer);
+    levels.starts.resize(k);
+    levels.sites.resize(k);
   }
   out.terrain = std::move(now.surface);
   out.rock = std::move(now.rock);
