@@ -54,6 +54,8 @@ void flow_down(const Drainage& drainage, float* to, const RunContext& run, const
   }
 }
 
+/// Share of a metre that counts as cutting at all in a step.
+constexpr float kLeastRate = 1e-20F;
 /// How far a river builds its bed above both of its banks in a step, in cells.
 constexpr float kLevee = 0.25F;
 
@@ -210,7 +212,7 @@ class Step {
     const Crept crept = creep(cell, before, creep_ * value_or_one(site_.mask, cell));
     if (crept.top <= base) return base;
     const float rate = cutting(cell) / crept.stiffness;
-    if (rate <= 0.0F) return crept.top;
+    if (rate < kLeastRate) return crept.top;
     const float gone = std::max(0.0F, before - crept.top);
     const float fine = ground_.sediment.data()[cell] + laid - gone;
     const float coarse = ground_.rock.data()[cell] + std::min(0.0F, fine);

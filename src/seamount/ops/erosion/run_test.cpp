@@ -196,6 +196,22 @@ TEST(Erosion, ACoarseGridIsAPreviewOfAFineOne) {
   EXPECT_NEAR(loss_coarse, loss_fine, 0.25 * loss_fine);
 }
 
+TEST(Erosion, TheEndsOfEveryRangeStayFinite) {
+  const HeightField start = hills(70, 66, 20);
+  for (const RunParams& params :
+       {RunParams{.years = 1e9, .uplift_mm = 100, .creep_m2 = 10}, RunParams{.years = 1e9, .erodibility = 0.1},
+        RunParams{.erodibility = 1e-37, .sediment_ease = 0.01, .deposition = 10, .weathering_mm = 100},
+        RunParams{.rain_m = 0.001, .evaporation_per_km = 1, .deposition = 10, .uplift_mm = 1},
+        RunParams{.rain_m = 20, .rock_ease = 1000, .sediment_ease = 1000, .channel_m2 = 1e8},
+        RunParams{.bedrock_angle_deg = 89, .rock_angle_deg = 1, .sediment_angle_deg = 1, .creep_m2 = 10},
+        RunParams{.bedrock_angle_deg = 1, .sea_m = 9000}, RunParams{.retreat_mm = 10000, .settling_m = 1e6}}) {
+    const Eroded result = eroded(start, params);
+    for (const ScalarField* field : {&result.terrain, &result.rock, &result.sediment, &result.flow, &result.lake}) {
+      for (const float value : field->cells()) ASSERT_TRUE(std::isfinite(value));
+    }
+  }
+}
+
 TEST(Erosion, RefusesWhatDoesNotFit) {
   const HeightField start = hills(20, 20);
   EXPECT_THROW(eroded(start, {.years = -1}), InvalidArgument);
