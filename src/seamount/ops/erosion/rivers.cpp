@@ -207,20 +207,21 @@ class Step {
 
   float level_of(int32_t cell) const {
     const float base = level_[drainage_.receiver(cell)];
-    const float laid = std::min(load_[cell] * settling_share(cell), room_below_banks(cell));
+    const float laid = load_[cell] * settling_share(cell);
     const float before = surface_[cell] + laid;
     const Crept crept = creep(cell, before, creep_ * value_or_one(site_.mask, cell));
     if (crept.top <= base) return base;
     const float rate = cutting(cell) / crept.stiffness;
-    if (rate < kLeastRate) return crept.top;
+    const float highest = std::max(base, surface_[cell] + room_below_banks(cell));
+    if (rate < kLeastRate) return std::min(crept.top, highest);
     const float gone = std::max(0.0F, before - crept.top);
     const float fine = ground_.sediment.data()[cell] + laid - gone;
     const float coarse = ground_.rock.data()[cell] + std::min(0.0F, fine);
-    return cut_down(crept.top, base, fine, coarse,
-                    {rate * sediment_ease_, rate * rock_ease_, rate / value_or_one(site_.hardness, cell)});
+    const Rates rates{rate * sediment_ease_, rate * rock_ease_, rate / value_or_one(site_.hardness, cell)};
+    return std::min(cut_down(crept.top, base, fine, coarse, rates), highest);
   }
 
-  /// How much a river may lay down: up to its banks and a little, then it breaks out.
+  /// How far a bed may rise: up to its banks and a little, then the river breaks out.
   float room_below_banks(int32_t cell) const {
     const float levee = kLevee * drainage_.distance(cell);
     const int x = cell % width_;
