@@ -7,28 +7,29 @@ set -euo pipefail
 dems=$(realpath "$SEAMOUNT_DEM_DIR")
 out=$(realpath -m "${1:?the folder for the results}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-compare() { # NAME, then the parameters that are its own
-  local name=$1
-  shift
+compare() { # NAME, the noise of the pictures, then the parameters that are its own
+  local name=$1 pictured=$2
+  shift 2
   for seed in {1..24}; do
     ./run run tools/real_erosion.json --set "steps.file.params.file=\"$dems/$name.tif\"" "$@" --seed "$seed" \
       --out "$out/$name/$seed" --no-cache >/dev/null 2>&1
   done
-  python3 - "$out/$name" <<'TABLE'
+  python3 - "$out/$name" "$pictured" <<'TABLE'
 import json, pathlib, sys
 folder = pathlib.Path(sys.argv[1])
 runs = sorted((path for path in folder.iterdir() if path.is_dir()), key=lambda path: int(path.name))
 def distances(run, what):
     return {key: d["distance"] for key, d in json.loads((run / what).read_text())["descriptors"].items()}
 noise, worn = ([distances(run, what) for run in runs] for what in ("noise.json", "eroded.json"))
-print(f"\n{folder.name}\n\n| descriptor | noise 1 | eroded | mean of {len(runs)} noises | eroded | nearer in |\n|---|---|---|---|---|---|")
-for key in noise[0]:  # the first is the one of the pictures
+pictured = int(sys.argv[2]) - 1
+print(f"\n{folder.name}\n\n| descriptor | noise {sys.argv[2]} | eroded | mean of {len(runs)} noises | eroded | nearer in |\n|---|---|---|---|---|---|")
+for key in noise[0]:
     pairs = [(a[key], b[key]) for a, b in zip(noise, worn)]
     means = [sum(pair[i] for pair in pairs) / len(pairs) for i in (0, 1)]
-    print(f"| {key} | {pairs[0][0]:.3f} | {pairs[0][1]:.3f} | {means[0]:.3f} | {means[1]:.3f} | {sum(b < a for a, b in pairs)} |")
+    print(f"| {key} | {pairs[pictured][0]:.3f} | {pairs[pictured][1]:.3f} | {means[0]:.3f} | {means[1]:.3f} | {sum(b < a for a, b in pairs)} |")
 TABLE
 }
-compare sangabriel_bigtujunga_30m
-compare himalaya_n27e086_1arcsec --set steps.noise.params.height_m=2428 --set steps.noise.params.base_m=2418 \
+compare sangabriel_bigtujunga_30m 3
+compare himalaya_n27e086_1arcsec 1 --set steps.noise.params.height_m=2428 --set steps.noise.params.base_m=2418 \
   --set steps.worn.params.years=5000000 --set steps.worn.params.uplift_mm=1.4 --set steps.worn.params.erodibility=5.1e-6 \
   --set steps.worn.params.creep_m2=0.076 --set steps.worn.params.bedrock_angle_deg=27

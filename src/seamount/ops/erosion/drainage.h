@@ -1,9 +1,9 @@
 // Which way water runs, and in which order cells must be visited so that every valley drains.
 //
-// A cell drains to a lower neighbour: the one of steepest descent, made uncertain by a random factor per step, which
-// takes the eight directions of the grid out of the valleys (P1 sec. 5.1 draws them at random as well). Depressions are
-// lakes: their water climbs over the lowest pass along the reversed path from their floor (geom/flow.h), so the water
-// level of a cell is the greatest height on its way out. Roots are sea cells and the outlets of the border.
+// A cell drains to a lower neighbour: the one of steepest descent, made uncertain by a random factor, which takes the
+// eight directions of the grid out of the valleys (P1 sec. 5.1 draws them at random as well). Depressions are lakes:
+// their water climbs over the lowest pass along the reversed path from their floor (geom/flow.h), so the water level of
+// a cell is the greatest height on its way out. Roots are sea cells and the outlets of the border.
 #pragma once
 
 #include <array>

@@ -112,15 +112,13 @@ class Level {
     }
   }
 
-  /// `progress` of the grid's own steps, in [0, 1]: rivers wander at first and settle in the end.
-  void step(double years, double progress, Seed seed, Ledger& ledger, const RunContext& run) {
+  void step(double years, Seed seed, Ledger& ledger, const RunContext& run) {
     uplift(years, ledger);
     // First, so that rivers clear away what slides into them.
     run_slopes(ground_, site_, slopes_of(params_, years), load_, room_, run);
     clear_outlets(ledger);
     const Rivers rivers = rivers_of(params_, years);
-    const auto wandering = static_cast<float>(kWandering * (1.0 - progress));
-    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), wandering, seed, room_, run);
+    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), kUnevenness, seed, room_, run);
     gather(drainage_, rivers, flow_, run);
     run_rivers(ground_, site_, drainage_, flow_, rivers, load_, room_, ledger, run);
     std::swap(flow_, room_);  // what rivers laid down; their discharge is not needed any more
@@ -139,7 +137,9 @@ class Level {
   }
 
  private:
-  static constexpr double kWandering = 0.5;
+  /// How much more readily water takes one way down than another: what is too small for the cells leads it, and keeps
+  /// valleys off the directions of the grid. The same in all steps of a grid.
+  static constexpr float kUnevenness = 2.0F;
 
   void uplift(double years, Ledger& ledger) {
     const auto rise = static_cast<float>(params_.uplift_mm * 1e-3 * years);
@@ -242,13 +242,12 @@ Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const R
   Eroded out;
   Ground now = levels.starts.size() > 1 ? levels.starts.back() : std::move(levels.starts.back());
   Grid<uint8_t> outlets = border_outlets(now.surface, kOutletReach * std::max(frame.width_m(), frame.height_m()));
-  uint64_t index = 0;
   for (size_t k = stages.size(); k-- > 0;) {
     {
       Level level(now, levels.sites[k], outlets, params);
       for (int i = 0; i < stages[k].steps; ++i) {
-        level.step(stages[k].years * share_of_step(i, stages[k].steps), (i + 1.0) / stages[k].steps,
-                   seed.derive("erosion.step", index++), out.ledger, {run.threads, {}, run.cancelled});
+        level.step(stages[k].years * share_of_step(i, stages[k].steps), seed.derive("erosion.ways", k), out.ledger,
+                   {run.threads, {}, run.cancelled});
         done += std::pow(0.25, k);
         run.report(std::min(1.0, done / cost));
       }
