@@ -115,6 +115,15 @@ void add_operator_command(CLI::App& program, const Operator& op, Work& work) {
         ->type_name(info.kind)
         ->group("Parameters");
   }
+  for (const recipe::Port& port : op.in) {
+    if (command->get_option_no_throw("--" + port.name) != nullptr) continue;  // a parameter's; --in NAME=FILE remains
+    command
+        ->add_option_function<std::string>(
+            "--" + port.name,
+            [flags, name = port.name](const std::string& file) { flags->in.push_back(name + "=" + file); }, port.help)
+        ->type_name("FILE")
+        ->group("Inputs");
+  }
   command->callback([flags, &op, &work] {
     work = [flags, &op] {
       const Json document = make_document(op, *flags);

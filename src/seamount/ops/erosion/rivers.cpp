@@ -13,6 +13,10 @@ namespace {
 /// would grow with the size of the cells. What flows off this many cells does not cut, but for the share below.
 constexpr double kHeadCells = 2.0;
 constexpr float kHeadShare = 0.03F;
+/// How far a river builds its bed above both of its banks in a step, in cells.
+constexpr float kLevee = 0.25F;
+/// K dt sqrt(Q) / dx that is none: layers of very soft ground would divide by it.
+constexpr float kLeastRate = 1e-20F;
 
 /// Calls f(part) for the parts of a drainage, side by side.
 template <class F>
@@ -53,11 +57,6 @@ void flow_down(const Drainage& drainage, float* to, const RunContext& run, const
     pass(trunk[k], drainage.parts(), [&](float amount) { to[drainage.receiver(trunk[k])] += amount; });
   }
 }
-
-/// Share of a metre that counts as cutting at all in a step.
-constexpr float kLeastRate = 1e-20F;
-/// How far a river builds its bed above both of its banks in a step, in cells.
-constexpr float kLevee = 0.25F;
 
 double area_of(const Ground& ground) { return ground.surface.cell_m() * ground.surface.cell_m(); }
 

@@ -52,7 +52,8 @@ struct RunParams {
     using P = RunParams;
     return std::tuple(
         field(&P::method, "method",
-              "hydraulic: rivers that also deposit, weathering, waves; stream_power: cutting rivers and uplift only"),
+              "hydraulic: rivers that also deposit, weathering, waves; stream_power: rivers that only cut, creep, "
+              "failing slopes"),
         field(&P::years, "years", "yr", between(0, 1e9), "how long erosion acts"),
         field(&P::stop_year, "stop_year", "yr", between(0, 1e9),
               "show the run as it was in this year (for frames of an animation); the end if absent"),
@@ -101,7 +102,7 @@ struct Eroded {
 /// Erodes a terrain. Maps are optional (empty) and cover the same frame: hardness > 0, mask and uplift in [0, 1];
 /// `rock` and `sediment` are what already lies on the bedrock. Zero years change nothing. The terrain loses to the
 /// border what ledger.exported says, and nothing else (to 1e-4). Throws InvalidArgument for params out of range,
-/// IncompatibleInputs for maps of another size. Parallel but for the order of the rivers; about 3 us and 35 bytes per
+/// IncompatibleInputs for maps of another size. Parallel but for the order of the rivers; about 3 us and 46 bytes per
 /// cell.
 Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const RunContext& run);
 
