@@ -62,13 +62,37 @@ Grid<uint8_t> refined_outlets(const Grid<uint8_t>& coarse, const HeightField& fi
   return outlets;
 }
 
+namespace {
+
+/// Where water runs from a cell whose neighbours lie `fall` metres lower (geom/flow.h's order; none or uphill: <= 0):
+/// down the steepest of the eight facets around it (Tarboton 1997), to one of that facet's two corners: for a uniform
+/// draw in [0, 1) so that the way follows the slope on average, for 0.5 to the nearer one.
+uint8_t steepest_facet(const std::array<float, 8>& fall, float draw) {
+  float steepest = 0.0F, way = 0.0F;  // squared slope, and its direction in eighths of a circle
+  for (unsigned straight = 0; straight < 8; straight += 2) {
+    const float ahead = fall[straight];
+    for (const int turn : {1, -1}) {
+      const float across = fall[(straight + 8 + static_cast<unsigned>(turn)) & 7U], aside = across - ahead;
+      float square = ahead * std::abs(ahead), turned = 0.0F;
+      if (aside > 0.0F && aside < ahead) {
+        square += aside * aside, turned = aside / ahead;
+      } else if (const float along = 0.5F * across * std::abs(across); along > square) {
+        square = along, turned = 1.0F;
+      }
+      if (square <= steepest) continue;
+      steepest = square;
+      way = static_cast<float>(straight) + static_cast<float>(turn) * turned;
+    }
+  }
+  return steepest > 0.0F ? static_cast<uint8_t>(static_cast<unsigned>(way + 8.0F + draw) & 7U) : geom::kPit;
+}
+
+}  // namespace
+
 void Drainage::choose_receivers(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m,
-                                float uncertainty, Seed seed, const RunContext& run) {
+                                std::optional<Seed> seed, const RunContext& run) {
   const int width = surface.width(), height = surface.height();
   const float* z = surface.data();
-  const std::array<float, 2> per_m = {static_cast<float>(1.0 / surface.cell_m()),
-                                      static_cast<float>(1.0 / (surface.cell_m() * std::sqrt(2.0)))};
-  const float per_byte = uncertainty / 255.0F;
   parallel_rows(run, width, height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < width; ++x) {
@@ -76,20 +100,16 @@ void Drainage::choose_receivers(const HeightField& surface, const Grid<uint8_t>&
         uint8_t& chosen = direction_.data()[cell];
         chosen = geom::kOutlet;
         if (outlets.data()[cell] != 0 || z[cell] < sea_m) continue;
-        chosen = geom::kPit;
-        const uint64_t draws = mix_bits(seed.value + cell * 0x9e3779b97f4a7c15ULL);
-        float best = 0.0F;
         const bool inner = x > 0 && y > 0 && x < width - 1 && y < height - 1;
+        std::array<float, 8> fall = {};
         for (int d = 0; d < 8; ++d) {
           if (!inner && !surface.contains(x + geom::kFlowDx[d], y + geom::kFlowDy[d])) continue;
-          const float fall = (z[cell] - std::max(sea_m, z[cell + offset_[d]])) * per_m[d & 1];
-          if (fall <= 0.0F) continue;
-          const float score = fall * (1.0F + per_byte * static_cast<float>((draws >> (8 * d)) & 0xff));
-          if (score > best) {
-            best = score;
-            chosen = static_cast<uint8_t>(d);
-          }
+          fall[d] = z[cell] - std::max(sea_m, z[cell + offset_[d]]);
         }
+        const auto draw = [&] {
+          return static_cast<float>(mix_bits(seed->value + cell * 0x9e3779b97f4a7c15ULL) >> 40) * 0x1p-24F;
+        };
+        chosen = steepest_facet(fall, seed ? draw() : 0.5F);
       }
     }
   });
@@ -147,8 +167,8 @@ void Drainage::divide(ScalarField& upstream) {
   part_begins_.push_back(order_.size());
 }
 
-void Drainage::route(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, float uncertainty,
-                     Seed seed, ScalarField& room, const RunContext& run) {
+void Drainage::route(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, std::optional<Seed> seed,
+                     ScalarField& room, const RunContext& run) {
   const GridFrame& frame = surface.frame();
   if (!(direction_.frame() == frame)) {
     direction_ = Grid<uint8_t>(frame);
@@ -159,7 +179,7 @@ void Drainage::route(const HeightField& surface, const Grid<uint8_t>& outlets, f
       distance_[d] = static_cast<float>(frame.cell_m) * geom::kFlowLength[d];
     }
   }
-  choose_receivers(surface, outlets, sea_m, uncertainty, seed, run);
+  choose_receivers(surface, outlets, sea_m, seed, run);
   geom::route_through_pits(surface, direction_, std::numeric_limits<float>::infinity(), run);
   order_trees(run);
   divide(room);

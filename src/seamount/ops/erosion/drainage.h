@@ -1,13 +1,14 @@
 // Which way water runs, and in which order cells must be visited so that every valley drains.
 //
-// A cell drains to a lower neighbour: the one of steepest descent, made uncertain by a random factor, which takes the
-// eight directions of the grid out of the valleys (P1 sec. 5.1 draws them at random as well). Depressions are lakes:
-// their water climbs over the lowest pass along the reversed path from their floor (geom/flow.h), so the water level of
-// a cell is the greatest height on its way out. Roots are sea cells and the outlets of the border.
+// A cell drains to a lower neighbour, one of the two corners of the steepest facet around it (Tarboton 1997), drawn so
+// that water follows the slope on average and not the eight directions of the grid (cf. P1 sec. 5.1). Depressions are
+// lakes: their water climbs over the lowest pass along the reversed path from their floor (geom/flow.h), so the water
+// level of a cell is the greatest height on its way out. Roots are sea cells and the outlets of the border.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,10 +30,10 @@ class Drainage {
  public:
   static constexpr uint8_t kTrunk = 255;
 
-  /// Routes water over a surface. uncertainty: 0 steepest descent, 1 strongly random. `room` is of the surface's size
-  /// and spent. REQUIRES: one cell is a root (border_outlets makes one). About 60 ns per cell, more on a rough surface;
-  /// receivers are found in parallel.
-  void route(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, float uncertainty, Seed seed,
+  /// Routes water over a surface. Without a seed each cell drains to the nearer corner of its facet. `room` is of the
+  /// surface's size and spent. REQUIRES: one cell is a root (border_outlets makes one). About 70 ns per cell, more on a
+  /// rough surface; receivers are found in parallel.
+  void route(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, std::optional<Seed> seed,
              ScalarField& room, const RunContext& run);
 
   /// Every cell, each after its receiver.
@@ -56,8 +57,8 @@ class Drainage {
   float distance(int32_t cell) const { return distance_[direction(cell)]; }
 
  private:
-  void choose_receivers(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, float uncertainty,
-                        Seed seed, const RunContext& run);
+  void choose_receivers(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, std::optional<Seed> seed,
+                        const RunContext& run);
   void order_trees(const RunContext& run);
   void divide(ScalarField& upstream);
   std::span<const int32_t> cells(size_t begin, size_t end) const { return order().subspan(begin, end - begin); }

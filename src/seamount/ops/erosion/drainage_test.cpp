@@ -49,7 +49,7 @@ TEST(Drainage, LeadsEveryCellOutOverTheLowestPasses) {
       const Grid<uint8_t> outlets = border_outlets(z, 100);
       Drainage drainage;
       ScalarField room(z.frame());
-      drainage.route(z, outlets, sea_m, 1.0F, Seed{seed}, room, {});
+      drainage.route(z, outlets, sea_m, Seed{seed}, room, {});
       const std::vector<float> judge = flooded(z, outlets, sea_m);
       std::vector<float> water(z.size(), -1.0F);
       ASSERT_EQ(drainage.order().size(), z.size());
@@ -76,7 +76,7 @@ TEST(Drainage, PartsAreWholeCatchmentsBesideATrunk) {
   outlets(150, 0) = 1;
   ScalarField room(z.frame());
   Drainage drainage;
-  drainage.route(z, outlets, -1, 0.5F, Seed{1}, room, {});
+  drainage.route(z, outlets, -1, Seed{1}, room, {});
   size_t cells = drainage.trunk().size();
   for (const int32_t cell : drainage.trunk()) EXPECT_EQ(drainage.part_of(cell), Drainage::kTrunk);
   for (size_t part = 0; part < drainage.parts(); ++part) {
@@ -107,6 +107,27 @@ TEST(Drainage, ABorderHasItsOutletsWhereValleysLeave) {
   EXPECT_EQ(std::count(all.cells().begin(), all.cells().end(), 1), 2 * (8 + 6) - 4);
 }
 
+TEST(Drainage, FollowsASlopeInAnyDirectionOnAverage) {
+  for (double angle = 0; angle < 6.28; angle += 0.37) {
+    HeightField z(GridFrame::centred(120, 120, 10));
+    for (int y = 0; y < 120; ++y) {
+      for (int x = 0; x < 120; ++x) z(x, y) = static_cast<float>(-2 * (x * std::cos(angle) + y * std::sin(angle)));
+    }
+    Drainage drainage;
+    ScalarField room(z.frame());
+    drainage.route(z, border_outlets(z, 10), -1e6F, Seed{1}, room, {});
+    double dx = 0, dy = 0;
+    for (int y = 1; y < 119; ++y) {
+      for (int x = 1; x < 119; ++x) {
+        const uint8_t way = drainage.direction(y * 120 + x);
+        ASSERT_LT(way, 8);
+        dx += geom::kFlowDx[way], dy += geom::kFlowDy[way];
+      }
+    }
+    EXPECT_NEAR(std::remainder(std::atan2(dy, dx) - angle, 2 * 3.14159265), 0.0, 0.02) << angle;
+  }
+}
+
 TEST(Drainage, DrawsTheSameWaysForTheSameSeed) {
   HeightField z(GridFrame::centred(50, 50, 10));
   for (int y = 0; y < 50; ++y) {
@@ -116,7 +137,7 @@ TEST(Drainage, DrawsTheSameWaysForTheSameSeed) {
   const auto ways = [&](uint64_t seed, int threads) {
     Drainage drainage;
     ScalarField room(z.frame());
-    drainage.route(z, outlets, -1, 2.0F, Seed{seed}, room, {.threads = threads});
+    drainage.route(z, outlets, -1, Seed{seed}, room, {.threads = threads});
     std::vector<int> all;
     for (int32_t i = 0; i < 2500; ++i) all.push_back(drainage.direction(i));
     return all;

@@ -1,98 +1,149 @@
 #include "seamount/ops/erosion/levels.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "seamount/base/parallel.h"
+#include "seamount/geom/noise.h"
 #include "seamount/geom/pyramid.h"
+#include "seamount/geom/sample_rows.h"
 
 namespace seamount::erosion {
 namespace {
 
 // How deep erosion goes, or how thick deposits are, until half of a cell's own detail is gone; in cells.
 constexpr double kErodedDepth = 3.0, kBuriedDepth = 0.1;
-constexpr int kSmoothCorrections = 3;
+// Bends: their size and the deviation of the displacement, in fine cells; and the change of height, in fine cells, at
+// which half of it is there.
+constexpr double kBendSize = 8.0, kBend = 0.75, kBentDepth = 0.5;
+constexpr double kMostCorrection = 0.1;
 
 ScalarField halved_map(const ScalarField& map, const RunContext& run) {
   return map.empty() ? ScalarField() : geom::halved(map, run);
 }
 
-/// Where a fine grid may change.
-struct Openness {
-  const Mask& mask;
-  const Grid<uint8_t>& pinned;
-  float operator()(size_t cell) const { return pinned.data()[cell] != 0 ? 0.0F : value_or_one(mask, cell); }
+/// Curl of a noise along a row: (x, y) in fine cells, of deviation kBend. It moves ground without gathering or
+/// spreading it.
+class Bends {
+ public:
+  Bends(const GridFrame& frame, Seed seed)
+      : frame_(frame), seed_(seed), shape_{.wavelength_m = kBendSize * frame.cell_m, .octaves = 1} {
+    for (auto& row : noise_) row.resize(static_cast<size_t>(frame.width) + 2);
+  }
+
+  void read(int y, std::vector<float>& dx, std::vector<float>& dy) {
+    for (int k = 0; k < 3; ++k) {
+      geom::fbm_row(seed_, shape_, frame_.x(-1), frame_.cell_m, frame_.y(y + k - 1), noise_[static_cast<size_t>(k)]);
+    }
+    constexpr auto scale = static_cast<float>(0.5 * kBend * kBendSize);
+    for (size_t x = 0; x < dx.size(); ++x) {
+      dx[x] = scale * (noise_[2][x + 1] - noise_[0][x + 1]);
+      dy[x] = scale * (noise_[1][x] - noise_[1][x + 2]);
+    }
+  }
+
+ private:
+  const GridFrame& frame_;
+  Seed seed_;
+  geom::Fbm shape_;
+  std::array<std::vector<float>, 3> noise_;
 };
 
-/// The cells of a fine grid that make one of a coarse grid: 4, or 2 or 1 at odd edges.
-struct Block {
-  std::array<size_t, 4> cell = {};
-  int count = 0;
-
-  Block(const GridFrame& fine, int x, int y) {
-    for (int dy = 0; dy < 2; ++dy) {
-      for (int dx = 0; dx < 2; ++dx) {
-        if (2 * x + dx >= fine.width || 2 * y + dy >= fine.height) continue;
-        cell[count++] = static_cast<size_t>(2 * y + dy) * fine.width + (2 * x + dx);
-      }
-    }
+/// Places of a fine row on the coarse grid, and what is read there.
+struct Places {
+  std::vector<float> column, row;
+  explicit Places(int width) : column(static_cast<size_t>(width)), row(column) {}
+  void set(size_t x, float fine_x, float fine_y) {
+    column[x] = 0.5F * fine_x - 0.25F;
+    row[x] = 0.5F * fine_y - 0.25F;
+  }
+  void read(const ScalarField& coarse, std::vector<float>& out) const {
+    geom::sample_bicubic_rows(coarse, column, row, out);
   }
 };
 
-/// Calls f(block, coarse cell) for every block, in parallel rows.
-template <class F>
-void for_blocks(const GridFrame& coarse, const GridFrame& fine, const RunContext& run, F f) {
-  parallel_rows(run, coarse.width, coarse.height, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < coarse.width; ++x) f(Block(fine, x, y), static_cast<size_t>(y) * coarse.width + x);
+/// Volume of a change of a coarse ground in fine cells; `on_map`: without what of the cells at an odd edge lies off it.
+struct Volume {
+  double all = 0, on_map = 0;
+};
+
+Volume volume_of_change(const ScalarField& now, const ScalarField& start, const GridFrame& fine) {
+  Volume sum;
+  for (int y = 0; y < now.height(); ++y) {
+    const double rows = 2 * y + 1 < fine.height ? 2.0 : 1.0;
+    for (int x = 0; x < now.width(); ++x) {
+      const double change = now(x, y) - start(x, y);
+      sum.all += 4.0 * change;
+      sum.on_map += rows * (2 * x + 1 < fine.width ? 2.0 : 1.0) * change;
     }
-  });
-}
-
-ScalarField difference(const ScalarField& a, const ScalarField& b) {
-  ScalarField out(a.frame());
-  for (size_t i = 0; i < a.size(); ++i) out.data()[i] = a.data()[i] - b.data()[i];
-  return out;
-}
-
-/// What the mean of `change` over each block lacks to `wanted`, added by smooth interpolation.
-void correct_smoothly(const ScalarField& wanted, const Openness& open, ScalarField& change, const RunContext& run) {
-  const ScalarField lacking = difference(wanted, geom::halved(change, run));
-  const ScalarField smooth = geom::doubled(lacking, change.frame(), run);
-  for (size_t i = 0; i < change.size(); ++i) change.data()[i] += smooth.data()[i] * open(i);
-}
-
-/// Makes the mean of `change` over a block `wanted`, where the mask lets it.
-void correct(const Block& block, const Openness& open, float wanted, ScalarField& change) {
-  float mean = 0.0F, room = 0.0F;
-  for (int k = 0; k < block.count; ++k) {
-    mean += change.data()[block.cell[k]];
-    room += open(block.cell[k]);
   }
-  if (room <= 0.0F) return;
-  const float rest = (wanted * static_cast<float>(block.count) - mean) / room;
-  for (int k = 0; k < block.count; ++k) {
-    change.data()[block.cell[k]] += rest * open(block.cell[k]);
-  }
+  return sum;
 }
 
-/// What a layer's change is on the finer grid; a layer never becomes negative.
-void refine_layer(const ScalarField& now, const ScalarField& start, ScalarField& layer, const Openness& open,
-                  const RunContext& run) {
-  const ScalarField coarse = difference(now, start);
-  ScalarField change = geom::doubled(coarse, layer.frame(), run);
-  for_blocks(now.frame(), layer.frame(), run, [&](const Block& block, size_t parent) {
-    for (int k = 0; k < block.count; ++k) {
-      const size_t cell = block.cell[k];
-      change.data()[cell] = std::max(-layer.data()[cell], change.data()[cell] * open(cell));
+/// One row of the fine ground.
+class RowRefiner {
+ public:
+  RowRefiner(const Ground& now, const Ground& start, Ground& fine, const Site& site, const Grid<uint8_t>& pinned,
+             Seed seed)
+      : now_(now),
+        start_(start),
+        fine_(fine),
+        site_(site),
+        pinned_(pinned),
+        width_(static_cast<size_t>(fine.frame().width)),
+        bends_(fine.frame(), seed),
+        own_(fine.frame().width),
+        bent_(fine.frame().width) {
+    for (auto* row : {&dx_, &dy_, &open_, &before_, &after_}) row->resize(width_);
+  }
+
+  /// Writes by how much the surface changes, and changes the layers.
+  void run(int y, std::span<float> change) {
+    const size_t first = static_cast<size_t>(y) * width_;
+    for (size_t x = 0; x < width_; ++x) {
+      open_[x] = pinned_.data()[first + x] != 0 ? 0.0F : value_or_one(site_.mask, first + x);
+      own_.set(x, static_cast<float>(x), static_cast<float>(y));
     }
-    correct(block, open, coarse.data()[parent], change);
-    for (int k = 0; k < block.count; ++k) {
-      float& thickness = layer.data()[block.cell[k]];
-      thickness = std::max(0.0F, thickness + change.data()[block.cell[k]]);
+    own_.read(now_.surface, after_);
+    own_.read(start_.surface, before_);
+    bends_.read(y, dx_, dy_);
+    const auto half = static_cast<float>(1.0 / (kBentDepth * fine_.frame().cell_m));
+    for (size_t x = 0; x < width_; ++x) {
+      const float moved = (after_[x] - before_[x]) * half, share = open_[x] * moved * moved / (1.0F + moved * moved);
+      bent_.set(x, static_cast<float>(x) + share * dx_[x], static_cast<float>(y) + share * dy_[x]);
     }
-  });
-}
+    bent_.read(now_.surface, after_);
+    const auto eroded = static_cast<float>(1.0 / (kErodedDepth * fine_.frame().cell_m));
+    const auto buried = static_cast<float>(1.0 / (kBuriedDepth * fine_.frame().cell_m));
+    for (size_t x = 0; x < width_; ++x) {
+      const float by = after_[x] - before_[x], moved = by * (by > 0.0F ? buried : eroded);
+      const float detail = fine_.surface.data()[first + x] - before_[x];
+      change[x] = open_[x] * (by - detail * (moved * moved / (1.0F + moved * moved)));
+    }
+    refine_layer(now_.rock, start_.rock, fine_.rock.row(y));
+    refine_layer(now_.sediment, start_.sediment, fine_.sediment.row(y));
+  }
+
+ private:
+  void refine_layer(const ScalarField& now, const ScalarField& start, std::span<float> layer) {
+    bent_.read(now, after_);
+    own_.read(start, before_);
+    for (size_t x = 0; x < width_; ++x) layer[x] = std::max(0.0F, layer[x] + open_[x] * (after_[x] - before_[x]));
+  }
+
+  const Ground& now_;
+  const Ground& start_;
+  Ground& fine_;
+  const Site& site_;
+  const Grid<uint8_t>& pinned_;
+  size_t width_;
+  Bends bends_;
+  Places own_, bent_;
+  std::vector<float> dx_, dy_, open_, before_, after_;
+};
 
 }  // namespace
 
@@ -105,34 +156,25 @@ Site halved(const Site& site, const RunContext& run) {
 }
 
 void refine(const Ground& now, const Ground& start, Ground& fine, const Site& site, const Grid<uint8_t>& pinned,
-            Ledger& ledger, const RunContext& run) {
-  const Openness open{site.mask, pinned};
-  refine_layer(now.rock, start.rock, fine.rock, open, run);
-  refine_layer(now.sediment, start.sediment, fine.sediment, open, run);
+            Seed seed, Ledger& ledger, const RunContext& run) {
   const GridFrame& frame = fine.frame();
-  const ScalarField coarse = difference(now.surface, start.surface);
-  ScalarField change = geom::doubled(coarse, frame, run);
-  const ScalarField smooth = geom::doubled(start.surface, frame, run);
-  const auto eroded = static_cast<float>(kErodedDepth * frame.cell_m);
-  const auto buried = static_cast<float>(kBuriedDepth * frame.cell_m);
-  for_blocks(now.frame(), frame, run, [&](const Block& block, size_t) {
-    for (int k = 0; k < block.count; ++k) {
-      const size_t cell = block.cell[k];
-      const float moved = change.data()[cell] / (change.data()[cell] > 0.0F ? buried : eroded);
-      const float gone = 1.0F - 1.0F / (1.0F + moved * moved);
-      const float detail = fine.surface.data()[cell] - smooth.data()[cell];
-      change.data()[cell] = (change.data()[cell] - gone * detail) * open(cell);
-    }
+  ScalarField change(frame);
+  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    RowRefiner rows(now, start, fine, site, pinned, seed);
+    for (int y = begin; y < end; ++y) rows.run(y, change.row(y));
   });
-  for (int k = 0; k < kSmoothCorrections; ++k) correct_smoothly(coarse, open, change, run);
-  for_blocks(now.frame(), frame, run, [&](const Block& block, size_t parent) {
-    correct(block, open, coarse.data()[parent], change);
-    for (int k = 0; k < block.count; ++k) fine.surface.data()[block.cell[k]] += change.data()[block.cell[k]];
-  });
-  double coarse_sum = 0, fine_sum = 0;
-  for (const float by : coarse.cells()) coarse_sum += by;
-  for (const float by : change.cells()) fine_sum += by;
-  ledger.exported += (4.0 * coarse_sum - fine_sum) * frame.cell_m * frame.cell_m;
+  double sum = 0, absolute = 0;
+  for (const float by : change.cells()) sum += by, absolute += std::abs(by);
+  const Volume coarse = volume_of_change(now.surface, start.surface, frame);
+  const double missing = coarse.on_map - sum;
+  const double share = absolute > 0 ? std::clamp(missing / absolute, -kMostCorrection, kMostCorrection) : 0.0;
+  double added = 0;
+  for (size_t i = 0; i < change.size(); ++i) {
+    const float before = fine.surface.data()[i], by = change.data()[i];
+    fine.surface.data()[i] += by + static_cast<float>(share) * std::abs(by);
+    added += fine.surface.data()[i] - before;
+  }
+  ledger.exported += (coarse.all - added) * frame.cell_m * frame.cell_m;
 }
 
 }  // namespace seamount::erosion

@@ -3,43 +3,71 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace seamount::erosion {
 namespace {
 
 constexpr float kHigh = std::numeric_limits<float>::infinity();
 
-/// Looks at the four neighbours of a cell that come before it (way -1) or after it (1) in the order of rows.
-template <int way>
-void limit_cell(ScalarField& level, const Drainage& drainage, const Site& site, float rise, int x, int y) {
-  const int width = level.width();
-  const int32_t cell = y * width + x;
-  float* here = level.data() + cell;
-  const bool row = way < 0 ? y > 0 : y + 1 < level.height(), west = x > 0, east = x + 1 < width;
-  const auto other = [&](bool exists, int step) { return exists ? here[step] : kHigh; };
-  const float straight = std::min(other(way < 0 ? west : east, way), other(row, way * width));
-  const float across = std::min(other(row && west, way * width - 1), other(row && east, way * width + 1));
-  if (*here <= std::min(straight, across) || drainage.is_root(cell)) return;
-  const float own = rise * std::sqrt(value_or_one(site.hardness, cell));
-  const float limit = std::min(straight + own, across + std::numbers::sqrt2_v<float> * own);
-  if (*here > limit) *here += value_or_one(site.mask, cell) * (limit - *here);
-}
+/// One step of fast sweeping (Zhao 2005) over a ground whose slope has a limit.
+class Sweep {
+ public:
+  Sweep(ScalarField& level, const Drainage& drainage, const Site& site, double steepest)
+      : level_(level),
+        drainage_(drainage),
+        site_(site),
+        width_(level.width()),
+        height_(level.height()),
+        rise_(static_cast<float>(steepest * level.cell_m())) {}
+
+  /// Both ways along a row; the second only where the first has moved something.
+  void row(int y) {
+    if (pass<1>(y)) pass<-1>(y);
+  }
+
+ private:
+  template <int way>
+  bool pass(int y) {
+    float* row = level_.data() + static_cast<size_t>(y) * width_;
+    const float* up = y > 0 ? row - width_ : row;
+    const float* down = y + 1 < height_ ? row + width_ : row;
+    bool moved = false;
+    for (int k = 0; k < width_; ++k) {
+      const int x = way > 0 ? k : width_ - 1 - k;
+      const float along_y = up == down ? kHigh : up == row ? down[x] : down == row ? up[x] : std::min(up[x], down[x]);
+      const float along_x = std::min(x > 0 ? row[x - 1] : kHigh, x + 1 < width_ ? row[x + 1] : kHigh);
+      moved |= cell(y * width_ + x, row[x], along_x, along_y);
+    }
+    return moved;
+  }
+
+  /// Lowers a cell to where the gradient towards the lower ground in x and in y is the limit, by Godunov's upwind
+  /// differences; so that what stands around a point is a cone, not a pyramid of eight sides.
+  bool cell(int32_t index, float& here, float along_x, float along_y) const {
+    const float low = std::min(along_x, along_y), above = here - low;
+    const float square = rise_ * rise_ * value_or_one(site_.hardness, index);
+    if (above <= 0.0F || above * above <= 0.5F * square || drainage_.is_root(index)) return false;
+    const float apart = std::abs(along_x - along_y), own = std::sqrt(square);
+    const float limit = apart < own ? 0.5F * (along_x + along_y + std::sqrt(2.0F * square - apart * apart)) : low + own;
+    if (here <= limit) return false;
+    here += value_or_one(site_.mask, index) * (limit - here);
+    return true;
+  }
+
+  ScalarField& level_;
+  const Drainage& drainage_;
+  const Site& site_;
+  int width_, height_;
+  float rise_;
+};
 
 }  // namespace
 
 void limit_slopes(ScalarField& level, const Drainage& drainage, const Site& site, double steepest,
                   const RunContext& run) {
-  const int width = level.width(), height = level.height();
-  const auto rise = static_cast<float>(steepest * level.cell_m());
-  for (int y = 0; y < height; ++y) {
-    run.check_cancelled();
-    for (int x = 0; x < width; ++x) limit_cell<-1>(level, drainage, site, rise, x, y);
-  }
-  for (int y = height - 1; y >= 0; --y) {
-    run.check_cancelled();
-    for (int x = width - 1; x >= 0; --x) limit_cell<1>(level, drainage, site, rise, x, y);
-  }
+  Sweep sweep(level, drainage, site, steepest);
+  for (int y = 0; y < level.height(); ++y) run.check_cancelled(), sweep.row(y);
+  for (int y = level.height() - 1; y >= 0; --y) run.check_cancelled(), sweep.row(y);
 }
 
 }  // namespace seamount::erosion

@@ -15,6 +15,8 @@ constexpr double kHeadCells = 2.0;
 constexpr float kHeadShare = 0.03F;
 /// How far a river builds its bed above both of its banks in a step, in cells.
 constexpr float kLevee = 0.25F;
+/// Slope above which a river builds no fan, and the slope of a bank that keeps it from spreading.
+constexpr float kSteepestFan = 0.1F, kBank = 0.05F;
 /// K dt sqrt(Q) / dx that is none: layers of very soft ground would divide by it.
 constexpr float kLeastRate = 1e-20F;
 
@@ -110,6 +112,7 @@ class Step {
         threshold_(static_cast<float>(rivers.rain_m * rivers.channel_m2)),
         heads_(static_cast<float>(rivers.rain_m * kHeadCells * area_of(ground))),
         settling_(static_cast<float>(rivers.deposition * rivers.rain_m * area_of(ground))),
+        fan_(static_cast<float>(rivers.fan_m)),
         creep_(static_cast<float>(rivers.creep_m2 * rivers.years / area_of(ground))),
         trust_(static_cast<float>(1.0 / (1.0 + 0.5 * rivers.deposition))) {}
 
@@ -194,7 +197,22 @@ class Step {
   /// What a river lays down of the load that comes to a cell.
   float settling_share(int32_t cell) const {
     const float water = discharge_[cell];
-    return value_or_one(site_.mask, cell) * std::min(1.0F, settling_ / water) * (in_channel(cell) / water);
+    return value_or_one(site_.mask, cell) * std::min(1.0F, settling_ * fan_width(cell) / water) *
+           (in_channel(cell) / water);
+  }
+
+  /// Over how many cells side by side a river lays down its load in the years of a step: one between banks or on steep
+  /// ground, and as many as its fan is wide where it runs free.
+  float fan_width(int32_t cell) const {
+    const int x = cell % width_;
+    if (fan_ <= 0.0F || x == 0 || x == width_ - 1 || cell < width_ || cell >= width_ * (height_ - 1)) return 1.0F;
+    const float distance = drainage_.distance(cell);
+    const float slope = (surface_[cell] - surface_[drainage_.receiver(cell)]) / distance;
+    const float bank =
+        std::min(surface_[drainage_.beside(cell, 2)], surface_[drainage_.beside(cell, 6)]) - surface_[cell];
+    const float gentle = std::clamp(1.0F - slope / kSteepestFan, 0.0F, 1.0F);
+    const float open = std::clamp(1.0F - bank / (kBank * distance), 0.0F, 1.0F);
+    return 1.0F + gentle * open * fan_ / distance;
   }
 
   /// K dt sqrt(Q) / dx for bedrock of hardness 1.
@@ -261,7 +279,7 @@ class Step {
   float* load_;
   float* level_;
   int32_t width_, height_;
-  float sea_, rate_, rock_ease_, sediment_ease_, threshold_, heads_, settling_, creep_, trust_;
+  float sea_, rate_, rock_ease_, sediment_ease_, threshold_, heads_, settling_, fan_, creep_, trust_;
 };
 
 }  // namespace

@@ -11,7 +11,9 @@
 // downstream moves exactly what there is, so mass is conserved to rounding: what creep and failing slopes lose goes
 // with the water and comes to lie where creep or rivers ask for it. Departures: the exponents are m = 1/2 and n = 1;
 // layers wear one after the other within a step; no channel starts below a discharge Q_c; lakes are filled up to their
-// water level before anything flows out of them; beds do not rise far above both of their banks.
+// water level before anything flows out of them; beds do not rise far above both of their banks; where a river leaves
+// its banks on gentle ground, G grows by the width of the fan over that of a cell, since a river wanders over all of
+// its fan in the years of a step, and a cell's width of bed would let nearly all of the load pass.
 #pragma once
 
 #include "seamount/base/run_context.h"
@@ -28,6 +30,7 @@ struct Rivers {
   double rock_ease = 2;      ///< K of rock over that of bedrock
   double sediment_ease = 4;  ///< K of sediment over that of bedrock
   double deposition = 1;     ///< G
+  double fan_m = 0;          ///< width over which a river lays down its load where no banks hold it and it is not steep
   double channel_m2 = 0;     ///< area whose runoff is Q_c
   double creep_m2 = 0;       ///< D, m2 per year
   double steepest = 1e9;     ///< S, rise over run

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <numbers>
 
 #include "seamount/base/parallel.h"
@@ -71,6 +72,7 @@ Rivers rivers_of(const RunParams& p, double years) {
           .rock_ease = carries ? p.rock_ease : 1.0,
           .sediment_ease = carries ? p.sediment_ease : 1.0,
           .deposition = carries ? p.deposition : 0.0,
+          .fan_m = p.fan_m,
           .channel_m2 = p.channel_m2,
           .creep_m2 = p.creep_m2,
           .steepest = std::tan(p.bedrock_angle_deg * std::numbers::pi / 180.0),
@@ -118,7 +120,7 @@ class Level {
     run_slopes(ground_, site_, slopes_of(params_, years), load_, room_, run);
     clear_outlets(ledger);
     const Rivers rivers = rivers_of(params_, years);
-    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), kUnevenness, seed, room_, run);
+    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), seed, room_, run);
     gather(drainage_, rivers, flow_, run);
     run_rivers(ground_, site_, drainage_, flow_, rivers, load_, room_, ledger, run);
     std::swap(flow_, room_);  // what rivers laid down; their discharge is not needed any more
@@ -129,7 +131,7 @@ class Level {
 
   /// Discharge, lakes and the last shallow hollows.
   void finish(bool fill_hollows, Ledger& ledger, ScalarField& flow, ScalarField& lake, const RunContext& run) {
-    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), 0.0F, Seed{}, room_, run);
+    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), std::nullopt, room_, run);
     gather(drainage_, rivers_of(params_, 0), flow_, run);
     settle_hollows(ground_, site_, drainage_, static_cast<float>(params_.sea_m), fill_hollows, load_, room_, ledger);
     flow = std::move(flow_);
@@ -137,10 +139,6 @@ class Level {
   }
 
  private:
-  /// How much more readily water takes one way down than another: what is too small for the cells leads it, and keeps
-  /// valleys off the directions of the grid. The same in all steps of a grid.
-  static constexpr float kUnevenness = 2.0F;
-
   void uplift(double years, Ledger& ledger) {
     const auto rise = static_cast<float>(params_.uplift_mm * 1e-3 * years);
     if (rise <= 0.0F) return;
@@ -246,8 +244,8 @@ Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const R
     {
       Level level(now, levels.sites[k], outlets, params);
       for (int i = 0; i < stages[k].steps; ++i) {
-        level.step(stages[k].years * share_of_step(i, stages[k].steps), seed.derive("erosion.ways", k), out.ledger,
-                   {run.threads, {}, run.cancelled});
+        level.step(stages[k].years * share_of_step(i, stages[k].steps), seed.derive("erosion.ways", stages.size() - k),
+                   out.ledger, {run.threads, {}, run.cancelled});
         done += std::pow(0.25, k);
         run.report(std::min(1.0, done / cost));
       }
@@ -256,7 +254,8 @@ Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const R
     if (k == 0) break;
     Ground finer = k > 1 ? levels.starts[k - 1] : std::move(levels.starts[0]);
     outlets = refined_outlets(outlets, finer.surface);
-    refine(now, levels.starts[k], finer, levels.sites[k - 1], outlets, out.ledger, run);
+    refine(now, levels.starts[k], finer, levels.sites[k - 1], outlets, seed.derive("erosion.bends", stages.size() - k),
+           out.ledger, run);
     now = std::move(finer);
     levels.starts.resize(k);
     levels.sites.resize(k);

@@ -36,6 +36,7 @@ struct RunParams {
   double rock_ease = 2.0;
   double sediment_ease = 5.0;
   double deposition = 1.0;
+  double fan_m = 400;
   double channel_m2 = 1000;
   double uplift_mm = 0.0;
   double weathering_mm = 0.2;
@@ -72,6 +73,10 @@ struct RunParams {
               "how much more easily rivers cut fine sediment than bedrock"),
         field(&P::deposition, "deposition", "", between(0, 10),
               "how readily rivers drop their load (G): 0 never, 1 as in most rivers, more fills valleys"),
+        field(&P::fan_m, "fan_m", "m", between(0, 100000),
+              "width over which rivers lay down their load where they leave their valleys: 0 narrow beds, more makes "
+              "fans "
+              "and aprons"),
         field(&P::channel_m2, "channel_m2", "m2", between(0, 1e8), "area that is drained without a channel"),
         field(&P::uplift_mm, "uplift_mm", "mm", between(0, 100), "rise of the land per year, times the input `uplift`"),
         field(&P::weathering_mm, "weathering_mm", "mm", between(0, 100),

@@ -171,6 +171,61 @@ TEST(Erosion, UpliftMakesARangeWhoseRiversFlattenDownstream) {
   EXPECT_GT(*std::max_element(z.cells().begin(), z.cells().end()), 200);
 }
 
+/// Shares of the length of large rivers by direction, from 0 to pi in `bins` (the first about the x axis), measured
+/// over `chord` cells along their course.
+std::vector<double> river_directions(const Eroded& result, float least_flow, int chord, int bins) {
+  const HeightField& z = result.terrain;
+  const auto below = [&](int& x, int& y) {
+    int best = -1;
+    for (int d = 0; d < 8; ++d) {
+      const int nx = x + geom::kFlowDx[d], ny = y + geom::kFlowDy[d];
+      if (!z.contains(nx, ny) || result.flow(nx, ny) <= result.flow(x, y)) continue;
+      if (best < 0 || z(nx, ny) < z(x + geom::kFlowDx[best], y + geom::kFlowDy[best])) best = d;
+    }
+    if (best < 0) return false;
+    x += geom::kFlowDx[best], y += geom::kFlowDy[best];
+    return true;
+  };
+  std::vector<double> share(static_cast<size_t>(bins));
+  double all = 0;
+  for (int y = 0; y < z.height(); ++y) {
+    for (int x = 0; x < z.width(); ++x) {
+      if (result.flow(x, y) < least_flow) continue;
+      int ex = x, ey = y, steps = 0;
+      while (steps < chord && below(ex, ey)) ++steps;
+      if (steps < chord) continue;
+      const double turn = std::atan2(ey - y, ex - x) / 3.14159265 * bins + 0.5;
+      share[static_cast<size_t>(turn + 2 * bins) % static_cast<size_t>(bins)] += 1;
+      all += 1;
+    }
+  }
+  for (double& one : share) one *= bins / all;
+  return share;
+}
+
+TEST(Erosion, ValleysRunInAllDirections) {
+  std::vector<double> sum(8);
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    const GridFrame frame = GridFrame::centred(320, 320, 60);
+    HeightField z =
+        geom::fbm_grid(frame, Seed{seed}, {.wavelength_m = 12000, .octaves = 8, .cell_m = frame.cell_m}, {});
+    for (float& value : z.cells()) value = 1080 + 1172 * value;
+    const RunParams params{.years = 1.5e6,
+                           .erodibility = 8.5e-6,
+                           .uplift_mm = 0.95,
+                           .bedrock_angle_deg = 29,
+                           .creep_m2 = 0.026,
+                           .sea_m = -1000};
+    const Eroded result = run({std::move(z), {}, {}}, {}, params, Seed{seed}, {});
+    const std::vector<double> share = river_directions(result, 2e5F, 8, 8);
+    for (size_t i = 0; i < sum.size(); ++i) sum[i] += share[i] / 6;
+  }
+  for (size_t i = 0; i < sum.size(); ++i) {
+    EXPECT_LT(sum[i], 1.25) << i;
+    EXPECT_GT(sum[i], 0.8) << i;
+  }
+}
+
 TEST(Erosion, OddShapesAndTinyMaps) {
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}, {2, 7}, {3, 3}, {5, 300}, {300, 5}}) {
     const HeightField start = hills(width, height, 50, 40.0 * width);

@@ -27,10 +27,10 @@ Values run(const erosion::RunParams& params, const Call& call) {
 void add_erosion_operators(Registry& registry) {
   registry.add<erosion::RunParams>(
       {.name = "erosion.run",
-       .revision = 3,
+       .revision = 4,
        .summary =
            "Years of rivers, slides, creep and waves on bedrock, rock and sediment; or a range that rises and wears",
-       .source = "P1 sec. 5.4; Braun and Willett 2013, Yuan et al. 2019, Musgrave et al. 1989",
+       .source = "P1 sec. 5.4; Braun and Willett 2013, Yuan et al. 2019, Tarboton 1997, Musgrave et al. 1989",
        .stochastic = true,
        .in = {{"terrain", ValueKind::terrain, "heights in metres"},
               {"hardness", ValueKind::field, "how many times as hard as `erodibility` says; 1 if absent", false},
