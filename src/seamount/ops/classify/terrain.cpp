@@ -8,6 +8,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/geom/distance.h"
 #include "seamount/geom/flat_sea.h"
+#include "seamount/geom/inland.h"
 #include "seamount/geom/resample.h"
 #include "seamount/geom/surface.h"
 #include "seamount/ops/classify/exposure.h"
@@ -31,9 +32,8 @@ void check_heights(const HeightField& terrain, const RunContext& run) {
 }
 
 /// The terrain with a floor under a sea of unknown depth.
-HeightField with_floor(const HeightField& terrain, double abyss_m, const RunContext& run) {
-  HeightField out = terrain;
-  const Grid<uint8_t> sea = geom::flat_sea(terrain, run);
+HeightField with_floor(HeightField out, double abyss_m, const RunContext& run) {
+  const Grid<uint8_t> sea = geom::flat_sea(out, run);
   if (sea.empty()) return out;
   parallel_rows(run, out.width(), out.height(), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
@@ -140,16 +140,17 @@ Classified terrain(const HeightField& terrain, const TerrainParams& params, cons
   check_params(params);
   check_heights(terrain, run);
   const GridFrame& frame = terrain.frame();
-  const HeightField ground = with_floor(terrain, std::max(params.lagoon_depth_m, params.fore_reef_m), run);
+  const HeightField ground = with_floor(geom::raise_inland(terrain, 0.0F, params.least_sea_m2, run),
+                                        std::max(params.lagoon_depth_m, params.fore_reef_m), run);
   const Sea sea = survey(ground, params, run.part(0.0, 0.3));
   Grid<uint8_t> water(frame);
-  each_cell(frame, run, [&](int x, int y) { water(x, y) = ground(x, y) < 0.0F ? 1 : 0; });
+  each_cell(frame, run, [&](int x, int y) { water(x, y) = ground(x, y) <= 0.0F ? 1 : 0; });
   const ScalarField inland = geom::distance_to(water, run.part(0.3, 0.5));
   const ScalarField slope = geom::slope_deg(geom::at_scale(ground, params.scale_m, run), run);
   Classified out{LabelMap(frame), ScalarField(frame)};
   each_cell(frame, run.part(0.5, 0.7), [&](int x, int y) {
     const float z = ground(x, y);
-    if (z >= 0.0F) {
+    if (z > 0.0F) {
       const bool beach =
           z <= params.beach_m && inland(x, y) <= params.beach_width_m && slope(x, y) <= params.beach_slope_deg;
       out.labels(x, y) = beach ? Region::beach : Region::mountain;

@@ -13,6 +13,7 @@
 // Sea that is 0 everywhere, as land elevation models give it, is of unknown depth and becomes abyss.
 #pragma once
 
+#include <optional>
 #include <tuple>
 
 #include "seamount/base/fields.h"
@@ -36,6 +37,7 @@ struct TerrainParams {
   double lagoon_depth_m = 80.0;
   double scale_m = 60.0;
   double smallest_m2 = 20000.0;
+  std::optional<double> least_sea_m2;
 
   static constexpr auto fields() {
     using P = TerrainParams;
@@ -55,7 +57,11 @@ struct TerrainParams {
         field(&P::lagoon_depth_m, "lagoon_depth_m", "m", between(0, 5000),
               "depth down to which sheltered water is lagoon"),
         field(&P::scale_m, "scale_m", "m", between(0, 1e5), "forms smaller than this do not count as slope"),
-        field(&P::smallest_m2, "smallest_m2", "m2", between(0, 1e12), "smaller patches go to what lies around them"));
+        field(&P::smallest_m2, "smallest_m2", "m2", between(0, 1e12), "smaller patches go to what lies around them"),
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
+              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
+              "area if "
+              "absent"));
   }
 };
 

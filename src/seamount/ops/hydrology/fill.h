@@ -6,6 +6,7 @@
 // allowed is filled. The lakes are what filling covered.
 #pragma once
 
+#include <optional>
 #include <tuple>
 
 #include "seamount/base/fields.h"
@@ -21,6 +22,7 @@ struct FillParams {
   Depressions depressions = Depressions::fill;
   bool descend = true;
   bool sea = true;
+  std::optional<double> least_sea_m2;
   double max_cut_m = 50.0;
   double max_length_m = 5000.0;
   double min_lake_m2 = 20000.0;
@@ -32,6 +34,10 @@ struct FillParams {
         field(&P::descend, "descend",
               "let filled ground fall towards its outlet by the least step that a float can make"),
         field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"),
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
+              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
+              "area if "
+              "absent"),
         field(&P::max_cut_m, "max_cut_m", "m", between(0, 10000), "breach: deepest cut; what needs more is filled"),
         field(&P::max_length_m, "max_length_m", "m", between(0, 1e6), "breach: longest cut; what needs more is filled"),
         field(&P::min_lake_m2, "min_lake_m2", "m2", between(0, 1e12), "smaller lakes are not traced"));

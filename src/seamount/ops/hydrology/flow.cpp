@@ -5,6 +5,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/flow.h"
+#include "seamount/geom/inland.h"
 #include "seamount/ops/hydrology/flow_spread.h"
 
 namespace seamount::hydrology {
@@ -55,14 +56,14 @@ Flow flow(const HeightField& terrain, const FlowParams& params, const RunContext
   check_params(params);
   const float sea = params.sea ? 0.0F : geom::kNoSea;
   const GridFrame& frame = terrain.frame();
-  Flow out{geom::fill_depressions(terrain, sea, run.part(0.0, 0.4)),
+  Flow out{geom::fill_depressions(geom::raise_inland(terrain, sea, params.least_sea_m2, run), sea, run.part(0.0, 0.4)),
            ScalarField(frame),
            ScalarField(frame),
            ScalarField(frame),
            {}};
   const FlowDirections d8 = geom::flow_directions(out.terrain, sea, run.part(0.4, 0.5));
   const Grid<uint32_t> cells = geom::flow_accumulation(d8, run.part(0.5, 0.6));
-  out.basins = number_basins(d8, cells, sea, terrain, run);
+  out.basins = number_basins(d8, cells, sea, out.terrain, run);
   ScalarField eighths(frame);
   if (params.method == FlowMethod::dinf) {
     eighths = dinf_directions(out.terrain, d8, sea, run.part(0.6, 0.7));

@@ -4,6 +4,7 @@
 // Tarboton 1997 (D-infinity), Freeman 1991 and Holmgren 1994 (multiple).
 #pragma once
 
+#include <optional>
 #include <tuple>
 
 #include "seamount/base/fields.h"
@@ -18,6 +19,7 @@ struct FlowParams {
   FlowMethod method = FlowMethod::d8;
   double exponent = 1.1;
   bool sea = true;
+  std::optional<double> least_sea_m2;
 
   static constexpr auto fields() {
     using P = FlowParams;
@@ -25,7 +27,11 @@ struct FlowParams {
         field(&P::method, "method", "d8: to the steepest neighbour; dinf: between two; mfd: over all that are lower"),
         field(&P::exponent, "exponent", "", between(0.1, 20),
               "mfd: shares go with slope to this power; higher gathers more"),
-        field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"));
+        field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"),
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
+              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
+              "area if "
+              "absent"));
   }
 };
 
@@ -34,7 +40,8 @@ struct Flow {
   ScalarField cells;          ///< that drain through a cell, itself included
   ScalarField area_m2;        ///< the same as an area
   ScalarField direction_deg;  ///< bearing of the flow, clockwise from north; -1 where it ends; D8's for mfd
-  ScalarField basins;  ///< number of the catchment that a cell belongs to, 1 the largest; 0 for open water without one
+  ScalarField basins;  ///< number of the catchment that a cell belongs to, 1 the largest; 0 for open water without one;
+                       ///< D8's for all methods
 };
 
 /// A catchment is what drains through one cell of the border or of the sea. The sum of `cells` over the ends of flow is

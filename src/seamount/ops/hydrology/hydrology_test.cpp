@@ -195,7 +195,7 @@ TEST(Network, OrdersAreStrahlers) {
 TEST(Rivers, NeverClimbAndGrowDownstream) {
   for (const uint64_t seed : {1, 2, 3}) {
     const HeightField terrain = hills(160, 130, seed, 60.0F);
-    const HeightField filled = geom::fill_depressions(terrain, 0, {});
+    const HeightField filled = fill(terrain, {.descend = false}, {}).terrain;
     const Drawing drawing = rivers(terrain, {.min_area_m2 = 50 * 900.0}, {});
     ASSERT_GT(drawing.lines.size(), 20U);
     for (const ValuedLine& line : drawing.lines) {
@@ -215,6 +215,38 @@ TEST(Rivers, NeverClimbAndGrowDownstream) {
       EXPECT_GE(attribute(line.attributes, "area_m2"), 50 * 900.0);
     }
   }
+}
+
+TEST(Rivers, RunThroughHollowsBelowSeaLevel) {
+  // A valley to a sea in the east, with a hole of one cell in its floor.
+  HeightField terrain(GridFrame::centred(80, 31, 10));
+  for (int y = 0; y < 31; ++y) {
+    for (int x = 0; x < 80; ++x)
+      terrain(x, y) = 0.1F * static_cast<float>(70 - x) + std::abs(static_cast<float>(y - 15));
+  }
+  terrain(40, 15) = -0.45F;
+  const RiversParams params{.min_area_m2 = 200 * 100.0};
+  const Drawing through = rivers(terrain, params, {});
+  const auto largest = [](const Drawing& drawing) {
+    double most = 0;
+    for (const ValuedLine& line : drawing.lines) most = std::max(most, attribute(line.attributes, "area_m2"));
+    return most;
+  };
+  EXPECT_GT(largest(through), 50 * 20 * 100.0);
+  EXPECT_LT(largest(rivers(terrain, {.min_area_m2 = 200 * 100.0, .least_sea_m2 = 0}, {})), 0.7 * largest(through));
+  const Filled filled = fill(terrain, {.min_lake_m2 = 0}, {});
+  ASSERT_EQ(filled.lakes.areas.size(), 1U);
+  EXPECT_NEAR(attribute(filled.lakes.areas[0].attributes, "depth_m"), 3.35,
+              1e-4);  // to the level of the floor beside it
+  EXPECT_EQ(filled.terrain(79, 15), terrain(79, 15));
+}
+
+TEST(Rivers, CountTheLandForWhereTheyBegin) {
+  HeightField island = hills(60, 60, 2, 300.0F), sea(GridFrame::centred(240, 240, 30), -50.0F);
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 0; x < 60; ++x) sea(90 + x, 90 + y) = island(x, y);
+  }
+  EXPECT_GT(rivers(sea, {}, {}).lines.size(), rivers(sea, {.min_area_m2 = 240 * 240 * 900 / 500.0}, {}).lines.size());
 }
 
 TEST(Ridges, OfARoofIsItsCrest) {

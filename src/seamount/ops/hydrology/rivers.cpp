@@ -5,6 +5,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/flow.h"
+#include "seamount/geom/inland.h"
 #include "seamount/geom/polygon.h"
 #include "seamount/geom/skeleton.h"
 #include "seamount/ops/hydrology/network.h"
@@ -16,10 +17,11 @@ namespace {
 constexpr double kSecondsPerYear = 365.25 * 86400.0;
 
 /// Cells that a channel's catchment must have.
-double threshold(const std::optional<double>& min_area_m2, const GridFrame& frame) {
-  const double cells =
-      min_area_m2 ? *min_area_m2 / (frame.cell_m * frame.cell_m) : static_cast<double>(frame.cells()) / 500.0;
-  return std::max(2.0, cells);
+double threshold(const std::optional<double>& min_area_m2, const HeightField& terrain, float sea) {
+  constexpr double kPart = 500.0;
+  if (min_area_m2) return std::max(2.0, *min_area_m2 / (terrain.cell_m() * terrain.cell_m()));
+  const auto land = std::count_if(terrain.cells().begin(), terrain.cells().end(), [&](float z) { return z > sea; });
+  return std::max(2.0, static_cast<double>(land) / kPart);
 }
 
 ValuedLine describe_link(const Link& link, const GridFrame& frame) {
@@ -52,7 +54,8 @@ Drawing rivers(const HeightField& terrain, const RiversParams& params, const Run
   check_params(params);
   const GridFrame& frame = terrain.frame();
   const float sea = params.sea ? 0.0F : geom::kNoSea;
-  const HeightField filled = geom::fill_depressions(terrain, sea, run.part(0.0, 0.5));
+  const HeightField filled =
+      geom::fill_depressions(geom::raise_inland(terrain, sea, params.least_sea_m2, run), sea, run.part(0.0, 0.5));
   const geom::FlowDirections directions = geom::flow_directions(filled, sea, run.part(0.5, 0.6));
   ScalarField cells(frame);
   {
@@ -62,7 +65,7 @@ Drawing rivers(const HeightField& terrain, const RiversParams& params, const Run
   }
   Drawing drawing;
   drawing.crs = frame.crs;
-  for (const Link& link : find_links(directions, cells, threshold(params.min_area_m2, frame), nullptr, run)) {
+  for (const Link& link : find_links(directions, cells, threshold(params.min_area_m2, filled, sea), nullptr, run)) {
     ValuedLine line = describe_link(link, frame);
     const double discharge = link.drained * frame.cell_m * frame.cell_m * 1e-3 * params.runoff_mm_yr / kSecondsPerYear;
     line.attributes.push_back({"discharge_m3_s", discharge});
@@ -76,12 +79,14 @@ Drawing rivers(const HeightField& terrain, const RiversParams& params, const Run
 Drawing ridges(const HeightField& terrain, const RidgesParams& params, const RunContext& run) {
   check_params(params);
   const GridFrame& frame = terrain.frame();
-  RidgeFlow flow = ridge_flow(terrain, params.sea ? 0.0F : geom::kNoSea, run);
+  const float sea = params.sea ? 0.0F : geom::kNoSea;
+  const HeightField ground = geom::raise_inland(terrain, sea, params.least_sea_m2, run);
+  RidgeFlow flow = ridge_flow(ground, sea, run);
   clear_edge(flow.land);
   Drawing drawing;
   drawing.crs = frame.crs;
   for (const Link& link :
-       find_links(flow.directions, flow.cells, threshold(params.min_area_m2, frame), &flow.land, run)) {
+       find_links(flow.directions, flow.cells, threshold(params.min_area_m2, ground, sea), &flow.land, run)) {
     ValuedLine line = describe_link(link, frame);
     line.attributes.push_back({"rise_m", -fall(link, terrain)});
     drawing.lines.push_back(std::move(line));

@@ -21,29 +21,38 @@ struct RiversParams {
   double runoff_mm_yr = 500.0;
   double width_factor = 6.0;
   bool sea = true;
+  std::optional<double> least_sea_m2;
 
   static constexpr auto fields() {
     using P = RiversParams;
     return std::tuple(
         field(&P::min_area_m2, "min_area_m2", "m2", between(1, 1e13),
-              "catchment with which a river begins; a five-hundredth of the terrain's area if absent"),
+              "catchment with which a river begins; a five-hundredth of the land if absent"),
         field(&P::runoff_mm_yr, "runoff_mm_yr", "mm/yr", between(0, 20000), "rain that runs off, in a year"),
         field(&P::width_factor, "width_factor", "", between(0, 100),
               "width in metres of a river of 1 m3/s; it goes with the square root of discharge"),
-        field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"));
+        field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"),
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
+              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
+              "area if "
+              "absent"));
   }
 };
 
 struct RidgesParams {
   std::optional<double> min_area_m2;
   bool sea = true;
+  std::optional<double> least_sea_m2;
 
   static constexpr auto fields() {
     using P = RidgesParams;
     return std::tuple(field(&P::min_area_m2, "min_area_m2", "m2", between(1, 1e13),
-                            "ground whose ways up join before a ridge begins; a five-hundredth of the terrain's area "
-                            "if absent"),
-                      field(&P::sea, "sea", "ridges stand on cells above sea level; otherwise everywhere"));
+                            "ground whose ways up join before a ridge begins; a five-hundredth of the land if absent"),
+                      field(&P::sea, "sea", "ridges stand on cells above sea level; otherwise everywhere"),
+                      field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
+                            "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the "
+                            "terrain's area if "
+                            "absent"));
   }
 };
 

@@ -6,14 +6,13 @@
 #include "seamount/base/parallel.h"
 #include "seamount/geom/flow.h"
 #include "seamount/geom/flow_invert.h"
+#include "seamount/geom/inland.h"
 #include "seamount/geom/resample.h"
 #include "seamount/geom/skeleton.h"
 #include "seamount/ops/sketch/stochastic_flow.h"
 
 namespace seamount::sketch {
 namespace {
-
-constexpr float kSea = 0.0F;
 
 /// A place where water, or what runs uphill, gathers and stays.
 struct Cue {
@@ -27,19 +26,42 @@ struct Network {
   std::vector<Cue> cues;
 };
 
+/// The terrain and what of it is land.
+struct Ground {
+  const HeightField& terrain;
+  Mask land;  ///< 1 or 0; empty: all of it
+  float sea;
+
+  Ground(const HeightField& ground, bool with_sea, const RunContext& run)
+      : terrain(ground), sea(with_sea ? 0.0F : geom::kNoSea) {
+    if (!with_sea) return;
+    land = geom::raise_inland(terrain, sea, {}, run);
+    bool all = true;
+    for (float& z : land.cells()) all = all && z > sea, z = z > sea ? 1.0F : 0.0F;
+    if (all) land = {};
+  }
+  bool is_land(size_t cell) const { return land.empty() || land.data()[cell] != 0.0F; }
+  double land_share() const {
+    double cells = 0;
+    for (const float one : land.cells()) cells += static_cast<double>(one);
+    return land.empty() ? 1.0 : cells / static_cast<double>(land.size());
+  }
+};
+
 struct Scale {
   double coarse_m, blur_m;
   uint32_t line_drops, cue_drops;
   int min_cells;  ///< of the terrain, for branches and pieces
 };
 
-Scale scale_of(const ExtractParams& params, const GridFrame& frame) {
+Scale scale_of(const ExtractParams& params, const Ground& ground) {
   constexpr double kCoarseCells = 128.0, kBlur = 0.7, kLinePart = 500.0, kCuePart = 150.0;
+  const GridFrame& frame = ground.terrain.frame();
   Scale scale{};
   scale.coarse_m =
       std::max(frame.cell_m, params.coarse_m.value_or(std::max(frame.width_m(), frame.height_m()) / kCoarseCells));
   scale.blur_m = params.blur_m.value_or(kBlur * scale.coarse_m);
-  const double area_m2 = frame.width_m() * frame.height_m();
+  const double area_m2 = frame.width_m() * frame.height_m() * ground.land_share();
   const auto drops = [&](double from_m2) {
     return static_cast<uint32_t>(std::clamp(from_m2 / (scale.coarse_m * scale.coarse_m), 2.0, 4e9));
   };
@@ -49,15 +71,40 @@ Scale scale_of(const ExtractParams& params, const GridFrame& frame) {
   return scale;
 }
 
-/// Blurred, on cells of about coarse_m that fit the terrain's corner.
-HeightField coarsen(const HeightField& terrain, const Scale& scale, const RunContext& run) {
-  HeightField blurred = terrain;
-  geom::gaussian_blur(blurred, scale.blur_m, run);
-  GridFrame coarse = terrain.frame();
+GridFrame coarse_frame(const GridFrame& frame, const Scale& scale) {
+  GridFrame coarse = frame;
   coarse.cell_m = scale.coarse_m;
-  coarse.width = std::max(1, static_cast<int>(std::lround(terrain.frame().width_m() / scale.coarse_m)));
-  coarse.height = std::max(1, static_cast<int>(std::lround(terrain.frame().height_m() / scale.coarse_m)));
-  return coarse == terrain.frame() ? blurred : geom::resample(blurred, coarse, run);
+  coarse.width = std::max(1, static_cast<int>(std::lround(frame.width_m() / scale.coarse_m)));
+  coarse.height = std::max(1, static_cast<int>(std::lround(frame.height_m() / scale.coarse_m)));
+  return coarse;
+}
+
+/// Blurred, on cells of about coarse_m that fit the terrain's corner; the sea is level.
+HeightField coarsen(const Ground& ground, const Scale& scale, const RunContext& run) {
+  const GridFrame coarse = coarse_frame(ground.terrain.frame(), scale);
+  const auto resampled = [&](const ScalarField& fine) {
+    return coarse == fine.frame() ? fine : geom::resample(fine, coarse, run);
+  };
+  HeightField blurred = ground.terrain;
+  if (ground.land.empty()) {
+    geom::gaussian_blur(blurred, scale.blur_m, run);
+    return resampled(blurred);
+  }
+  ScalarField share = ground.land;
+  for (size_t i = 0; i < blurred.size(); ++i) blurred.data()[i] = ground.is_land(i) ? blurred.data()[i] : 0.0F;
+  geom::gaussian_blur(blurred, scale.blur_m, run);
+  geom::gaussian_blur(share, scale.blur_m, run);
+  constexpr float kSome = 1e-3F;
+  for (size_t i = 0; i < blurred.size(); ++i) {
+    if (share.data()[i] > kSome) blurred.data()[i] /= share.data()[i];
+  }
+  HeightField out = resampled(blurred);
+  const ScalarField land = resampled(ground.land);
+  for (size_t i = 0; i < out.size(); ++i) {
+    float& z = out.data()[i];
+    z = land.data()[i] < 0.5F ? ground.sea : std::max(z, std::nextafter(ground.sea, INFINITY));
+  }
+  return out;
 }
 
 /// Reads `water`, whose cells lie `shift` further in, back onto the coarse terrain.
@@ -72,32 +119,32 @@ Network read_water(const Water& water, const GridFrame& coarse, int shift, bool 
   return network;
 }
 
-StochasticFlow flow_of(const ExtractParams& params, const HeightField& coarse) {
+StochasticFlow flow_of(const ExtractParams& params, const HeightField& coarse, float sea) {
   constexpr double kReliefPart = 200.0;
   const auto [low, high] = std::minmax_element(coarse.cells().begin(), coarse.cells().end());
-  const double relief = static_cast<double>(*high) - std::max(kSea, *low);
+  const double relief = static_cast<double>(*high) - std::max(sea, *low);
   return {.leave = params.leave,
           .shallow_m = static_cast<float>(params.shallow_m.value_or(std::max(0.0, relief) / kReliefPart))};
 }
 
-Network find_rivers(const HeightField& coarse, const ExtractParams& params, const Scale& scale, Seed seed,
+Network find_rivers(const HeightField& coarse, float sea, const ExtractParams& params, const Scale& scale, Seed seed,
                     const RunContext& run) {
   Grid<uint8_t> land(coarse.frame());
-  for (size_t i = 0; i < land.size(); ++i) land.data()[i] = coarse.data()[i] > kSea ? 1 : 0;
+  for (size_t i = 0; i < land.size(); ++i) land.data()[i] = coarse.data()[i] > sea ? 1 : 0;
   Network rivers = read_water(
-      stochastic_flow(coarse, land, kSea, geom::kFlowWall, flow_of(params, coarse), seed.derive("rivers"), run),
+      stochastic_flow(coarse, land, sea, geom::kFlowWall, flow_of(params, coarse, sea), seed.derive("rivers"), run),
       coarse.frame(), 0, true, scale);
   for (size_t i = 0; i < land.size(); ++i) rivers.lines.data()[i] &= land.data()[i];
   return rivers;
 }
 
-Network find_ridges(const HeightField& coarse, const ExtractParams& params, const Scale& scale, Seed seed,
+Network find_ridges(const HeightField& coarse, float sea, const ExtractParams& params, const Scale& scale, Seed seed,
                     const RunContext& run) {
-  const HeightField inverted = geom::invert_with_walls(coarse, kSea, run);
+  const HeightField inverted = geom::invert_with_walls(coarse, sea, run);
   Grid<uint8_t> land(inverted.frame());
   for (size_t i = 0; i < land.size(); ++i) land.data()[i] = inverted.data()[i] < geom::kFlowWall ? 1 : 0;
-  Network ridges = read_water(stochastic_flow(inverted, land, geom::kNoSea, geom::kFlowWall, flow_of(params, coarse),
-                                              seed.derive("ridges"), run),
+  Network ridges = read_water(stochastic_flow(inverted, land, geom::kNoSea, geom::kFlowWall,
+                                              flow_of(params, coarse, sea), seed.derive("ridges"), run),
                               coarse.frame(), 1, false, scale);
   // The edge cuts slopes in two and makes ridges of them that are none.
   const GridFrame& frame = coarse.frame();
@@ -112,9 +159,10 @@ Network find_ridges(const HeightField& coarse, const ExtractParams& params, cons
   return ridges;
 }
 
-/// Coarse lines as lines one cell wide on the terrain's frame.
-Grid<uint8_t> refine(const Grid<uint8_t>& lines, const GridFrame& frame, const Scale& scale, const RunContext& run) {
+/// Coarse lines as lines one cell wide on the terrain's land.
+Grid<uint8_t> refine(const Grid<uint8_t>& lines, const Ground& ground, const Scale& scale, const RunContext& run) {
   constexpr float kInside = 0.33F;  // a diagonal of single cells has at least 0.45 along its middle
+  const GridFrame& frame = ground.terrain.frame();
   ScalarField soft(lines.frame());
   for (size_t i = 0; i < soft.size(); ++i) soft.data()[i] = lines.data()[i];
   Grid<uint8_t> fine(frame);
@@ -126,6 +174,7 @@ Grid<uint8_t> refine(const Grid<uint8_t>& lines, const GridFrame& frame, const S
     }
   });
   geom::thin(fine, run);
+  for (size_t i = 0; i < fine.size(); ++i) fine.data()[i] = ground.is_land(i) ? fine.data()[i] : 0;
   geom::prune_skeleton(fine, scale.min_cells, scale.min_cells, run);
   return fine;
 }
@@ -186,17 +235,18 @@ Image paint(const Sketch& sketch, const HeightField& coarse) {
 Sketch extract(const HeightField& terrain, const ExtractParams& params, Seed seed, const RunContext& run) {
   check_params(params);
   const GridFrame& frame = terrain.frame();
-  const Scale scale = scale_of(params, frame);
-  const HeightField coarse = coarsen(terrain, scale, run.part(0.0, 0.2));
+  const Ground ground(terrain, params.sea, run);
+  const Scale scale = scale_of(params, ground);
+  const HeightField coarse = coarsen(ground, scale, run.part(0.0, 0.2));
   const Network none{Grid<uint8_t>(coarse.frame(), 0), {}};
   const Network rivers =
-      params.rivers || params.cues ? find_rivers(coarse, params, scale, seed, run.part(0.2, 0.5)) : none;
+      params.rivers || params.cues ? find_rivers(coarse, ground.sea, params, scale, seed, run.part(0.2, 0.5)) : none;
   const Network ridges =
-      params.ridges || params.cues ? find_ridges(coarse, params, scale, seed, run.part(0.5, 0.8)) : none;
+      params.ridges || params.cues ? find_ridges(coarse, ground.sea, params, scale, seed, run.part(0.5, 0.8)) : none;
   Sketch sketch{{}, {}, ScalarField(frame, 0.0F), Mask(frame, 0.0F), {}, {}};
   sketch.lines.crs = frame.crs;
-  const Grid<uint8_t> river = refine(params.rivers ? rivers.lines : none.lines, frame, scale, run.part(0.8, 0.9));
-  const Grid<uint8_t> ridge = refine(params.ridges ? ridges.lines : none.lines, frame, scale, run.part(0.9, 1.0));
+  const Grid<uint8_t> river = refine(params.rivers ? rivers.lines : none.lines, ground, scale, run.part(0.8, 0.9));
+  const Grid<uint8_t> ridge = refine(params.ridges ? ridges.lines : none.lines, ground, scale, run.part(0.9, 1.0));
   add_lines(river, 0.0, sketch.lines);
   add_lines(ridge, 1.0, sketch.lines);
   sketch.river = as_mask(river);

@@ -5,7 +5,8 @@
 // Ridges are the rivers of the inverted terrain. Basins are where many drops disappear, peaks the same upside down;
 // both are altitude cues. Ours: what leaves a minimum runs over its lowest pass; minima no deeper than shallow_m
 // (survey noise, lake surfaces) hold no water; the threshold is applied before up-sampling, by a cubic B-spline, so
-// that thin diagonals hold together; twigs and pieces shorter than a few coarse cells are dropped.
+// that thin diagonals hold together; twigs and pieces shorter than a few coarse cells are dropped. Land is blurred with
+// land alone, and a coarse cell is land where half of it is, so that the sketch keeps to the coast.
 #pragma once
 
 #include <optional>
@@ -28,6 +29,7 @@ struct ExtractParams {
   double leave = 0.3;
   std::optional<double> shallow_m;
   double min_length = 4.0;
+  bool sea = true;
   bool rivers = true;
   bool ridges = true;
   bool cues = true;
@@ -40,14 +42,16 @@ struct ExtractParams {
         field(&P::blur_m, "blur_m", "m", between(0, 1e6),
               "deviation of the blur before it: how little of the detail is drawn; 0.7 coarse cells if absent"),
         field(&P::min_area_m2, "min_area_m2", "m2", between(1, 1e13),
-              "ground whose rain makes a river, or a ridge; a 500th of the terrain's area if absent"),
+              "ground whose rain makes a river, or a ridge; a 500th of the land if absent"),
         field(&P::cue_area_m2, "cue_area_m2", "m2", between(1, 1e13),
-              "ground whose rain ends in one place and makes it a cue; a 150th of the terrain's area if absent"),
+              "ground whose rain ends in one place and makes it a cue; a 150th of the land if absent"),
         field(&P::leave, "leave", "", between(0, 1), "probability with which a drop leaves a local minimum"),
         field(&P::shallow_m, "shallow_m", "m", between(0, 1000),
               "minima that are no deeper hold no water; a 200th of the relief if absent"),
         field(&P::min_length, "min_length", "", between(0, 100),
               "shortest branch and piece that is kept, in coarse cells"),
+        field(&P::sea, "sea",
+              "rivers end at sea level and ridges stand above it; otherwise the sea floor is ground as well"),
         field(&P::rivers, "rivers", "draw rivers"), field(&P::ridges, "ridges", "draw ridges"),
         field(&P::cues, "cues", "draw peaks and basins with their heights"));
   }

@@ -24,20 +24,24 @@ Levelset levelset(const HeightField& terrain, const LevelsetParams& params, cons
   check_params(params);
   const GridFrame& frame = terrain.frame();
   constexpr double kBlurPart = 64.0;
+  constexpr float kRounding = 1e-6F;
   HeightField blurred = terrain;
   geom::gaussian_blur(blurred, params.blur_m.value_or(std::max(frame.width_m(), frame.height_m()) / kBlurPart), run);
   run.check_cancelled();
   const float level = percentile_of(blurred, params.percentile);
+  // Above it: a sea that is level, up to what a blur rounds, is not.
+  const auto [low, high] = std::minmax_element(blurred.cells().begin(), blurred.cells().end());
+  const float least = std::nextafter(level + kRounding * (*high - *low), INFINITY);
   Levelset out{Mask(frame), Image(frame.width, frame.height), {}, level};
   for (int y = 0; y < frame.height; ++y) {
     for (int x = 0; x < frame.width; ++x) {
-      const bool inside = blurred(x, y) >= level;
+      const bool inside = blurred(x, y) >= least;
       out.mask(x, y) = inside ? 1.0F : 0.0F;
       if (inside) std::fill_n(out.image.pixel(x, y), 3, uint8_t{255});
     }
   }
   out.areas.crs = frame.crs;
-  out.areas.areas.push_back({"levelset", geom::trace_areas(blurred, level), {{"level_m", level}}});
+  if (*high >= least) out.areas.areas.push_back({"levelset", geom::trace_areas(blurred, least), {{"level_m", level}}});
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "seamount/geom/flow_invert.h"
+#include "seamount/geom/inland.h"
 #include "seamount/geom/noise.h"
 #include "seamount/ops/sketch/extract.h"
 #include "seamount/ops/sketch/levelset.h"
@@ -130,6 +131,35 @@ TEST(Extract, RidgesAreTheRiversOfTheInvertedTerrain) {
   EXPECT_GT(near, 0.6 * all);
 }
 
+TEST(Extract, KeepsToTheLand) {
+  HeightField terrain = hills(300, 260, 6, 20.0F);
+  for (float& z : terrain.cells()) z = std::max(z, 0.0F);  // a sea of unknown depth, as elevation models have it
+  const Sketch sketch = extract(terrain, {}, Seed{1}, {});
+  const HeightField ground = geom::raise_inland(terrain, 0.0F, {}, {});
+  int lines = 0;
+  for (size_t i = 0; i < terrain.size(); ++i) {
+    if (sketch.river.data()[i] + sketch.ridge.data()[i] == 0.0F) continue;
+    ++lines;
+    ASSERT_TRUE(ground.data()[i] > 0.0F) << i;
+  }
+  EXPECT_GT(lines, 300);
+}
+
+TEST(Extract, DrawsTheSeaFloorWhereThereIsNoSea) {
+  HeightField terrain = hills(128, 128, 2), drowned = terrain;
+  for (float& z : drowned.cells()) z -= 5000.0F;
+  const Sketch land = extract(terrain, {.sea = false}, Seed{5}, {}),
+               floor = extract(drowned, {.sea = false}, Seed{5}, {});
+  double differing = 0, all = 0;
+  for (size_t i = 0; i < terrain.size(); ++i) {
+    all += static_cast<double>(land.river.data()[i]);
+    differing += land.river.data()[i] != floor.river.data()[i] ? 1 : 0;
+  }
+  EXPECT_GT(all, 200);
+  EXPECT_LT(differing, 0.1 * all);  // heights of 5000 m are rounded otherwise
+  EXPECT_TRUE(extract(drowned, {}, Seed{5}, {}).lines.lines.empty());
+}
+
 TEST(Extract, LeavesOutWhatIsNotWanted) {
   const HeightField terrain = hills(128, 128, 2);
   const Sketch rivers = extract(terrain, {.ridges = false, .cues = false}, Seed{5}, {});
@@ -152,6 +182,14 @@ TEST(Levelset, HoldsTheShareAboveThePercentile) {
     EXPECT_NEAR(inside / static_cast<double>(terrain.size()), 1.0 - percentile / 100, 1e-3);
   }
   EXPECT_EQ(levelset(HeightField(GridFrame::centred(5, 4, 1), 7.0F), {}, {}).level_m, 7.0);
+  HeightField island = hills(200, 200, 4, -60.0F);
+  double land = 0, inside = 0;
+  for (float& z : island.cells()) z = std::max(z, 0.0F), land += z > 0 ? 1 : 0;
+  ASSERT_LT(land, 0.4 * 200 * 200);
+  const Levelset made = levelset(island, {.blur_m = 60}, {});
+  for (size_t i = 0; i < island.size(); ++i) inside += static_cast<double>(made.mask.data()[i]);
+  EXPECT_GT(inside, 0.5 * land);
+  EXPECT_LT(inside, 0.41 * 200 * 200);  // not the level sea
 }
 
 TEST(SketchOps, TakeOddShapes) {

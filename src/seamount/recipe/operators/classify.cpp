@@ -16,6 +16,7 @@ Values terrain(const classify::TerrainParams& params, const Call& call) {
 void add_classify_operators(Registry& registry) {
   registry.add<classify::TerrainParams>(
       {.name = "classify.terrain",
+       .revision = 2,
        .summary =
            "Labels any terrain by depth, slope and exposure, so that it can enter the methods that build on labels",
        .source = "P0 sec. 1.4.1 for the regions",

@@ -46,6 +46,7 @@ void add_hydrology_operators(Registry& registry) {
   const Port terrain_in = {"terrain", ValueKind::terrain, "heights in metres"};
   registry.add<hydrology::FillParams>(
       {.name = "hydrology.fill",
+       .revision = 2,
        .summary = "A terrain without depressions: filled to their outlets, or breached; and the lakes",
        .source = "Barnes, Lehman and Mulla 2014; Lindsay and Dhun 2015",
        .in = {terrain_in},
@@ -55,6 +56,7 @@ void add_hydrology_operators(Registry& registry) {
       fill);
   registry.add<hydrology::FlowParams>(
       {.name = "hydrology.flow",
+       .revision = 2,
        .summary = "Where water runs and how much gathers: one neighbour, two or all (D8, D-infinity, multiple)",
        .source = "O'Callaghan and Mark 1984; Tarboton 1997; Holmgren 1994",
        .in = {terrain_in},
@@ -66,6 +68,7 @@ void add_hydrology_operators(Registry& registry) {
       flow);
   registry.add<hydrology::RiversParams>(
       {.name = "hydrology.rivers",
+       .revision = 2,
        .summary = "The river network as lines with stream order, discharge and width",
        .source = "Strahler 1957; Leopold and Maddock 1953",
        .in = {terrain_in},
@@ -74,6 +77,7 @@ void add_hydrology_operators(Registry& registry) {
       rivers);
   registry.add<hydrology::RidgesParams>(
       {.name = "hydrology.ridges",
+       .revision = 2,
        .summary = "The network of ridges as lines: the rivers of the inverted terrain",
        .source = "P1 sec. 5.1",
        .in = {terrain_in},

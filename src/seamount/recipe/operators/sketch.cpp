@@ -26,6 +26,7 @@ void add_sketch_operators(Registry& registry) {
   const Port terrain_in = {"terrain", ValueKind::terrain, "heights in metres"};
   registry.add<sketch::ExtractParams>(
       {.name = "sketch.extract",
+       .revision = 2,
        .summary = "The sketch of a terrain: coarse rivers and ridges, one pixel wide, and heights of peaks and basins",
        .source = "P1 sec. 5.1, fig. 6-8",
        .stochastic = true,
@@ -38,6 +39,7 @@ void add_sketch_operators(Registry& registry) {
                {"cue", ValueKind::field, "1 where altitude counts, else 0"}}},
       extract);
   registry.add<sketch::LevelsetParams>({.name = "sketch.levelset",
+                                        .revision = 2,
                                         .summary = "The high part of a terrain as an area",
                                         .source = "P1 sec. 5.2, fig. 9",
                                         .in = {terrain_in},

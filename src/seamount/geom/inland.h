@@ -1,0 +1,21 @@
+// Hollows below sea level that are no sea: a cell of an elevation model at -0.5 m far from the coast, a drained polder.
+//
+// "At or below sea level is open water" ends rivers in every such cell. Sea is water that reaches the edge of the
+// terrain, and enclosed water that is large; the rest is ground like any other, whose water finds a way out.
+#pragma once
+
+#include <optional>
+
+#include "seamount/base/run_context.h"
+#include "seamount/model/grid.h"
+
+namespace seamount::geom {
+
+/// The terrain in which hollows lie just above sea level: cells at or below it that hang together (by sides or
+/// corners), do not reach the edge and cover less than `least_sea_m2` (a hundredth of the terrain if absent). Filled or
+/// not, water flows from the result as it would from the terrain if its hollows were no sea. Linear; about 1 ns per
+/// cell without water below sea level, some ns per cell with it.
+HeightField raise_inland(HeightField terrain, float sea_level_m, const std::optional<double>& least_sea_m2,
+                         const RunContext& run);
+
+}  // namespace seamount::geom
