@@ -64,7 +64,12 @@ inline NoiseSample detail_noise(uint32_t seed, float x, float y, float wavelengt
                                 float footprint) {
   NoiseSample sum;
   float amplitude = 1.0F;
-  float cosine = 1.0F, sine = 0.0F;  // turn of this octave against the first
+  // Each octave is turned by about 37 degrees against the one before, so that no direction of the lattice adds up; and
+  // the first by 23 degrees against x and y: far off it is the only one left, and its lattice would show as a plaid.
+  float cosine = 0.921F, sine = -0.390F;
+  const float first = cosine * x - sine * y;
+  y = sine * x + cosine * y;
+  x = first;
   for (int i = 0; i < octaves; ++i) {
     const float fade = wavelength / footprint - 2.0F;
     if (fade <= 0.0F) break;
@@ -77,7 +82,6 @@ inline NoiseSample detail_noise(uint32_t seed, float x, float y, float wavelengt
     sum.dy += weight * frequency * (cosine * octave.dy - sine * octave.dx);
     wavelength *= 0.5F;
     amplitude *= gain;
-    // Turn each octave by about 37 degrees, so that no direction of the lattice adds up.
     const float turned = 0.8F * x - 0.6F * y;
     y = 0.6F * x + 0.8F * y;
     x = turned;

@@ -37,7 +37,8 @@ Breakup breakup(const SurfacePoint& p) {
 Rgb rock_colour(const SurfacePoint& p, const Breakup& n) {
   // Beds that wander with the broad noise show as faint bands on cliffs.
   const float bed = 90.0F, phase = (p.z + 160.0F * n.broad + 22.0F * n.medium) / bed;
-  const float band = p.footprint < 0.6F * bed ? 0.5F + 0.5F * std::sin(6.2832F * phase) : 0.5F;
+  const float near = ramp(0.20F, 0.06F, p.footprint / bed);  // further off they would cross the noise as a plaid
+  const float band = 0.5F + 0.5F * near * std::sin(6.2832F * phase);
   const float pale = clamp01(0.42F + 0.26F * (band - 0.5F) + 0.55F * n.medium + 0.45F * n.fine + 0.30F * n.broad -
                              0.9F * std::clamp(p.concavity, -0.3F, 0.3F) - 0.22F * (p.slope - 1.0F));
   return mix(kDarkRock, kPaleRock, pale);

@@ -41,9 +41,9 @@ float unevenness(const SurfacePoint& p, const Place& n) {
 
 /// Beds that wander with the broad noise: 0 to 1, one half from afar.
 float beds(const SurfacePoint& p, const Place& n, float thickness) {
-  if (p.footprint > 0.6F * thickness) return 0.5F;
-  return 0.5F +
-         0.5F * std::sin(6.2832F * (p.z + 1.5F * thickness * n.broad + 0.25F * thickness * n.medium) / thickness);
+  const float near = ramp(0.45F, 0.15F, p.footprint / thickness);
+  return 0.5F + 0.5F * near *
+                    std::sin(6.2832F * (p.z + 1.5F * thickness * n.broad + 0.25F * thickness * n.medium) / thickness);
 }
 
 /// Share of the ground under scattered things of the size of the fine noise; from afar their mean.
