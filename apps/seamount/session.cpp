@@ -167,29 +167,4 @@ void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder,
   }
 }
 
-void add_run_command(CLI::App& program, Work& work) {
-  struct Flags : RunFlags {
-    std::string file;
-    std::string out = "out";
-    std::vector<std::string> sets;
-    std::optional<int> size;
-  };
-  const auto flags = std::make_shared<Flags>();
-  CLI::App* command = program.add_subcommand("run", "Run a recipe and write its outputs");
-  command->add_option("recipe", flags->file, "recipe file (JSON)")->required();
-  command->add_option("--out", flags->out, "folder for the outputs");
-  command->add_option("--set", flags->sets, "change a value: steps.isle.params.relief=0.5, domain.cell_m=5")
-      ->allow_extra_args(false);
-  command->add_option("--size", flags->size, "cells along the longer side: a quick preview, or more detail")
-      ->check(CLI::Range(1, 65536));
-  add_run_flags(*command, *flags);
-  command->callback([flags, &work] {
-    work = [flags] {
-      const recipe::Recipe read =
-          recipe::read_recipe(flags->file, {.sets = flags->sets, .seed = flags->seed, .size = flags->size});
-      run_and_report(read, flags->out, *flags);
-    };
-  });
-}
-
 }  // namespace seamount::app

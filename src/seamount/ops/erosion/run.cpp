@@ -195,19 +195,13 @@ double share_of_step(int i, int steps) {
   return 6.0 * left * left / (all * (all + 1) * (2 * all + 1));
 }
 
-double end_year(const RunParams& params) { return std::min(params.years, params.stop_year.value_or(params.years)); }
-
-/// Stages by level, coarsest last; cut off at the stop year.
+/// Stages by level, coarsest last.
 std::vector<Stage> plan(const Pyramid& levels, const RunParams& params) {
-  const double stop = end_year(params);
   std::vector<Stage> stages(levels.starts.size());
-  double begin = 0;
+  double left = params.years;
   for (size_t k = stages.size(); k-- > 0;) {
-    const double share = (k == 0 ? 1.0 : kShareOfRest) * (params.years - begin);
-    const double years = std::clamp(stop - begin, 0.0, share);
-    const int steps = steps_for(levels.starts[k].frame());
-    stages[k] = {years, share > 0 ? static_cast<int>(std::ceil(steps * years / share)) : 0};
-    begin += share;
+    stages[k] = {(k == 0 ? 1.0 : kShareOfRest) * left, left > 0 ? steps_for(levels.starts[k].frame()) : 0};
+    left -= stages[k].years;
   }
   return stages;
 }
@@ -249,7 +243,7 @@ Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const R
         done += std::pow(0.25, k);
         run.report(std::min(1.0, done / cost));
       }
-      if (k == 0) level.finish(end_year(params) > 0, out.ledger, out.flow, out.lake, run);
+      if (k == 0) level.finish(params.years > 0, out.ledger, out.flow, out.lake, run);
     }
     if (k == 0) break;
     Ground finer = k > 1 ? levels.starts[k - 1] : std::move(levels.starts[0]);

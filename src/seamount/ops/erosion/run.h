@@ -9,11 +9,11 @@
 //
 // The run goes from coarse to fine (levels.h): it begins on a grid of about 64 cells a side and each finer grid takes a
 // share of the remaining years, so that valleys of all sizes have had their time, and a small grid previews a large
-// one. method stream_power leaves out what rivers carry, weathering and waves: the detachment-limited law with uplift,
+// one; a run of fewer years shows the same valleys younger, so that frames of an animation are runs whose years rise.
+// method stream_power leaves out what rivers carry, weathering and waves: the detachment-limited law with uplift,
 // whose steady state is a mountain range (Braun and Willett 2013, Cordonnier et al. 2016).
 #pragma once
 
-#include <optional>
 #include <tuple>
 
 #include "seamount/base/fields.h"
@@ -28,7 +28,6 @@ enum class Method { hydraulic, stream_power };
 struct RunParams {
   Method method = Method::hydraulic;
   double years = 100000;
-  std::optional<double> stop_year;
   double rain_m = 1.0;
   double evaporation_per_km = 0.0;
   double erodibility = 5e-5;
@@ -56,8 +55,6 @@ struct RunParams {
               "hydraulic: rivers that also deposit, weathering, waves; stream_power: rivers that only cut, creep, "
               "failing slopes"),
         field(&P::years, "years", "yr", between(0, 1e9), "how long erosion acts"),
-        field(&P::stop_year, "stop_year", "yr", between(0, 1e9),
-              "show the run as it was in this year (for frames of an animation); the end if absent"),
         field(&P::rain_m, "rain_m", "m", between(0.001, 20), "runoff per year"),
         field(&P::evaporation_per_km, "evaporation_per_km", "1/km", between(0, 1),
               "share of a river's water that is lost on a kilometre"),
