@@ -6,6 +6,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/geom/flow.h"
 #include "seamount/geom/inland.h"
+#include "seamount/ops/hydrology/catchments.h"
 #include "seamount/ops/hydrology/flow_spread.h"
 
 namespace seamount::hydrology {
@@ -60,10 +61,14 @@ Flow flow(const HeightField& terrain, const FlowParams& params, const RunContext
            ScalarField(frame),
            ScalarField(frame),
            ScalarField(frame),
+           {},
            {}};
   const FlowDirections d8 = geom::flow_directions(out.terrain, sea, run.part(0.4, 0.5));
   const Grid<uint32_t> cells = geom::flow_accumulation(d8, run.part(0.5, 0.6));
   out.basins = number_basins(d8, cells, sea, out.terrain, run);
+  constexpr double kCatchmentPart = 500.0;
+  out.catchments = trace_catchments(
+      out.basins, cells, params.min_catchment_m2.value_or(frame.width_m() * frame.height_m() / kCatchmentPart), run);
   ScalarField eighths(frame);
   if (params.method == FlowMethod::dinf) {
     eighths = dinf_directions(out.terrain, d8, sea, run.part(0.6, 0.7));

@@ -9,6 +9,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
+#include "seamount/model/areas.h"
 #include "seamount/model/grid.h"
 
 namespace seamount::hydrology {
@@ -20,6 +21,7 @@ struct FlowParams {
   double exponent = 1.1;
   bool sea = true;
   std::optional<double> least_sea_m2;
+  std::optional<double> min_catchment_m2;
 
   static constexpr auto fields() {
     using P = FlowParams;
@@ -28,6 +30,8 @@ struct FlowParams {
         field(&P::exponent, "exponent", "", between(0.1, 20),
               "mfd: shares go with slope to this power; higher gathers more"),
         field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"),
+        field(&P::min_catchment_m2, "min_catchment_m2", "m2", between(0, 1e15),
+              "smaller catchments are not traced; a five-hundredth of the terrain's area if absent"),
         field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
               "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
               "area if "
@@ -42,6 +46,7 @@ struct Flow {
   ScalarField direction_deg;  ///< bearing of the flow, clockwise from north; -1 where it ends; D8's for mfd
   ScalarField basins;  ///< number of the catchment that a cell belongs to, 1 the largest; 0 for open water without one;
                        ///< D8's for all methods
+  Drawing catchments;  ///< the larger of them as areas "catchment 1", ... with area_m2, mouth_x and mouth_y
 };
 
 /// A catchment is what drains through one cell of the border or of the sea. The sum of `cells` over the ends of flow is

@@ -8,6 +8,7 @@
 #include "seamount/base/rng.h"
 #include "seamount/geom/flow.h"
 #include "seamount/geom/noise.h"
+#include "seamount/geom/polygon.h"
 #include "seamount/ops/hydrology/breach.h"
 #include "seamount/ops/hydrology/fill.h"
 #include "seamount/ops/hydrology/flow.h"
@@ -190,6 +191,27 @@ TEST(Network, OrdersAreStrahlers) {
     EXPECT_GT(links[i].next, static_cast<int>(i));
     EXPECT_EQ(links[static_cast<size_t>(links[i].next)].cells.front(), links[i].cells.back());
   }
+}
+
+TEST(Flow, CatchmentsCoverTheirCells) {
+  const HeightField terrain = hills(90, 70, 3, 500.0F);
+  const Flow made = flow(terrain, {.min_catchment_m2 = 0}, {});
+  double covered = 0, largest = INFINITY;
+  for (const NamedArea& area : made.catchments.areas) {
+    const double area_m2 = attribute(area.attributes, "area_m2");
+    double traced = 0;
+    for (const Polygon& polygon : area.parts) traced += geom::area(polygon);
+    EXPECT_NEAR(traced, area_m2, 0.05 * area_m2 + 1800);  // stair steps are smoothed
+    EXPECT_LE(area_m2, largest);
+    largest = area_m2;
+    covered += area_m2;
+    const GridFrame& frame = terrain.frame();
+    const int x = static_cast<int>(std::lround(frame.column(attribute(area.attributes, "mouth_x"))));
+    const int y = static_cast<int>(std::lround(frame.row(attribute(area.attributes, "mouth_y"))));
+    EXPECT_EQ(made.area_m2(x, y), static_cast<float>(area_m2));
+  }
+  EXPECT_NEAR(covered, 90 * 70 * 900.0, 1.0);
+  EXPECT_LT(flow(terrain, {}, {}).catchments.areas.size(), made.catchments.areas.size());
 }
 
 TEST(Rivers, NeverClimbAndGrowDownstream) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "seamount/geom/contour.h"
+#include "seamount/ops/hydrology/outline.h"
 
 namespace seamount::hydrology {
 namespace {
@@ -37,23 +37,13 @@ Lake walk_lake(const HeightField& terrain, const HeightField& filled, int32_t fi
   return lake;
 }
 
-/// The lake's shore on a window of the frame that just holds it.
 std::vector<Polygon> trace_shore(const Lake& lake, const GridFrame& frame) {
-  int x0 = frame.width, x1 = 0, y0 = frame.height, y1 = 0;
-  for (const int32_t cell : lake.cells) {
-    x0 = std::min(x0, cell % frame.width), x1 = std::max(x1, cell % frame.width);
-    y0 = std::min(y0, cell / frame.width), y1 = std::max(y1, cell / frame.width);
-  }
-  x0 = std::max(0, x0 - 1), y0 = std::max(0, y0 - 1);
-  x1 = std::min(frame.width - 1, x1 + 1), y1 = std::min(frame.height - 1, y1 + 1);
-  GridFrame window = frame;
-  window.width = x1 - x0 + 1;
-  window.height = y1 - y0 + 1;
-  window.west_m += x0 * frame.cell_m;
-  window.north_m -= y0 * frame.cell_m;
-  Grid<uint8_t> inside(window, 0);
-  for (const int32_t cell : lake.cells) inside(cell % frame.width - x0, cell / frame.width - y0) = 1;
-  return geom::trace_mask(inside);
+  CellWindow window;
+  std::vector<int32_t> cells = lake.cells;
+  std::sort(cells.begin(), cells.end());
+  for (const int32_t cell : cells) window.add(cell % frame.width, cell / frame.width);
+  return outline_of(window, frame,
+                    [&](int x, int y) { return std::binary_search(cells.begin(), cells.end(), y * frame.width + x); });
 }
 
 }  // namespace

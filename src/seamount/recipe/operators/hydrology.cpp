@@ -19,11 +19,10 @@ Values fill(const hydrology::FillParams& params, const Call& call) {
 
 Values flow(const hydrology::FlowParams& params, const Call& call) {
   hydrology::Flow made = hydrology::flow(terrain_of(call), params, call.run);
-  return {{"terrain", Value::terrain(std::move(made.terrain))},
-          {"cells", Value::field(std::move(made.cells))},
-          {"area", Value::field(std::move(made.area_m2))},
-          {"direction", Value::field(std::move(made.direction_deg))},
-          {"basins", Value::field(std::move(made.basins))}};
+  return {
+      {"terrain", Value::terrain(std::move(made.terrain))}, {"cells", Value::field(std::move(made.cells))},
+      {"area", Value::field(std::move(made.area_m2))},      {"direction", Value::field(std::move(made.direction_deg))},
+      {"basins", Value::field(std::move(made.basins))},     {"catchments", Value::drawing(std::move(made.catchments))}};
 }
 
 Values rivers(const hydrology::RiversParams& params, const Call& call) {
@@ -64,7 +63,8 @@ void add_hydrology_operators(Registry& registry) {
                {"cells", ValueKind::field, "cells that drain through each cell, itself included"},
                {"area", ValueKind::field, "the same in square metres"},
                {"direction", ValueKind::field, "bearing of the flow in degrees clockwise from north; -1 where it ends"},
-               {"basins", ValueKind::field, "number of the catchment, 1 the largest; 0 for open water"}}},
+               {"basins", ValueKind::field, "number of the catchment, 1 the largest; 0 for open water"},
+               {"catchments", ValueKind::drawing, "areas of the larger catchments with area_m2, mouth_x and mouth_y"}}},
       flow);
   registry.add<hydrology::RiversParams>(
       {.name = "hydrology.rivers",
