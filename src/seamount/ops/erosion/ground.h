@@ -44,6 +44,7 @@ struct Site {
   ScalarField hardness;  ///< how many times as hard as the erodibility says; > 0
   Mask mask;             ///< where erosion acts: 0 nowhere, 1 fully
   ScalarField uplift;    ///< share of the uplift
+  ScalarField rain;      ///< share of the rain; > 0
 
   /// What a cell rises when the land rises by `uplift_m`.
   float rise(size_t cell, float uplift_m) const {

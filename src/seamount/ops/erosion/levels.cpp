@@ -152,7 +152,8 @@ Ground halved(const Ground& ground, const RunContext& run) {
 }
 
 Site halved(const Site& site, const RunContext& run) {
-  return {halved_map(site.hardness, run), halved_map(site.mask, run), halved_map(site.uplift, run)};
+  return {halved_map(site.hardness, run), halved_map(site.mask, run), halved_map(site.uplift, run),
+          halved_map(site.rain, run)};
 }
 
 void refine(const Ground& now, const Ground& start, Ground& fine, const Site& site, const Grid<uint8_t>& pinned,

@@ -284,9 +284,10 @@ class Step {
 
 }  // namespace
 
-void gather(const Drainage& drainage, const Rivers& rivers, ScalarField& discharge, const RunContext& run) {
-  const double cell_m = discharge.cell_m();
-  std::fill(discharge.cells().begin(), discharge.cells().end(), static_cast<float>(rivers.rain_m * cell_m * cell_m));
+void gather(const Drainage& drainage, const Site& site, const Rivers& rivers, ScalarField& discharge,
+            const RunContext& run) {
+  const auto rain = static_cast<float>(rivers.rain_m * discharge.cell_m() * discharge.cell_m());
+  for (size_t i = 0; i < discharge.size(); ++i) discharge.data()[i] = rain * value_or_one(site.rain, i);
   const auto loss_per_m = static_cast<float>(rivers.loss_per_km * 1e-3);
   flow_down(drainage, discharge.data(), run, [&](int32_t cell, size_t, const auto& add) {
     if (drainage.is_root(cell)) return;

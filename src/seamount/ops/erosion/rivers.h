@@ -40,7 +40,8 @@ struct Rivers {
 };
 
 /// Discharge of each cell in m3 per year.
-void gather(const Drainage& drainage, const Rivers& rivers, ScalarField& discharge, const RunContext& run);
+void gather(const Drainage& drainage, const Site& site, const Rivers& rivers, ScalarField& discharge,
+            const RunContext& run);
 
 /// One step of erosion and deposition. After it `load` holds, in metres of thickness on its cell, what arrived at each
 /// sea cell, and `level` what was laid down on each cell of land. What arrived at outlets of the border is added to

@@ -25,7 +25,7 @@ struct River {
   }
   void step(const Rivers& rivers) {
     drainage.route(ground.surface, outlets, -1e4F, {}, level, {});
-    gather(drainage, rivers, discharge, {});
+    gather(drainage, {}, rivers, discharge, {});
     run_rivers(ground, {}, drainage, discharge, rivers, load, level, ledger, {});
   }
 };
@@ -114,7 +114,7 @@ HeightField crept(double years, int steps) {
   const Rivers rivers{.years = years / steps, .deposition = 0, .creep_m2 = 1, .sea_m = -1e4, .sweeps = 4};
   for (int i = 0; i < steps; ++i) {
     drainage.route(ground.surface, outlets, -1e4F, {}, level, {});
-    gather(drainage, rivers, discharge, {});
+    gather(drainage, {}, rivers, discharge, {});
     run_rivers(ground, {}, drainage, discharge, rivers, load, level, ledger, {});
   }
   return ground.surface;
@@ -149,7 +149,7 @@ TEST(Rivers, CreepRoundsACrestToTheParabolaThatUpliftAsksFor) {
         for (int x = 1; x < 2 * kHalf; ++x) ground.surface(x, y) += static_cast<float>(kUplift * years);
       }
       drainage.route(ground.surface, outlets, -1e4F, {}, level, {});
-      gather(drainage, rivers, discharge, {});
+      gather(drainage, {}, rivers, discharge, {});
       run_rivers(ground, {}, drainage, discharge, rivers, load, level, ledger, {});
     }
     for (int x = 0; x <= 2 * kHalf; ++x) {

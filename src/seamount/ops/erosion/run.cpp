@@ -121,7 +121,7 @@ class Level {
     clear_outlets(ledger);
     const Rivers rivers = rivers_of(params_, years);
     drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), seed, room_, run);
-    gather(drainage_, rivers, flow_, run);
+    gather(drainage_, site_, rivers, flow_, run);
     run_rivers(ground_, site_, drainage_, flow_, rivers, load_, room_, ledger, run);
     std::swap(flow_, room_);  // what rivers laid down; their discharge is not needed any more
     run_coast(ground_, site_, coast_of(params_, years), load_, room_, ledger, run);
@@ -132,7 +132,7 @@ class Level {
   /// Discharge, lakes and the last shallow hollows.
   void finish(bool fill_hollows, Ledger& ledger, ScalarField& flow, ScalarField& lake, const RunContext& run) {
     drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), std::nullopt, room_, run);
-    gather(drainage_, rivers_of(params_, 0), flow_, run);
+    gather(drainage_, site_, rivers_of(params_, 0), flow_, run);
     settle_hollows(ground_, site_, drainage_, static_cast<float>(params_.sea_m), fill_hollows, load_, room_, ledger);
     flow = std::move(flow_);
     lake = std::move(load_);
@@ -216,6 +216,7 @@ Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const R
   check_map(site.hardness, frame, "hardness");
   check_map(site.mask, frame, "mask");
   check_map(site.uplift, frame, "uplift");
+  check_map(site.rain, frame, "rain");
   if (ground.rock.empty()) ground.rock = ScalarField(frame, 0.0F);
   if (ground.sediment.empty()) ground.sediment = ScalarField(frame, 0.0F);
   limit(ground.rock, 0.0F, 1e5F);
@@ -224,6 +225,7 @@ Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const R
   limit(site.hardness, 0.01F, 1e6F);
   limit(site.mask, 0.0F, 1.0F);
   limit(site.uplift, 0.0F, 1e3F);
+  limit(site.rain, 1e-3F, 1e3F);  // every cell has some, which others divide by
   run.check_cancelled();
 
   Pyramid levels = pyramid_of(std::move(ground), std::move(site), run);

@@ -101,9 +101,9 @@ struct Eroded {
   Ledger ledger;
 };
 
-/// Erodes a terrain. Maps are optional (empty) and cover the same frame: hardness > 0, mask and uplift in [0, 1];
-/// `rock` and `sediment` are what already lies on the bedrock. Zero years change nothing. The terrain loses to the
-/// border what ledger.exported says, and nothing else (to 1e-4). Throws InvalidArgument for params out of range,
+/// Erodes a terrain. Maps are optional (empty) and cover the same frame: hardness > 0, mask in [0, 1], uplift and rain
+/// >= 0; `rock` and `sediment` are what already lies on the bedrock. Zero years change nothing. The terrain loses to
+/// the border what ledger.exported says, and nothing else (to 1e-4). Throws InvalidArgument for params out of range,
 /// IncompatibleInputs for maps of another size. Parallel but for the order of the rivers; about 3 us and 46 bytes per
 /// cell.
 Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const RunContext& run);

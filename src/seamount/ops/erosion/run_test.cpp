@@ -98,7 +98,7 @@ TEST(Erosion, FlatGroundStaysFlat) {
 
 TEST(Erosion, MaskedGroundStaysAsItWas) {
   const HeightField start = hills(192, 160, 30);
-  Site site{.hardness = {}, .mask = Mask(start.frame(), 1.0F), .uplift = {}};
+  Site site{.hardness = {}, .mask = Mask(start.frame(), 1.0F), .uplift = {}, .rain = {}};
   for (int y = 37; y < 101; ++y) {
     for (int x = 51; x < 120; ++x) site.mask(x, y) = 0.0F;
   }
@@ -135,11 +135,26 @@ TEST(Erosion, HardRockStandsAndSoftRockGoes) {
   const HeightField start = hills(128, 128, 500);
   const auto loss = [&](float hardness) {
     return volume(start) -
-           volume(
-               eroded(start, {}, {.hardness = ScalarField(start.frame(), hardness), .mask = {}, .uplift = {}}).terrain);
+           volume(eroded(start, {},
+                         {.hardness = ScalarField(start.frame(), hardness), .mask = {}, .uplift = {}, .rain = {}})
+                      .terrain);
   };
   EXPECT_GT(loss(0.5F), loss(1.0F));
   EXPECT_GT(loss(1.0F), 1.5 * loss(10.0F));
+}
+
+TEST(Erosion, ValleysGrowWhereItRains) {
+  const HeightField start = hills(160, 160, 600);
+  Site site{.hardness = {}, .mask = {}, .uplift = {}, .rain = ScalarField(start.frame(), 0.0F)};
+  for (int y = 0; y < 160; ++y) {
+    for (int x = 80; x < 160; ++x) site.rain(x, y) = 2.0F;
+  }
+  const Eroded result = eroded(start, {.years = 30000, .weathering_mm = 0, .creep_m2 = 0}, site);
+  double dry = 0, wet = 0;
+  for (int y = 0; y < 160; ++y) {
+    for (int x = 0; x < 160; ++x) (x < 80 ? dry : wet) += std::abs(result.terrain(x, y) - start(x, y));
+  }
+  EXPECT_GT(wet, 2.5 * dry);
 }
 
 TEST(Erosion, UpliftMakesARangeWhoseRiversFlattenDownstream) {
@@ -286,8 +301,9 @@ TEST(Erosion, TheEndsOfEveryRangeStayFinite) {
 TEST(Erosion, RefusesWhatDoesNotFit) {
   const HeightField start = hills(20, 20);
   EXPECT_THROW(eroded(start, {.years = -1}), InvalidArgument);
-  EXPECT_THROW(eroded(start, {}, {.hardness = {}, .mask = Mask(GridFrame::centred(3, 3, 1), 1.0F), .uplift = {}}),
-               IncompatibleInputs);
+  EXPECT_THROW(
+      eroded(start, {}, {.hardness = {}, .mask = Mask(GridFrame::centred(3, 3, 1), 1.0F), .uplift = {}, .rain = {}}),
+      IncompatibleInputs);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ ScalarField copy_of(const Call& call, std::string_view port) {
 
 Values run(const erosion::RunParams& params, const Call& call) {
   erosion::Ground ground{call.in.at("terrain").heights(), copy_of(call, "rock"), copy_of(call, "sediment")};
-  erosion::Site site{copy_of(call, "hardness"), copy_of(call, "mask"), copy_of(call, "uplift")};
+  erosion::Site site{copy_of(call, "hardness"), copy_of(call, "mask"), copy_of(call, "uplift"), copy_of(call, "rain")};
   erosion::Eroded made = erosion::run(std::move(ground), std::move(site), params, call.seed, call.run);
   Report balance = erosion::balance_report(
       {call.in.at("terrain").heights(), call.scalars("rock"), call.scalars("sediment")}, made, params);
@@ -36,6 +36,7 @@ void add_erosion_operators(Registry& registry) {
               {"hardness", ValueKind::field, "how many times as hard as `erodibility` says; 1 if absent", false},
               {"mask", ValueKind::field, "where erosion acts: 0 nowhere, 1 fully", false},
               {"uplift", ValueKind::field, "share of `uplift_mm`; 1 if absent", false},
+              {"rain", ValueKind::field, "share of `rain_m`, as wet and dry sides of mountains; 1 if absent", false},
               {"rock", ValueKind::field, "thickness of debris on the bedrock in metres; 0 if absent", false},
               {"sediment", ValueKind::field, "thickness of fine sediment in metres; 0 if absent", false}},
        .out = {{"terrain", ValueKind::terrain, "heights in metres"},
