@@ -189,7 +189,8 @@ void draw_furniture(Image& image, const Layout& layout, const MapParams& params,
 
 }  // namespace
 
-Image map(const HeightField& terrain, const LabelMap* labels, const MapParams& params, const RunContext& run) {
+Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings& drawings, const MapParams& params,
+          const RunContext& run) {
   check_params(params);
   check_visible(terrain, labels, run);
   if (params.theme == MapTheme::regions && labels == nullptr) {
@@ -221,6 +222,7 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapParams& p
     add_level(coast, ground, 0.0, line);
     coast.draw(image, layout.map.x, layout.map.y, Colour{46, 74, 94}, 0.85F);
   }
+  draw_drawings(image, layout.map, ground.frame(), drawings, layout.unit);
   draw_furniture(image, layout, params, scale, tints, ground.cell_m());
   run.report(1.0);
   return image;

@@ -13,6 +13,7 @@
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
 #include "seamount/model/layer_borders.h"
+#include "seamount/ops/render/map_drawings.h"
 #include "seamount/ops/render/materials.h"
 
 namespace seamount::render {
@@ -58,10 +59,16 @@ struct MapParams {
   }
 };
 
-/// Draws the map, north up. `labels` may be null unless the theme is regions. Throws InvalidArgument for params out of
-/// range and heights that are not finite, IncompatibleInputs for labels that are missing or of another size, Error
-/// where the font is missing. About 300 ns a pixel, parallel but for lines and text.
-Image map(const HeightField& terrain, const LabelMap* labels, const MapParams& params, const RunContext& run);
+/// Draws the map, north up, and `drawings` over it. `labels` may be null unless the theme is regions. Throws
+/// InvalidArgument for params out of range and heights that are not finite, IncompatibleInputs for labels that are
+/// missing or of another size and for drawings in another coordinate system, Error where the font is missing. About 300
+/// ns a pixel, parallel but for lines and text.
+Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings& drawings, const MapParams& params,
+          const RunContext& run);
+/// Without drawings.
+inline Image map(const HeightField& terrain, const LabelMap* labels, const MapParams& params, const RunContext& run) {
+  return map(terrain, labels, MapDrawings{}, params, run);
+}
 
 }  // namespace seamount::render
 

@@ -39,6 +39,35 @@ TEST(Map, EachPieceOfFurnitureCanBeSwitched) {
   EXPECT_LT(map(terrain, &labels, untitled, {}).height, whole.height);
 }
 
+TEST(Map, DrawsLakesRiversRidgesAndPeaksWhereTheyAre) {
+  const HeightField terrain(GridFrame::centred(100, 100, 10.0), 50.0F);
+  Drawing lakes, rivers, ridges, peaks;
+  lakes.areas.push_back({"lake 1", {{{{100, 100}, {300, 100}, {300, 300}, {100, 300}}, {}}}});
+  rivers.lines.push_back({{{-400, -200}, {400, -200}}, 3.0, false, {{"order", 3.0}}});
+  ridges.lines.push_back({{{-400, -300}, {400, -300}}, 1.0});
+  peaks.points.push_back({{-250, 250}, 812.0, {{"height_m", 812.0}}});
+  const MapParams params = bare(200);
+  const Image none = map(terrain, nullptr, params, {});
+  const auto changed = [&](const MapDrawings& drawings, int x, int y) {
+    const Image image = map(terrain, nullptr, drawings, params, {});
+    return !std::equal(image.pixel(x, y), image.pixel(x, y) + 3, none.pixel(x, y));
+  };
+  // 5 m a pixel, north up: (200, 200) is at (140, 60).
+  EXPECT_TRUE(changed({.lakes = &lakes}, 140, 60));
+  EXPECT_FALSE(changed({.lakes = &lakes}, 60, 60));
+  EXPECT_TRUE(changed({.rivers = &rivers}, 100, 140));
+  EXPECT_FALSE(changed({.rivers = &rivers}, 100, 120));
+  EXPECT_TRUE(changed({.ridges = &ridges}, 100, 160));
+  EXPECT_TRUE(changed({.peaks = &peaks}, 50, 50));
+  EXPECT_EQ(map(terrain, nullptr, MapDrawings{}, params, {}), none);
+  HeightField placed = terrain;
+  GridFrame there = placed.frame();
+  there.crs = "EPSG:32605";
+  placed.set_frame(there);
+  rivers.crs = "EPSG:32606";
+  EXPECT_THROW(map(placed, nullptr, {.rivers = &rivers}, params, {}), IncompatibleInputs);
+}
+
 TEST(Map, TheCoastHasNoJumpOfColour) {
   // An even slope from -20 m to +20 m: neighbouring columns differ by little all the way.
   HeightField slope(GridFrame::centred(400, 8, 10.0));

@@ -22,10 +22,21 @@ void add_render_operators(Registry& registry) {
   const std::vector<Port> out = {{"image", ValueKind::image, "the picture"}};
   registry.add<render::MapParams>(
       {.name = "render.map",
-       .summary = "A map with tints by height and depth, relief, contours, legend and scale bar",
-       .in = in,
+       .summary = "A map with tints by height and depth, relief, contours, legend and scale bar; rivers, lakes, ridges "
+                  "and peaks over it",
+       .in = {in[0],
+              in[1],
+              {"lakes", ValueKind::drawing, "areas to fill as water", false},
+              {"rivers", ValueKind::drawing, "lines of water, as wide as their order", false},
+              {"ridges", ValueKind::drawing, "lines of ridges", false},
+              {"peaks", ValueKind::drawing, "points with heights", false}},
        .out = out},
-      picture<render::MapParams, render::map>);
+      [](const render::MapParams& params, const Call& call) -> Values {
+        const render::MapDrawings drawings{call.shapes("lakes"), call.shapes("rivers"), call.shapes("ridges"),
+                                           call.shapes("peaks")};
+        return {{"image", Value::image(render::map(call.in.at("terrain").heights(), call.labels("labels"), drawings,
+                                                   params, call.run))}};
+      });
   registry.add<render::ReliefParams>(
       {.name = "render.relief",
        .summary = "Shaded relief with light from several directions",

@@ -1,0 +1,24 @@
+// What is drawn over a map: lakes, rivers by their order, ridges, peaks with their heights.
+#pragma once
+
+#include "seamount/model/areas.h"
+#include "seamount/model/image.h"
+#include "seamount/ops/render/map_furniture.h"
+
+namespace seamount::render {
+
+/// Drawings in the terrain's coordinates, as the operators of hydrology make them; null: none. Areas of lakes are
+/// filled; lines are as wide as their attribute `order` (or their value) says; of peaks those get their height (the
+/// attribute `height_m`, or the value) that find room for it, from the most prominent (`prominence_m`) on.
+struct MapDrawings {
+  const Drawing* lakes = nullptr;
+  const Drawing* rivers = nullptr;
+  const Drawing* ridges = nullptr;
+  const Drawing* peaks = nullptr;
+};
+
+/// Draws them into the box of the picture that `frame` is shown in; `unit` in pixels is the size of text. Throws
+/// IncompatibleInputs for a drawing in another coordinate system than the frame, where both have one.
+void draw_drawings(Image& image, const Box& box, const GridFrame& frame, const MapDrawings& drawings, double unit);
+
+}  // namespace seamount::render
