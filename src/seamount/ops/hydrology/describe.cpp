@@ -35,22 +35,10 @@ SurveyPlan make_plan(const std::vector<HeightField>& terrains, const DescribePar
   for (const HeightField& terrain : terrains)
     smallest = std::min(smallest, terrain.frame().width_m() * terrain.frame().height_m());
   plan.channel_m2 = params.channel_m2.value_or(smallest / kChannelPart);
-  const auto [low, high] = land_range(terrains.back(), plan.sea_level_m);
-  plan.min_prominence_m = params.min_prominence_m.value_or(std::max(1e-3, (high - low) / kProminencePart));
+  const Land land = find_land(terrains.back(), plan.sea_level_m);
+  const double relief = static_cast<double>(land.high_m) - static_cast<double>(land.low_m);
+  plan.min_prominence_m = params.min_prominence_m.value_or(std::max(1e-3, relief / kProminencePart));
   return plan;
-}
-
-SurveyBounds make_bounds(const std::vector<HeightField>& terrains, const SurveyPlan& plan, const RunContext& run) {
-  constexpr double kDeviations = 4.0;  // of curvature that a histogram shows
-  SurveyBounds bounds{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const HeightField& terrain : terrains) {
-    const auto [low, high] = land_range(terrain, plan.sea_level_m);
-    bounds.low_m = std::min(bounds.low_m, low);
-    bounds.high_m = std::max(bounds.high_m, high);
-    bounds.area_m2 = std::max(bounds.area_m2, terrain.frame().width_m() * terrain.frame().height_m());
-  }
-  bounds.curvature = std::max(1e-9, kDeviations * curvature_deviation(terrains.back(), plan.sea_level_m, run));
-  return bounds;
 }
 
 }  // namespace
@@ -63,11 +51,10 @@ Report describe(const HeightField& terrain, const HeightField* reference, const 
   std::vector<HeightField> terrains{prepare(terrain, cell_m, sea_level(params), run)};
   if (reference != nullptr) terrains.push_back(prepare(*reference, cell_m, sea_level(params), run));
   const SurveyPlan plan = make_plan(terrains, params);
-  const SurveyBounds bounds = make_bounds(terrains, plan, run);
   std::vector<Survey> surveys;
   for (size_t i = 0; i < terrains.size(); ++i) {
     const double share = 1.0 / static_cast<double>(terrains.size()), from = static_cast<double>(i) * share;
-    surveys.push_back(survey(terrains[i], plan, bounds, run.part(from, from + share)));
+    surveys.push_back(survey(terrains[i], plan, run.part(from, from + share)));
   }
   Report report;
   report.title = "Terrain descriptors";

@@ -4,15 +4,18 @@
 // isolation) and the descriptors that it cites (Argudo, Guerin, Schott and Galin 2025). All of them are of land, what
 // lies above the sea; with a reference both terrains are first brought to the coarser of their cells.
 //
-// Distances are 0 for equal terrains and do not depend on units:
+// Means and deviations are sums over the values, quantiles are good to a 256th (tally.h): what is measured on a terrain
+// does not depend on the reference, but for the settings that both share (cell, channel_m2, min_prominence_m).
+//
+// Distances are 0 for equal terrains and do not depend on units; where one side has nothing to measure there is none:
 //   elevation, slope, curvature, local relief, drainage area (log10), isolation (log10): first Wasserstein distance of
-//   the
-//     normalised histograms, divided by the reference's standard deviation
+//   the distributions, divided by the reference's standard deviation (by the terrain's where the reference's is 0)
 //   aspect: circular Wasserstein distance, over a half turn
 //   hypsometry: area between the two hypsometric curves, of heights and areas from 0 to 1
 //   slope_area, roughness: mean |log10 of the ratio| where both curves are defined
 //   strahler: mean over orders of |log10 of the ratio| of streams per area; an order that one lacks counts as half a
-//   stream prominence: mean over thresholds of |log10 of the ratio| of peaks per area; half a peak where there is none
+//   stream
+//   prominence: mean over thresholds of |log10 of the ratio| of peaks per area; half a peak where one has none
 //   ridges: |log10 of the ratio| of ridge length per area
 #pragma once
 

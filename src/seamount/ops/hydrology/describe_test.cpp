@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "seamount/base/rng.h"
 #include "seamount/geom/flow.h"
 #include "seamount/geom/noise.h"
-#include "seamount/ops/hydrology/histogram.h"
 #include "seamount/ops/hydrology/local_relief.h"
 #include "seamount/ops/hydrology/network.h"
 #include "seamount/ops/hydrology/peaks.h"
@@ -35,30 +35,6 @@ double value(const Report& report, std::string_view descriptor, std::string_view
     if (measure.name == name) return measure.values[subject];
   ADD_FAILURE() << "no " << name;
   return NAN;
-}
-
-TEST(Histogram, KnowsItsMoments) {
-  Histogram histogram(0, 10, 1000);
-  for (int i = 0; i < 1000; ++i) histogram.add(0.005 + 0.01 * i);
-  EXPECT_NEAR(histogram.mean(), 5.0, 1e-9);
-  EXPECT_NEAR(histogram.deviation(), 10.0 / std::sqrt(12.0), 1e-3);
-  EXPECT_NEAR(histogram.quantile(0.25), 2.5, 1e-9);
-  EXPECT_EQ(histogram.coarser(10).counts[3], 100);
-  histogram.add(-5);
-  histogram.add(50);
-  EXPECT_EQ(histogram.counts.front(), 2);
-  EXPECT_EQ(histogram.counts.back(), 2);
-}
-
-TEST(Histogram, WassersteinIsTheDistanceMoved) {
-  Histogram a(0, 100, 1000), b = a;
-  for (int i = 0; i < 200; ++i) a.add(20.05 + 0.1 * i), b.add(57.05 + 0.1 * i);
-  EXPECT_NEAR(wasserstein(a, b), 37.0, 1e-9);
-  EXPECT_EQ(wasserstein(a, a), 0.0);
-  Histogram north(0, 360, 72), also_north = north;
-  north.add(357.5);
-  also_north.add(2.5);
-  EXPECT_NEAR(circular_wasserstein(north, also_north), 5.0, 1e-9);
 }
 
 TEST(LocalRelief, IsTheRangeOverTheSquare) {
@@ -175,6 +151,72 @@ TEST(Describe, APlaneHasOneSlope) {
   EXPECT_NEAR(value(report, "curvature", "deviation"), 0.0, 1e-6);
   EXPECT_NEAR(value(report, "roughness", "hurst_exponent"), 1.0, 1e-3);
   for (const Descriptor& descriptor : report.descriptors) EXPECT_FALSE(descriptor.distance.has_value());
+}
+
+TEST(Describe, MeasuresDoNotDependOnTheReference) {
+  const HeightField terrain = hills(128, 128, 6), rough = hills(128, 128, 9, 2000.0F, 1500.0F);
+  HeightField smooth(terrain.frame(), 5.0F);
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 128; ++x) smooth(x, y) += 0.001F * static_cast<float>(x * x + y);
+  const DescribeParams params{.channel_m2 = 20000, .min_prominence_m = 3};
+  const Report alone = describe(terrain, nullptr, params, {});
+  for (const HeightField& reference : {rough, smooth}) {
+    const Report compared = describe(terrain, &reference, params, {});
+    for (const Descriptor& descriptor : alone.descriptors)
+      for (const Measure& measure : descriptor.measures)
+        EXPECT_EQ(value(compared, descriptor.name, measure.name), measure.values[0])
+            << descriptor.name << ' ' << measure.name;
+  }
+}
+
+TEST(Describe, HowFarValuesMoveIsTheSameBothWays) {
+  const HeightField terrain = hills(128, 128, 6, 300.0F, 20.0F), rough = hills(128, 128, 9, 300.0F, 200.0F);
+  const Report there = describe(terrain, &rough, {.sea = false}, {}),
+               back = describe(rough, &terrain, {.sea = false}, {});
+  for (const char* name : {"elevation", "slope", "curvature", "local_relief"}) {
+    const double moved = *find(there, name).distance * value(there, name, "deviation", 1);
+    EXPECT_NEAR(*find(back, name).distance * value(back, name, "deviation", 1), moved, 1e-9 * moved) << name;
+  }
+  // Ten times the curvature is not cut off.
+  EXPECT_GT(*find(back, "curvature").distance, 4.0);
+}
+
+TEST(Describe, GentleAndLevelGroundIsWhatItIs) {
+  const HeightField plane(GridFrame::centred(32, 32, 10), 40.0F);
+  const Report level = describe(plane, nullptr, {}, {});
+  for (const char* name : {"slope", "curvature", "local_relief"})
+    for (const char* what : {"mean", "deviation", "p05", "median", "p95"}) EXPECT_EQ(value(level, name, what), 0.0);
+  for (const char* what : {"mean", "p05", "median", "p95"}) EXPECT_EQ(value(level, "elevation", what), 40.0);
+  HeightField ramp(GridFrame::centred(64, 16, 10), 3000.0F);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 64; ++x) ramp(x, y) += 0.125F * static_cast<float>(x);
+  const Report gentle = describe(ramp, nullptr, {.relief_window_m = 20}, {});
+  const double slope = std::atan(0.0125) * 180.0 / std::numbers::pi;
+  for (const char* what : {"mean", "p05", "median", "p95"}) EXPECT_NEAR(value(gentle, "slope", what), slope, 1e-4);
+  EXPECT_NEAR(value(gentle, "local_relief", "median"), 0.25, 1e-6);
+  EXPECT_NEAR(value(gentle, "elevation", "mean"), 3000.0 + 0.125 * 31.5, 1e-9);
+}
+
+TEST(Describe, WhatALandlessTerrainLacksIsNull) {
+  const HeightField sea(GridFrame::centred(60, 60, 30), -200.0F), land = hills(60, 60, 1);
+  for (const bool first : {true, false}) {
+    const Report report = describe(first ? sea : land, first ? &land : &sea, {}, {});
+    for (const Descriptor& descriptor : report.descriptors) {
+      EXPECT_FALSE(descriptor.distance.has_value()) << descriptor.name;
+      for (const Measure& measure : descriptor.measures)
+        EXPECT_TRUE(std::isnan(measure.values[first ? 0 : 1])) << descriptor.name << ' ' << measure.name;
+    }
+  }
+}
+
+TEST(Describe, LevelLandHasNoAspectAndNoHypsometry) {
+  const HeightField level(GridFrame::centred(60, 60, 30), 20.0F), land = hills(60, 60, 1);
+  const Report report = describe(level, &land, {}, {});
+  for (const char* name : {"aspect", "hypsometry", "slope_area", "isolation", "roughness"})
+    EXPECT_FALSE(find(report, name).distance.has_value()) << name;
+  EXPECT_TRUE(std::isnan(value(report, "aspect", "facing_north")));
+  EXPECT_GT(*find(report, "slope").distance, 0.0);
+  EXPECT_GT(*find(describe(land, &level, {}, {}), "slope").distance, 0.0);
 }
 
 TEST(Describe, ComparesAtTheCoarserCell) {
