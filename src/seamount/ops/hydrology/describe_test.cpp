@@ -79,11 +79,11 @@ bool reaches_higher(const HeightField& terrain, int32_t from, double level) {
 
 TEST(Peaks, ProminenceAndIsolationAsDefined) {
   for (const uint64_t seed : {1, 2, 3}) {
-    const HeightField terrain = hills(40, 33, seed);
+    HeightField terrain = hills(40, 33, seed);
+    terrain(20, 16) = 900.0F;
     const std::vector<Peak> peaks = find_peaks(terrain, geom::kNoSea, 1.0, {});
     ASSERT_GT(peaks.size(), 3U);
-    EXPECT_EQ(peaks.front().height_m,
-              static_cast<double>(*std::max_element(terrain.cells().begin(), terrain.cells().end())));
+    EXPECT_EQ(peaks.front().height_m, 900.0);
     for (size_t i = 1; i < peaks.size(); ++i) {
       const Peak& peak = peaks[i];
       // A little below the key pass higher ground is reached, at it too, and above it not.
@@ -110,6 +110,25 @@ TEST(Peaks, OfIslandsStandOverTheSea) {
   EXPECT_EQ(peaks[0].prominence_m, 80.0);
   EXPECT_EQ(peaks[1].prominence_m, 30.0);
   EXPECT_EQ(peaks[1].isolation_m, 100.0);
+}
+
+TEST(Peaks, OnTheFrameAreNotKnown) {
+  const HeightField terrain = hills(128, 128, 5);
+  const std::vector<Peak> peaks = find_peaks(terrain, geom::kNoSea, 1.0, {});
+  EXPECT_GT(peaks.size(), 10U);
+  for (const Peak& peak : peaks) {
+    const int x = peak.cell % 128, y = peak.cell / 128;
+    EXPECT_TRUE(x > 0 && y > 0 && x < 127 && y < 127) << x << ' ' << y;
+  }
+  // A table that the frame cuts, and one that it does not.
+  HeightField tables(GridFrame::centred(20, 9, 10), 0.0F);
+  for (int y = 2; y < 6; ++y) {
+    for (int x = 0; x < 8; ++x) tables(x, y) = 80.0F;
+    for (int x = 11; x < 19; ++x) tables(x, y) = 60.0F;
+  }
+  const std::vector<Peak> whole = find_peaks(tables, geom::kNoSea, 1.0, {});
+  ASSERT_EQ(whole.size(), 1U);
+  EXPECT_EQ(whole[0].height_m, 60.0);
 }
 
 TEST(Describe, ATerrainIsNoDistanceFromItself) {
