@@ -45,17 +45,18 @@ struct DescribeParams {
         field(&P::sea, "sea", "describe only what lies above sea level"),
         field(&P::relief_window_m, "relief_window_m", "m", between(0.01, 1e6), "side of the square of local relief"),
         field(&P::channel_m2, "channel_m2", "m2", between(1, 1e13),
-              "catchment with which a river, or a ridge, begins; a 2000th of the smaller terrain if absent"),
+              "catchment with which a river, or a ridge, begins; a 2000th of the smaller land if absent"),
         field(&P::min_prominence_m, "min_prominence_m", "m", between(0.001, 10000),
               "least prominence of a peak; a 50th of the reference's relief if absent"),
         field(&P::cell_m, "cell_m", "m", between(0.01, 1e5),
-              "cell size at which both are compared; the coarser of their own if absent"),
+              "cell size at which both are compared, no finer than theirs; the coarser of these if absent"),
         field(&P::title, "title", "name of the terrain on the page"),
         field(&P::reference_title, "reference_title", "name of the reference on the page"));
   }
 };
 
-/// `reference` may be null. Throws InvalidArgument for params out of range. Parallel in part; linear but for sorting
+/// `reference` may be null. Throws InvalidArgument for params out of range, and for a cell_m that is finer than the
+/// coarser input's cells or makes more than 2^31 - 1 of them. Parallel in part; linear but for sorting
 /// passes between catchments; 45 bytes per cell.
 Report describe(const HeightField& terrain, const HeightField* reference, const DescribeParams& params,
                 const RunContext& run);

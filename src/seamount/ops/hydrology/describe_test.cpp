@@ -6,9 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "seamount/base/error.h"
 #include "seamount/base/rng.h"
 #include "seamount/geom/flow.h"
 #include "seamount/geom/noise.h"
+#include "seamount/ops/hydrology/comparison.h"
 #include "seamount/ops/hydrology/local_relief.h"
 #include "seamount/ops/hydrology/network.h"
 #include "seamount/ops/hydrology/peaks.h"
@@ -246,6 +248,44 @@ TEST(Describe, ComparesAtTheCoarserCell) {
   const HeightField coarse = hills(128, 128, 6);
   const Report report = describe(fine, &coarse, {}, {});
   EXPECT_EQ(find(report, "roughness").plot.lines[0].x.front(), 30.0);
+}
+
+TEST(Describe, RefusesCellsFinerThanTheData) {
+  const HeightField terrain = hills(20, 20, 6);  // cells of 30 m
+  HeightField fine = terrain;
+  fine.set_frame(GridFrame::centred(20, 20, 10));
+  try {
+    describe(fine, &terrain, {.cell_m = 15}, {});
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_EQ(error.field(), "cell_m");
+    EXPECT_STREQ(error.what(), "cell_m: 15 is finer than the cells of the coarser input, 30 m");
+  }
+  EXPECT_THROW(describe(fine, nullptr, {.cell_m = 0.01}, {}), InvalidArgument);
+  EXPECT_NO_THROW(describe(fine, nullptr, {.cell_m = 15}, {}));
+  EXPECT_NO_THROW(describe(fine, &terrain, {.cell_m = 30.0 * (1.0 - 1e-12)}, {}));
+}
+
+TEST(Comparison, CellsAreFewEnoughToBeNumbered) {
+  EXPECT_EQ(frame_at(GridFrame::centred(46000, 46000, 1), 2.0).width, 23000);
+  EXPECT_EQ(frame_at(GridFrame::centred(3, 700, 1), 10.0).width, 1);
+  EXPECT_NO_THROW(frame_at(GridFrame::centred(46338, 46338, 1), 1.0));
+  EXPECT_THROW(frame_at(GridFrame::centred(46339, 46339, 1), 1.0), InvalidArgument);
+  EXPECT_THROW(frame_at(GridFrame::centred(2000000, 2000000, 1), 2.0), InvalidArgument);
+}
+
+TEST(Comparison, AnIslandIsMeasuredAsOneHoweverWideTheSea) {
+  HeightField island = hills(40, 40, 3), sea(GridFrame::centred(120, 120, 30), -100.0F);
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) sea(x + 40, y + 40) = island(x, y);
+  const SurveyPlan near = make_plan({island}, 0.0F, 500.0, {}, {}), far = make_plan({sea}, 0.0F, 500.0, {}, {});
+  EXPECT_NEAR(near.channel_m2, 1600 * 900 / 2000.0, 1e-9);
+  EXPECT_EQ(near.channel_m2, far.channel_m2);
+  EXPECT_EQ(near.min_prominence_m, far.min_prominence_m);
+  const HeightField water(GridFrame::centred(10, 10, 30), -5.0F);
+  EXPECT_EQ(make_plan({sea, water}, 0.0F, 500.0, {}, {}).min_prominence_m, far.min_prominence_m);
+  EXPECT_EQ(make_plan({water}, 0.0F, 500.0, {}, {}).channel_m2, 100 * 900 / 2000.0);
+  EXPECT_EQ(make_plan({water}, 0.0F, 500.0, 7.0, 8.0).channel_m2, 7.0);
 }
 
 TEST(Describe, BearsWhatHasNothingToMeasure) {
