@@ -1,12 +1,11 @@
 #include "seamount/ops/hydrology/describe.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <vector>
 
 #include "seamount/geom/flow.h"
 #include "seamount/geom/resample.h"
+#include "seamount/ops/hydrology/comparison.h"
 #include "seamount/ops/hydrology/descriptors.h"
 #include "seamount/ops/hydrology/survey.h"
 
@@ -14,43 +13,9 @@ namespace seamount::hydrology {
 namespace {
 
 /// The terrain on cells of another size, its sea a level surface: surveys of land have none below.
-HeightField prepare(HeightField terrain, double cell_m, float sea_level_m, const RunContext& run) {
+HeightField prepare(HeightField terrain, const GridFrame& frame, float sea_level_m, const RunContext& run) {
   for (float& z : terrain.cells()) z = std::max(z, sea_level_m);
-  GridFrame frame = terrain.frame();
-  if (std::abs(frame.cell_m / cell_m - 1.0) < 1e-9) return terrain;
-  frame.width = std::max(1, static_cast<int>(std::lround(frame.width_m() / cell_m)));
-  frame.height = std::max(1, static_cast<int>(std::lround(terrain.frame().height_m() / cell_m)));
-  frame.cell_m = cell_m;
-  return geom::resample(terrain, frame, run);
-}
-
-float sea_level(const DescribeParams& params) { return params.sea ? 0.0F : geom::kNoSea; }
-
-SurveyPlan make_plan(const std::vector<HeightField>& terrains, const DescribeParams& params) {
-  constexpr double kChannelPart = 2000.0, kProminencePart = 50.0;
-  SurveyPlan plan;
-  plan.sea_level_m = sea_level(params);
-  plan.relief_window_m = params.relief_window_m;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const HeightField& terrain : terrains)
-    smallest = std::min(smallest, terrain.frame().width_m() * terrain.frame().height_m());
-  plan.channel_m2 = params.channel_m2.value_or(smallest / kChannelPart);
-  const auto [low, high] = land_range(terrains.back(), plan.sea_level_m);
-  plan.min_prominence_m = params.min_prominence_m.value_or(std::max(1e-3, (high - low) / kProminencePart));
-  return plan;
-}
-
-SurveyBounds make_bounds(const std::vector<HeightField>& terrains, const SurveyPlan& plan, const RunContext& run) {
-  constexpr double kDeviations = 4.0;  // of curvature that a histogram shows
-  SurveyBounds bounds{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const HeightField& terrain : terrains) {
-    const auto [low, high] = land_range(terrain, plan.sea_level_m);
-    bounds.low_m = std::min(bounds.low_m, low);
-    bounds.high_m = std::max(bounds.high_m, high);
-    bounds.area_m2 = std::max(bounds.area_m2, terrain.frame().width_m() * terrain.frame().height_m());
-  }
-  bounds.curvature = std::max(1e-9, kDeviations * curvature_deviation(terrains.back(), plan.sea_level_m, run));
-  return bounds;
+  return terrain.frame() == frame ? terrain : geom::resample(terrain, frame, run);
 }
 
 }  // namespace
@@ -58,16 +23,21 @@ SurveyBounds make_bounds(const std::vector<HeightField>& terrains, const SurveyP
 Report describe(const HeightField& terrain, const HeightField* reference, const DescribeParams& params,
                 const RunContext& run) {
   check_params(params);
-  const double coarser = std::max(terrain.cell_m(), reference == nullptr ? 0.0 : reference->cell_m());
-  const double cell_m = params.cell_m.value_or(coarser);
-  std::vector<HeightField> terrains{prepare(terrain, cell_m, sea_level(params), run)};
-  if (reference != nullptr) terrains.push_back(prepare(*reference, cell_m, sea_level(params), run));
-  const SurveyPlan plan = make_plan(terrains, params);
-  const SurveyBounds bounds = make_bounds(terrains, plan, run);
+  const float sea_level_m = params.sea ? 0.0F : geom::kNoSea;
+  std::vector<const HeightField*> inputs{&terrain};
+  if (reference != nullptr) inputs.push_back(reference);
+  std::vector<GridFrame> frames;
+  for (const HeightField* input : inputs) frames.push_back(input->frame());
+  const double cell_m = comparison_cell(frames, params.cell_m);
+  for (GridFrame& frame : frames) frame = frame_at(frame, cell_m);
+  std::vector<HeightField> terrains;
+  for (size_t i = 0; i < inputs.size(); ++i) terrains.push_back(prepare(*inputs[i], frames[i], sea_level_m, run));
+  const SurveyPlan plan =
+      make_plan(terrains, sea_level_m, params.relief_window_m, params.channel_m2, params.min_prominence_m);
   std::vector<Survey> surveys;
   for (size_t i = 0; i < terrains.size(); ++i) {
     const double share = 1.0 / static_cast<double>(terrains.size()), from = static_cast<double>(i) * share;
-    surveys.push_back(survey(terrains[i], plan, bounds, run.part(from, from + share)));
+    surveys.push_back(survey(terrains[i], plan, run.part(from, from + share)));
   }
   Report report;
   report.title = "Terrain descriptors";

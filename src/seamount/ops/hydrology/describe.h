@@ -4,15 +4,18 @@
 // isolation) and the descriptors that it cites (Argudo, Guerin, Schott and Galin 2025). All of them are of land, what
 // lies above the sea; with a reference both terrains are first brought to the coarser of their cells.
 //
-// Distances are 0 for equal terrains and do not depend on units:
+// Means and deviations are sums over the values, quantiles are good to a 256th (tally.h): what is measured on a terrain
+// does not depend on the reference, but for the settings that both share (cell, channel_m2, min_prominence_m).
+//
+// Distances are 0 for equal terrains and do not depend on units; where one side has nothing to measure there is none:
 //   elevation, slope, curvature, local relief, drainage area (log10), isolation (log10): first Wasserstein distance of
-//   the
-//     normalised histograms, divided by the reference's standard deviation
+//   the distributions, divided by the reference's standard deviation (by the terrain's where the reference's is 0)
 //   aspect: circular Wasserstein distance, over a half turn
 //   hypsometry: area between the two hypsometric curves, of heights and areas from 0 to 1
 //   slope_area, roughness: mean |log10 of the ratio| where both curves are defined
 //   strahler: mean over orders of |log10 of the ratio| of streams per area; an order that one lacks counts as half a
-//   stream prominence: mean over thresholds of |log10 of the ratio| of peaks per area; half a peak where there is none
+//   stream
+//   prominence: mean over thresholds of |log10 of the ratio| of peaks per area; half a peak where one has none
 //   ridges: |log10 of the ratio| of ridge length per area
 #pragma once
 
@@ -42,17 +45,18 @@ struct DescribeParams {
         field(&P::sea, "sea", "describe only what lies above sea level"),
         field(&P::relief_window_m, "relief_window_m", "m", between(0.01, 1e6), "side of the square of local relief"),
         field(&P::channel_m2, "channel_m2", "m2", between(1, 1e13),
-              "catchment with which a river, or a ridge, begins; a 2000th of the smaller terrain if absent"),
+              "catchment with which a river, or a ridge, begins; a 2000th of the smaller land if absent"),
         field(&P::min_prominence_m, "min_prominence_m", "m", between(0.001, 10000),
               "least prominence of a peak; a 50th of the reference's relief if absent"),
         field(&P::cell_m, "cell_m", "m", between(0.01, 1e5),
-              "cell size at which both are compared; the coarser of their own if absent"),
+              "cell size at which both are compared, no finer than theirs; the coarser of these if absent"),
         field(&P::title, "title", "name of the terrain on the page"),
         field(&P::reference_title, "reference_title", "name of the reference on the page"));
   }
 };
 
-/// `reference` may be null. Throws InvalidArgument for params out of range. Parallel in part; linear but for sorting
+/// `reference` may be null. Throws InvalidArgument for params out of range, and for a cell_m that is finer than the
+/// coarser input's cells or makes more than 2^31 - 1 of them. Parallel in part; linear but for sorting
 /// passes between catchments; 45 bytes per cell.
 Report describe(const HeightField& terrain, const HeightField* reference, const DescribeParams& params,
                 const RunContext& run);

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "seamount/base/error.h"
 #include "seamount/base/rng.h"
 #include "seamount/geom/flow.h"
 #include "seamount/geom/noise.h"
-#include "seamount/ops/hydrology/histogram.h"
+#include "seamount/ops/hydrology/comparison.h"
 #include "seamount/ops/hydrology/local_relief.h"
 #include "seamount/ops/hydrology/network.h"
 #include "seamount/ops/hydrology/peaks.h"
@@ -35,30 +37,6 @@ double value(const Report& report, std::string_view descriptor, std::string_view
     if (measure.name == name) return measure.values[subject];
   ADD_FAILURE() << "no " << name;
   return NAN;
-}
-
-TEST(Histogram, KnowsItsMoments) {
-  Histogram histogram(0, 10, 1000);
-  for (int i = 0; i < 1000; ++i) histogram.add(0.005 + 0.01 * i);
-  EXPECT_NEAR(histogram.mean(), 5.0, 1e-9);
-  EXPECT_NEAR(histogram.deviation(), 10.0 / std::sqrt(12.0), 1e-3);
-  EXPECT_NEAR(histogram.quantile(0.25), 2.5, 1e-9);
-  EXPECT_EQ(histogram.coarser(10).counts[3], 100);
-  histogram.add(-5);
-  histogram.add(50);
-  EXPECT_EQ(histogram.counts.front(), 2);
-  EXPECT_EQ(histogram.counts.back(), 2);
-}
-
-TEST(Histogram, WassersteinIsTheDistanceMoved) {
-  Histogram a(0, 100, 1000), b = a;
-  for (int i = 0; i < 200; ++i) a.add(20.05 + 0.1 * i), b.add(57.05 + 0.1 * i);
-  EXPECT_NEAR(wasserstein(a, b), 37.0, 1e-9);
-  EXPECT_EQ(wasserstein(a, a), 0.0);
-  Histogram north(0, 360, 72), also_north = north;
-  north.add(357.5);
-  also_north.add(2.5);
-  EXPECT_NEAR(circular_wasserstein(north, also_north), 5.0, 1e-9);
 }
 
 TEST(LocalRelief, IsTheRangeOverTheSquare) {
@@ -103,11 +81,11 @@ bool reaches_higher(const HeightField& terrain, int32_t from, double level) {
 
 TEST(Peaks, ProminenceAndIsolationAsDefined) {
   for (const uint64_t seed : {1, 2, 3}) {
-    const HeightField terrain = hills(40, 33, seed);
+    HeightField terrain = hills(40, 33, seed);
+    terrain(20, 16) = 900.0F;
     const std::vector<Peak> peaks = find_peaks(terrain, geom::kNoSea, 1.0, {});
     ASSERT_GT(peaks.size(), 3U);
-    EXPECT_EQ(peaks.front().height_m,
-              static_cast<double>(*std::max_element(terrain.cells().begin(), terrain.cells().end())));
+    EXPECT_EQ(peaks.front().height_m, 900.0);
     for (size_t i = 1; i < peaks.size(); ++i) {
       const Peak& peak = peaks[i];
       // A little below the key pass higher ground is reached, at it too, and above it not.
@@ -134,6 +112,25 @@ TEST(Peaks, OfIslandsStandOverTheSea) {
   EXPECT_EQ(peaks[0].prominence_m, 80.0);
   EXPECT_EQ(peaks[1].prominence_m, 30.0);
   EXPECT_EQ(peaks[1].isolation_m, 100.0);
+}
+
+TEST(Peaks, OnTheFrameAreNotKnown) {
+  const HeightField terrain = hills(128, 128, 5);
+  const std::vector<Peak> peaks = find_peaks(terrain, geom::kNoSea, 1.0, {});
+  EXPECT_GT(peaks.size(), 10U);
+  for (const Peak& peak : peaks) {
+    const int x = peak.cell % 128, y = peak.cell / 128;
+    EXPECT_TRUE(x > 0 && y > 0 && x < 127 && y < 127) << x << ' ' << y;
+  }
+  // A table that the frame cuts, and one that it does not.
+  HeightField tables(GridFrame::centred(20, 9, 10), 0.0F);
+  for (int y = 2; y < 6; ++y) {
+    for (int x = 0; x < 8; ++x) tables(x, y) = 80.0F;
+    for (int x = 11; x < 19; ++x) tables(x, y) = 60.0F;
+  }
+  const std::vector<Peak> whole = find_peaks(tables, geom::kNoSea, 1.0, {});
+  ASSERT_EQ(whole.size(), 1U);
+  EXPECT_EQ(whole[0].height_m, 60.0);
 }
 
 TEST(Describe, ATerrainIsNoDistanceFromItself) {
@@ -177,6 +174,72 @@ TEST(Describe, APlaneHasOneSlope) {
   for (const Descriptor& descriptor : report.descriptors) EXPECT_FALSE(descriptor.distance.has_value());
 }
 
+TEST(Describe, MeasuresDoNotDependOnTheReference) {
+  const HeightField terrain = hills(128, 128, 6), rough = hills(128, 128, 9, 2000.0F, 1500.0F);
+  HeightField smooth(terrain.frame(), 5.0F);
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 128; ++x) smooth(x, y) += 0.001F * static_cast<float>(x * x + y);
+  const DescribeParams params{.channel_m2 = 20000, .min_prominence_m = 3};
+  const Report alone = describe(terrain, nullptr, params, {});
+  for (const HeightField& reference : {rough, smooth}) {
+    const Report compared = describe(terrain, &reference, params, {});
+    for (const Descriptor& descriptor : alone.descriptors)
+      for (const Measure& measure : descriptor.measures)
+        EXPECT_EQ(value(compared, descriptor.name, measure.name), measure.values[0])
+            << descriptor.name << ' ' << measure.name;
+  }
+}
+
+TEST(Describe, HowFarValuesMoveIsTheSameBothWays) {
+  const HeightField terrain = hills(128, 128, 6, 300.0F, 20.0F), rough = hills(128, 128, 9, 300.0F, 200.0F);
+  const Report there = describe(terrain, &rough, {.sea = false}, {}),
+               back = describe(rough, &terrain, {.sea = false}, {});
+  for (const char* name : {"elevation", "slope", "curvature", "local_relief"}) {
+    const double moved = *find(there, name).distance * value(there, name, "deviation", 1);
+    EXPECT_NEAR(*find(back, name).distance * value(back, name, "deviation", 1), moved, 1e-9 * moved) << name;
+  }
+  // Ten times the curvature is not cut off.
+  EXPECT_GT(*find(back, "curvature").distance, 4.0);
+}
+
+TEST(Describe, GentleAndLevelGroundIsWhatItIs) {
+  const HeightField plane(GridFrame::centred(32, 32, 10), 40.0F);
+  const Report level = describe(plane, nullptr, {}, {});
+  for (const char* name : {"slope", "curvature", "local_relief"})
+    for (const char* what : {"mean", "deviation", "p05", "median", "p95"}) EXPECT_EQ(value(level, name, what), 0.0);
+  for (const char* what : {"mean", "p05", "median", "p95"}) EXPECT_EQ(value(level, "elevation", what), 40.0);
+  HeightField ramp(GridFrame::centred(64, 16, 10), 3000.0F);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 64; ++x) ramp(x, y) += 0.125F * static_cast<float>(x);
+  const Report gentle = describe(ramp, nullptr, {.relief_window_m = 20}, {});
+  const double slope = std::atan(0.0125) * 180.0 / std::numbers::pi;
+  for (const char* what : {"mean", "p05", "median", "p95"}) EXPECT_NEAR(value(gentle, "slope", what), slope, 1e-4);
+  EXPECT_NEAR(value(gentle, "local_relief", "median"), 0.25, 1e-6);
+  EXPECT_NEAR(value(gentle, "elevation", "mean"), 3000.0 + 0.125 * 31.5, 1e-9);
+}
+
+TEST(Describe, WhatALandlessTerrainLacksIsNull) {
+  const HeightField sea(GridFrame::centred(60, 60, 30), -200.0F), land = hills(60, 60, 1);
+  for (const bool first : {true, false}) {
+    const Report report = describe(first ? sea : land, first ? &land : &sea, {}, {});
+    for (const Descriptor& descriptor : report.descriptors) {
+      EXPECT_FALSE(descriptor.distance.has_value()) << descriptor.name;
+      for (const Measure& measure : descriptor.measures)
+        EXPECT_TRUE(std::isnan(measure.values[first ? 0 : 1])) << descriptor.name << ' ' << measure.name;
+    }
+  }
+}
+
+TEST(Describe, LevelLandHasNoAspectAndNoHypsometry) {
+  const HeightField level(GridFrame::centred(60, 60, 30), 20.0F), land = hills(60, 60, 1);
+  const Report report = describe(level, &land, {}, {});
+  for (const char* name : {"aspect", "hypsometry", "slope_area", "isolation", "roughness"})
+    EXPECT_FALSE(find(report, name).distance.has_value()) << name;
+  EXPECT_TRUE(std::isnan(value(report, "aspect", "facing_north")));
+  EXPECT_GT(*find(report, "slope").distance, 0.0);
+  EXPECT_GT(*find(describe(land, &level, {}, {}), "slope").distance, 0.0);
+}
+
 TEST(Describe, ComparesAtTheCoarserCell) {
   HeightField fine = hills(256, 256, 6);
   GridFrame frame = fine.frame();
@@ -185,6 +248,44 @@ TEST(Describe, ComparesAtTheCoarserCell) {
   const HeightField coarse = hills(128, 128, 6);
   const Report report = describe(fine, &coarse, {}, {});
   EXPECT_EQ(find(report, "roughness").plot.lines[0].x.front(), 30.0);
+}
+
+TEST(Describe, RefusesCellsFinerThanTheData) {
+  const HeightField terrain = hills(20, 20, 6);  // cells of 30 m
+  HeightField fine = terrain;
+  fine.set_frame(GridFrame::centred(20, 20, 10));
+  try {
+    describe(fine, &terrain, {.cell_m = 15}, {});
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_EQ(error.field(), "cell_m");
+    EXPECT_STREQ(error.what(), "cell_m: 15 is finer than the cells of the coarser input, 30 m");
+  }
+  EXPECT_THROW(describe(fine, nullptr, {.cell_m = 0.01}, {}), InvalidArgument);
+  EXPECT_NO_THROW(describe(fine, nullptr, {.cell_m = 15}, {}));
+  EXPECT_NO_THROW(describe(fine, &terrain, {.cell_m = 30.0 * (1.0 - 1e-12)}, {}));
+}
+
+TEST(Comparison, CellsAreFewEnoughToBeNumbered) {
+  EXPECT_EQ(frame_at(GridFrame::centred(46000, 46000, 1), 2.0).width, 23000);
+  EXPECT_EQ(frame_at(GridFrame::centred(3, 700, 1), 10.0).width, 1);
+  EXPECT_NO_THROW(frame_at(GridFrame::centred(46338, 46338, 1), 1.0));
+  EXPECT_THROW(frame_at(GridFrame::centred(46339, 46339, 1), 1.0), InvalidArgument);
+  EXPECT_THROW(frame_at(GridFrame::centred(2000000, 2000000, 1), 2.0), InvalidArgument);
+}
+
+TEST(Comparison, AnIslandIsMeasuredAsOneHoweverWideTheSea) {
+  HeightField island = hills(40, 40, 3), sea(GridFrame::centred(120, 120, 30), -100.0F);
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) sea(x + 40, y + 40) = island(x, y);
+  const SurveyPlan near = make_plan({island}, 0.0F, 500.0, {}, {}), far = make_plan({sea}, 0.0F, 500.0, {}, {});
+  EXPECT_NEAR(near.channel_m2, 1600 * 900 / 2000.0, 1e-9);
+  EXPECT_EQ(near.channel_m2, far.channel_m2);
+  EXPECT_EQ(near.min_prominence_m, far.min_prominence_m);
+  const HeightField water(GridFrame::centred(10, 10, 30), -5.0F);
+  EXPECT_EQ(make_plan({sea, water}, 0.0F, 500.0, {}, {}).min_prominence_m, far.min_prominence_m);
+  EXPECT_EQ(make_plan({water}, 0.0F, 500.0, {}, {}).channel_m2, 100 * 900 / 2000.0);
+  EXPECT_EQ(make_plan({water}, 0.0F, 500.0, 7.0, 8.0).channel_m2, 7.0);
 }
 
 TEST(Describe, BearsWhatHasNothingToMeasure) {

@@ -96,6 +96,37 @@ std::vector<double> prominences(const HeightField& inverted, const geom::Basins&
   return prominence;
 }
 
+/// Tells of summits, one after the other, whether their level ground touches the frame, beyond which they may go on.
+class FrameContact {
+ public:
+  explicit FrameContact(const HeightField& terrain) : terrain_(terrain), seen_(terrain.frame(), 0) {}
+
+  bool operator()(int32_t summit) {
+    const float height = terrain_.data()[summit];
+    std::vector<int32_t> open{summit};
+    seen_.data()[summit] = 1;
+    bool touches = false;
+    while (!open.empty()) {
+      const int x = open.back() % terrain_.width(), y = open.back() / terrain_.width();
+      open.pop_back();
+      for (size_t k = 0; k < 8; ++k) {
+        const int to_x = x + geom::kFlowDx[k], to_y = y + geom::kFlowDy[k];
+        if (!terrain_.contains(to_x, to_y)) {
+          touches = true;
+        } else if (terrain_(to_x, to_y) == height && seen_(to_x, to_y) == 0) {
+          seen_(to_x, to_y) = 1;
+          open.push_back(to_y * terrain_.width() + to_x);
+        }
+      }
+    }
+    return touches;
+  }
+
+ private:
+  const HeightField& terrain_;
+  Grid<uint8_t> seen_;
+};
+
 }  // namespace
 
 std::vector<Peak> find_peaks(const HeightField& terrain, float sea_level_m, double min_prominence_m,
@@ -104,12 +135,15 @@ std::vector<Peak> find_peaks(const HeightField& terrain, float sea_level_m, doub
   const geom::Basins basins = geom::find_basins(geom::flow_directions(inverted, geom::kNoSea, run), run);
   const float lowest = std::max(sea_level_m, *std::min_element(terrain.cells().begin(), terrain.cells().end()));
   const std::vector<double> prominence = prominences(inverted, basins, static_cast<double>(lowest), run);
+  FrameContact touches_frame(terrain);
   std::vector<Peak> peaks;
   for (size_t i = 1; i < prominence.size(); ++i) {
     if (prominence[i] < min_prominence_m) continue;
     const int x = basins.pits[i] % inverted.width() - 1, y = basins.pits[i] / inverted.width() - 1;
     if (!terrain.contains(x, y) || terrain(x, y) <= sea_level_m) continue;  // the wall's own
-    peaks.push_back({y * terrain.width() + x, static_cast<double>(terrain(x, y)), prominence[i], 0.0});
+    const int32_t cell = y * terrain.width() + x;
+    if (touches_frame(cell)) continue;
+    peaks.push_back({cell, static_cast<double>(terrain(x, y)), prominence[i], 0.0});
   }
   std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) {
     return a.prominence_m != b.prominence_m ? a.prominence_m > b.prominence_m : a.cell < b.cell;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <tuple>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/flow.h"
@@ -14,12 +13,11 @@
 #include "seamount/ops/hydrology/local_relief.h"
 #include "seamount/ops/hydrology/network.h"
 #include "seamount/ops/hydrology/ridge_flow.h"
+#include "seamount/ops/hydrology/tally.h"
 
 namespace seamount::hydrology {
 namespace {
 
-constexpr int kBins = 1536;  // divides into the plots' bins
-constexpr int kAspectBins = 72;
 constexpr int kAreaBinsPerDecade = 4;
 
 /// Length of the lines through a network's links, in metres.
@@ -101,8 +99,8 @@ std::vector<Unevenness> unevenness_of(const HeightField& terrain, float sea, con
 }
 
 /// Rivers with their orders, drainage areas, and slope over area.
-void survey_rivers(const HeightField& terrain, const ScalarField& slope_deg, const SurveyPlan& plan,
-                   const SurveyBounds& bounds, Survey& out, const RunContext& run) {
+void survey_rivers(const HeightField& terrain, const ScalarField& slope_deg, const SurveyPlan& plan, Survey& out,
+                   const RunContext& run) {
   const GridFrame& frame = terrain.frame();
   const double cell_m2 = frame.cell_m * frame.cell_m;
   const HeightField filled = geom::fill_depressions(terrain, plan.sea_level_m, run);
@@ -115,8 +113,8 @@ void survey_rivers(const HeightField& terrain, const ScalarField& slope_deg, con
   }
   const auto is_land = [&](int64_t i) { return terrain.data()[i] > plan.sea_level_m; };
   out.area = gather(
-      Histogram(std::log10(cell_m2), std::log10(std::max(2.0 * cell_m2, bounds.area_m2)), kBins), frame.cells(),
-      is_land, [&](int64_t i) { return std::log10(static_cast<double>(cells.data()[i]) * cell_m2); }, run);
+                 0.0F, frame.cells(), is_land, [&](int64_t i) { return cells.data()[i]; }, run)
+                 .logarithmic(cell_m2);
   out.slope_of_area = slope_by_area(slope_deg, cells, plan.sea_level_m, terrain);
   const std::vector<Link> links = find_links(directions, cells, std::max(2.0, plan.channel_m2 / cell_m2), nullptr, run);
   out.streams = streams_by_order(links);
@@ -125,61 +123,44 @@ void survey_rivers(const HeightField& terrain, const ScalarField& slope_deg, con
 
 }  // namespace
 
-std::pair<double, double> land_range(const HeightField& terrain, float sea_level_m) {
-  float low = std::numeric_limits<float>::infinity(), high = -low;
+Land find_land(const HeightField& terrain, float sea_level_m) {
+  Land land;
   for (const float z : terrain.cells()) {
     if (z <= sea_level_m) continue;
-    low = std::min(low, z);
-    high = std::max(high, z);
+    land.low_m = land.cells == 0 ? z : std::min(land.low_m, z);
+    land.high_m = land.cells == 0 ? z : std::max(land.high_m, z);
+    ++land.cells;
   }
-  return low > high ? std::pair{0.0, 0.0} : std::pair{static_cast<double>(low), static_cast<double>(high)};
+  return land;
 }
 
-double curvature_deviation(const HeightField& terrain, float sea_level_m, const RunContext& run) {
-  const ScalarField curvature = geom::curvature(terrain, geom::Curvature::mean, run);
-  double squares = 0.0;
-  int64_t count = 0;
-  for (size_t i = 0; i < terrain.size(); ++i) {
-    if (terrain.data()[i] <= sea_level_m) continue;
-    squares += static_cast<double>(curvature.data()[i]) * static_cast<double>(curvature.data()[i]);
-    ++count;
-  }
-  return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
-}
-
-Survey survey(const HeightField& terrain, const SurveyPlan& plan, const SurveyBounds& bounds, const RunContext& run) {
-  Survey out;
+Survey survey(const HeightField& terrain, const SurveyPlan& plan, const RunContext& run) {
   const float sea = plan.sea_level_m;
   const GridFrame& frame = terrain.frame();
-  const int64_t cells = frame.cells();
-  const auto is_land = [&](int64_t i) { return terrain.data()[i] > sea; };
-  const auto distribution = [&](Histogram bins, const ScalarField& field) {
-    return gather(
-        std::move(bins), cells, is_land, [&](int64_t i) { return static_cast<double>(field.data()[i]); }, run);
-  };
-  std::tie(out.low_m, out.high_m) = land_range(terrain, sea);
-  const double top = std::max(bounds.high_m, bounds.low_m + 1e-3);
-  out.elevation = distribution(Histogram(bounds.low_m, top, kBins), terrain);
-  out.land_m2 = static_cast<double>(out.elevation.total()) * frame.cell_m * frame.cell_m;
-  const ScalarField slope = geom::slope_deg(terrain, run);
-  out.slope = distribution(Histogram(0.0, 90.0, kBins), slope);
-  {
-    const ScalarField aspect = geom::aspect_deg(terrain, run);
-    out.aspect = gather(
-        Histogram(0.0, 360.0, kAspectBins), cells, [&](int64_t i) { return is_land(i) && aspect.data()[i] >= 0.0F; },
-        [&](int64_t i) { return static_cast<double>(aspect.data()[i]); }, run);
-  }
-  out.curvature = distribution(Histogram(-bounds.curvature, bounds.curvature, kBins),
-                               geom::curvature(terrain, geom::Curvature::mean, run));
+  const double cell_m2 = frame.cell_m * frame.cell_m;
   const int radius =
       std::max(1, static_cast<int>(std::lround(0.5 * std::min(plan.relief_window_m, 1e7) / frame.cell_m)));
-  const double relief = std::max(top - bounds.low_m, std::isfinite(sea) ? top - static_cast<double>(sea) : 0.0);
-  out.relief = distribution(Histogram(0.0, relief, kBins), local_relief(terrain, radius, run));
-  survey_rivers(terrain, slope, plan, bounds, out, run);
+  const Land land = find_land(terrain, sea);
+  Survey out;
+  out.cell_m = frame.cell_m;
+  out.relief_window_m = (2 * radius + 1) * frame.cell_m;
+  if (land.cells == 0) return out;
+  out.land_m2 = static_cast<double>(land.cells) * cell_m2;
+  const auto is_land = [&](int64_t i) { return terrain.data()[i] > sea; };
+  const auto distribution = [&](float origin, const ScalarField& field) {
+    return gather(
+        origin, frame.cells(), is_land, [&](int64_t i) { return field.data()[i]; }, run);
+  };
+  out.elevation = distribution(land.low_m, terrain);
+  const ScalarField slope = geom::slope_deg(terrain, run);
+  out.slope = distribution(0.0F, slope);
+  out.aspect = aspects(terrain, sea, run);
+  out.curvature = distribution(0.0F, geom::curvature(terrain, geom::Curvature::mean, run));
+  out.relief = distribution(0.0F, local_relief(terrain, radius, run));
+  survey_rivers(terrain, slope, plan, out, run);
   RidgeFlow ridges = ridge_flow(terrain, sea, run);
-  out.ridge_m = length_of(find_links(ridges.directions, ridges.cells,
-                                     std::max(2.0, plan.channel_m2 / (frame.cell_m * frame.cell_m)), &ridges.land, run),
-                          frame);
+  out.ridge_m = length_of(
+      find_links(ridges.directions, ridges.cells, std::max(2.0, plan.channel_m2 / cell_m2), &ridges.land, run), frame);
   out.peaks = find_peaks(terrain, sea, plan.min_prominence_m, run);
   out.unevenness = unevenness_of(terrain, sea, run);
   return out;

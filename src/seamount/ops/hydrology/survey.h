@@ -1,12 +1,13 @@
 // Everything that hydrology.describe measures on one terrain.
 #pragma once
 
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 #include "seamount/base/run_context.h"
 #include "seamount/model/grid.h"
-#include "seamount/ops/hydrology/histogram.h"
+#include "seamount/ops/hydrology/bearings.h"
+#include "seamount/ops/hydrology/distribution.h"
 #include "seamount/ops/hydrology/peaks.h"
 
 namespace seamount::hydrology {
@@ -29,31 +30,31 @@ struct SlopeOfArea {
   double area_m2, slope;  ///< slope: rise over run, mean over a quarter of a decade of area
 };
 
+/// What lies above the sea.
+struct Land {
+  int64_t cells = 0;
+  float low_m = 0.0F, high_m = 0.0F;  ///< 0 without land
+};
+
+/// Without land: empty, with nothing counted.
 struct Survey {
-  Histogram elevation{0, 1, 1}, slope{0, 1, 1}, aspect{0, 1, 1}, curvature{0, 1, 1}, relief{0, 1, 1}, area{0, 1, 1};
+  double cell_m = 0.0;
+  double relief_window_m = 0.0;                            ///< as whole cells make it
+  Distribution elevation, slope, curvature, relief, area;  ///< slope in degrees; area: log10 of square metres
+  Bearings aspect;
   std::vector<SlopeOfArea> slope_of_area;
   std::vector<int> streams;  ///< of the river network by Strahler order, from 1 on
   double river_m = 0.0, ridge_m = 0.0;
   std::vector<Peak> peaks;
   std::vector<Unevenness> unevenness;  ///< lags of 1, 2, 4, ... cells
   double land_m2 = 0.0;
-  double low_m = 0.0, high_m = 0.0;  ///< of the land
+
+  bool has_land() const { return land_m2 > 0.0; }
 };
 
-/// Bounds of histograms that depend on the terrains.
-struct SurveyBounds {
-  double low_m = 0.0, high_m = 1.0;  ///< of elevation, and of local relief from 0
-  double curvature = 1.0;            ///< largest, 1/m, to either side
-  double area_m2 = 1.0;              ///< largest catchment
-};
+Land find_land(const HeightField& terrain, float sea_level_m);
 
-/// Lowest and highest land. {0, 0} without land.
-std::pair<double, double> land_range(const HeightField& terrain, float sea_level_m);
-
-/// Deviation of the mean curvature of the land, 1/m.
-double curvature_deviation(const HeightField& terrain, float sea_level_m, const RunContext& run);
-
-/// Land is what lies above the sea. Parallel; 40 bytes per cell.
-Survey survey(const HeightField& terrain, const SurveyPlan& plan, const SurveyBounds& bounds, const RunContext& run);
+/// What it finds depends on the terrain and the plan alone. Parallel; 40 bytes per cell.
+Survey survey(const HeightField& terrain, const SurveyPlan& plan, const RunContext& run);
 
 }  // namespace seamount::hydrology

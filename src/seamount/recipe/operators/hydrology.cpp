@@ -85,6 +85,7 @@ void add_hydrology_operators(Registry& registry) {
       ridges);
   registry.add<hydrology::DescribeParams>(
       {.name = "hydrology.describe",
+       .revision = 2,
        .summary = "What a terrain is like in numbers and curves, and how far it is from a reference",
        .source = "P2 sec. 6.5; Argudo, Guerin, Schott and Galin 2025",
        .in = {terrain_in, {"reference", ValueKind::terrain, "another terrain to compare with", false}},
