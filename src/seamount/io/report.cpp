@@ -57,7 +57,7 @@ svg{display:block;width:100%;height:auto}svg text{fill:var(--soft);font-size:11p
 table{width:100%;border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-nums;margin-top:6px}
 td,th{padding:3px 0;border-top:1px solid var(--line);text-align:right;font-weight:400}
 td:first-child,th:first-child{text-align:left;color:var(--soft)}th{border-top:0;color:var(--soft)}
-.overview{margin-bottom:16px}.overview td:nth-child(2){width:100%;padding:3px 12px}
+.overview,.settings{margin-bottom:16px}.overview td:nth-child(2){width:100%;padding:3px 12px}
 .overview td:first-child{white-space:nowrap}
 .bar{height:9px;border-radius:5px;background:var(--s0);min-width:2px}
 )";
@@ -70,32 +70,38 @@ std::string subjects_line(const Report& report) {
   return html + "</div>\n";
 }
 
+/// A distance as people read it: a dash where none is defined.
+std::string distance_text(const std::optional<double>& distance) {
+  return distance ? fmt::format("{:.3f}", *distance) : "&ndash;";
+}
+
 /// A bar for every distance; empty with one subject.
 std::string overview(const Report& report) {
+  if (report.subjects.size() < 2) return "";
   double longest = 0.0;
   for (const Descriptor& descriptor : report.descriptors)
     longest = std::max(longest, descriptor.distance.value_or(0.0));
-  if (longest == 0.0) return "";
   std::string html =
       "<section class=\"card overview\"><h2>Distances</h2><p>How far the two are apart; 0 is the same. Each descriptor "
       "says below how its own is defined.</p><table>";
   for (const Descriptor& descriptor : report.descriptors) {
-    if (!descriptor.distance) continue;
-    html += fmt::format("<tr><td>{}</td><td><div class=\"bar\" style=\"width:{:.1f}%\"></div></td><td>{:.3f}</td></tr>",
-                        xml_escaped(descriptor.title), 100.0 * *descriptor.distance / longest, *descriptor.distance);
+    const double share = longest > 0.0 ? descriptor.distance.value_or(0.0) / longest : 0.0;
+    html += "<tr><td>" + xml_escaped(descriptor.title) + "</td><td>";
+    if (descriptor.distance) html += fmt::format("<div class=\"bar\" style=\"width:{:.1f}%\"></div>", 100.0 * share);
+    html += "</td><td>" + distance_text(descriptor.distance) + "</td></tr>";
   }
   return html + "</table></section>\n";
 }
 
-std::string measures_table(const Report& report, const Descriptor& descriptor) {
-  if (descriptor.measures.empty()) return "";
+std::string measures_table(const Report& report, const std::vector<Measure>& measures) {
+  if (measures.empty()) return "";
   std::string html = "<table>";
   if (report.subjects.size() > 1) {
     html += "<tr><th></th>";
     for (const std::string& subject : report.subjects) html += "<th>" + xml_escaped(subject) + "</th>";
     html += "</tr>";
   }
-  for (const Measure& measure : descriptor.measures) {
+  for (const Measure& measure : measures) {
     html += "<tr><td>" + spaced(measure.name) + "</td>";
     for (const double value : measure.values) html += "<td>" + readable(value, measure.unit) + "</td>";
     html += "</tr>";
@@ -103,15 +109,29 @@ std::string measures_table(const Report& report, const Descriptor& descriptor) {
   return html + "</table>";
 }
 
+std::string settings_card(const Report& report) {
+  if (report.settings.empty()) return "";
+  return "<section class=\"card settings\"><h2>Measured with</h2>" + measures_table(report, report.settings) +
+         "</section>\n";
+}
+
+Json measures_json(const std::vector<Measure>& measures) {
+  Json list = Json::object();
+  for (const Measure& measure : measures)
+    list[measure.name] = {{"unit", measure.unit}, {"values", numbers(measure.values)}};
+  return list;
+}
+
 }  // namespace
 
 std::string report_json(const Report& report) {
-  Json root = {{"title", report.title}, {"subjects", report.subjects}, {"descriptors", Json::object()}};
+  Json root = {{"title", report.title}, {"subjects", report.subjects}};
+  if (!report.settings.empty()) root["settings"] = measures_json(report.settings);
+  root["descriptors"] = Json::object();
   for (const Descriptor& descriptor : report.descriptors) {
     Json entry = {{"title", descriptor.title}, {"meaning", descriptor.meaning}};
-    if (descriptor.distance) entry["distance"] = number(*descriptor.distance);
-    for (const Measure& measure : descriptor.measures)
-      entry["measures"][measure.name] = {{"unit", measure.unit}, {"values", numbers(measure.values)}};
+    if (report.subjects.size() > 1) entry["distance"] = number(descriptor.distance.value_or(NAN));
+    if (!descriptor.measures.empty()) entry["measures"] = measures_json(descriptor.measures);
     Json lines = Json::array();
     for (const PlotLine& line : descriptor.plot.lines)
       lines.push_back({{"x", numbers(line.x)}, {"y", numbers(line.y)}});
@@ -126,13 +146,14 @@ std::string report_html(const Report& report) {
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width,initial-scale=1\"><title>" +
       xml_escaped(report.title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" +
-      xml_escaped(report.title) + "</h1>\n" + subjects_line(report) + overview(report) + "<div class=\"cards\">\n";
+      xml_escaped(report.title) + "</h1>\n" + subjects_line(report) + overview(report) + settings_card(report) +
+      "<div class=\"cards\">\n";
   for (const Descriptor& descriptor : report.descriptors) {
     html += "<section class=\"card\"><div class=\"head\"><h2>" + xml_escaped(descriptor.title) + "</h2>";
-    if (descriptor.distance)
-      html += fmt::format("<span class=\"distance\">distance <b>{:.3f}</b></span>", *descriptor.distance);
+    if (report.subjects.size() > 1)
+      html += "<span class=\"distance\">distance <b>" + distance_text(descriptor.distance) + "</b></span>";
     html += "</div><p>" + xml_escaped(descriptor.meaning) + "</p>" + plot_svg(descriptor.plot) +
-            measures_table(report, descriptor) + "</section>\n";
+            measures_table(report, descriptor.measures) + "</section>\n";
   }
   return html + "</div>\n</body></html>\n";
 }

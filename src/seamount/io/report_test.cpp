@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 Report sample() {
-  Report report{"Hills & <dales>", {"mine", "the \"Alps\""}, {}};
+  Report report{"Hills & <dales>", {"mine", "the \"Alps\""}, {}, {{"cell", "m", {10, 30}}}};
   report.descriptors.push_back({"slope",
                                 "Slope",
                                 "Steepness.",
@@ -45,7 +45,21 @@ TEST(Report, JsonHoldsEveryNumber) {
   EXPECT_EQ(json["descriptors"]["slope"]["measures"]["mean"]["values"][0], 12.5);
   EXPECT_TRUE(json["descriptors"]["slope"]["measures"]["mean"]["values"][1].is_null());
   EXPECT_EQ(json["descriptors"]["slope"]["plot"]["lines"][1]["y"][2], 0.6);
+  EXPECT_TRUE(json["descriptors"]["strahler"].at("distance").is_null());
+  EXPECT_EQ(json["settings"]["cell"]["unit"], "m");
+  EXPECT_EQ(json["settings"]["cell"]["values"][1], 30.0);
+}
+
+TEST(Report, OfOneSubjectHasNoDistances) {
+  Report report = sample();
+  report.subjects.pop_back();
+  report.settings.clear();
+  for (Descriptor& descriptor : report.descriptors) descriptor.distance.reset();
+  const auto json = nlohmann::json::parse(report_json(report));
   EXPECT_FALSE(json["descriptors"]["strahler"].contains("distance"));
+  EXPECT_FALSE(json.contains("settings"));
+  EXPECT_THAT(report_html(report), Not(HasSubstr("class=\"distance\"")));
+  EXPECT_THAT(report_html(report), Not(HasSubstr("Distances")));
 }
 
 TEST(Report, PageStandsAloneAndEscapes) {
@@ -53,7 +67,9 @@ TEST(Report, PageStandsAloneAndEscapes) {
   EXPECT_THAT(html, HasSubstr("Hills &amp; &lt;dales&gt;"));
   EXPECT_THAT(html, HasSubstr("the &quot;Alps&quot;"));
   EXPECT_THAT(html, HasSubstr("<svg"));
-  EXPECT_THAT(html, HasSubstr("&ndash;"));
+  EXPECT_THAT(html, HasSubstr("&ndash;</td>"));
+  EXPECT_THAT(html, HasSubstr("distance <b>&ndash;</b>"));
+  EXPECT_THAT(html, HasSubstr("<td>10&nbsp;m</td><td>30&nbsp;m</td>"));
   for (const char* outside : {"<script", "http:", "https:", "src=", "url(", "nan", "inf"})
     EXPECT_THAT(html, Not(HasSubstr(outside)));
 }

@@ -36,13 +36,15 @@ struct Descriptor {
   std::string meaning;  ///< what it is and how the distance is defined, in a sentence or two
   Plot plot;
   std::vector<Measure> measures;
-  std::optional<double> distance;  ///< between the two subjects; 0: the same. Nothing: there is one, or none is defined
+  std::optional<double>
+      distance;  ///< between the two subjects; 0: the same. Nothing: there is one subject, or none is defined
 };
 
 struct Report {
   std::string title;
   std::vector<std::string> subjects;  ///< one, or two: the terrain and its reference
   std::vector<Descriptor> descriptors;
+  std::vector<Measure> settings = {};  ///< what the numbers rest on and can be had again with: cell size, thresholds
 };
 
 }  // namespace seamount

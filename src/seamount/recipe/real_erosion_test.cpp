@@ -38,8 +38,8 @@ TEST(RealErosion, BringsNoiseNearerToTheSanGabrielMountains) {
     const HeightField noise =
         terrain::noise({.height_m = 1172, .wavelength_m = 12000, .base_m = 1080}, frame, Seed{seed}, {});
     const erosion::Eroded worn = erosion::run({noise, {}, {}}, {}, params, Seed{seed}, {});
-    const Report before = hydrology::describe(noise, &real, {}, {}),
-                 after = hydrology::describe(worn.terrain, &real, {}, {});
+    const Report before = hydrology::describe(noise, &real, {}, {}).report,
+                 after = hydrology::describe(worn.terrain, &real, {}, {}).report;
     size_t compared = 0;
     for (size_t i = 0; i < before.descriptors.size(); ++i) {
       if (always.count(before.descriptors[i].name) == 0) continue;

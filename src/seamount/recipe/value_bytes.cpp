@@ -10,7 +10,7 @@
 namespace seamount::recipe {
 namespace {
 
-constexpr uint64_t kMagic = 0x31304d5354414d53ULL;  // "SMATSM01"
+constexpr uint64_t kMagic = 0x32304d5354414d53ULL;  // "SMATSM02"
 
 void write_frame(Writer& writer, const GridFrame& frame) {
   writer.plain(frame.width);
@@ -226,22 +226,37 @@ Plot read_plot(Reader& reader) {
   return plot;
 }
 
+void write_measures(Writer& writer, const std::vector<Measure>& measures) {
+  writer.plain(static_cast<uint64_t>(measures.size()));
+  for (const Measure& measure : measures) {
+    writer.text(measure.name);
+    writer.text(measure.unit);
+    writer.list(measure.values);
+  }
+}
+
+std::vector<Measure> read_measures(Reader& reader) {
+  std::vector<Measure> measures(reader.count(24));
+  for (Measure& measure : measures) {
+    measure.name = reader.text();
+    measure.unit = reader.text();
+    measure.values = reader.list<double>();
+  }
+  return measures;
+}
+
 void write_report(Writer& writer, const Report& report) {
   writer.text(report.title);
   writer.plain(static_cast<uint64_t>(report.subjects.size()));
   for (const std::string& subject : report.subjects) writer.text(subject);
+  write_measures(writer, report.settings);
   writer.plain(static_cast<uint64_t>(report.descriptors.size()));
   for (const Descriptor& descriptor : report.descriptors) {
     writer.text(descriptor.name);
     writer.text(descriptor.title);
     writer.text(descriptor.meaning);
     write_plot(writer, descriptor.plot);
-    writer.plain(static_cast<uint64_t>(descriptor.measures.size()));
-    for (const Measure& measure : descriptor.measures) {
-      writer.text(measure.name);
-      writer.text(measure.unit);
-      writer.list(measure.values);
-    }
+    write_measures(writer, descriptor.measures);
     writer.plain(static_cast<uint8_t>(descriptor.distance.has_value()));
     writer.plain(descriptor.distance.value_or(0.0));
   }
@@ -252,18 +267,14 @@ Report read_report(Reader& reader) {
   report.title = reader.text();
   report.subjects.resize(reader.count(8));
   for (std::string& subject : report.subjects) subject = reader.text();
+  report.settings = read_measures(reader);
   report.descriptors.resize(reader.count(64));
   for (Descriptor& descriptor : report.descriptors) {
     descriptor.name = reader.text();
     descriptor.title = reader.text();
     descriptor.meaning = reader.text();
     descriptor.plot = read_plot(reader);
-    descriptor.measures.resize(reader.count(24));
-    for (Measure& measure : descriptor.measures) {
-      measure.name = reader.text();
-      measure.unit = reader.text();
-      measure.values = reader.list<double>();
-    }
+    descriptor.measures = read_measures(reader);
     const bool has_distance = reader.plain<uint8_t>() != 0;
     const auto distance = reader.plain<double>();
     if (has_distance) descriptor.distance = distance;

@@ -18,10 +18,22 @@ HeightField prepare(HeightField terrain, const GridFrame& frame, float sea_level
   return terrain.frame() == frame ? terrain : geom::resample(terrain, frame, run);
 }
 
+Drawing draw_peaks(const std::vector<Peak>& peaks, const GridFrame& frame) {
+  Drawing drawing;
+  drawing.crs = frame.crs;
+  drawing.heights = true;
+  for (const Peak& peak : peaks) {
+    const Vec2 place{frame.x(peak.cell % frame.width), frame.y(peak.cell / frame.width)};
+    drawing.points.push_back(
+        {place, peak.height_m, {{"prominence_m", peak.prominence_m}, {"isolation_m", peak.isolation_m}}});
+  }
+  return drawing;
+}
+
 }  // namespace
 
-Report describe(const HeightField& terrain, const HeightField* reference, const DescribeParams& params,
-                const RunContext& run) {
+Described describe(const HeightField& terrain, const HeightField* reference, const DescribeParams& params,
+                   const RunContext& run) {
   check_params(params);
   const float sea_level_m = params.sea ? 0.0F : geom::kNoSea;
   std::vector<const HeightField*> inputs{&terrain};
@@ -39,13 +51,15 @@ Report describe(const HeightField& terrain, const HeightField* reference, const 
     const double share = 1.0 / static_cast<double>(terrains.size()), from = static_cast<double>(i) * share;
     surveys.push_back(survey(terrains[i], plan, run.part(from, from + share)));
   }
-  Report report;
+  Described out{{}, draw_peaks(surveys.front().peaks, frames.front())};
+  Report& report = out.report;
   report.title = "Terrain descriptors";
   report.subjects.push_back(params.title.empty() ? "terrain" : params.title);
   if (reference != nullptr)
     report.subjects.push_back(params.reference_title.empty() ? "reference" : params.reference_title);
+  report.settings = make_settings(surveys, plan);
   report.descriptors = make_descriptors(surveys, plan);
-  return report;
+  return out;
 }
 
 }  // namespace seamount::hydrology

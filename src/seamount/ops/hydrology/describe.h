@@ -25,6 +25,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
+#include "seamount/model/areas.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/report.h"
 
@@ -55,10 +56,15 @@ struct DescribeParams {
   }
 };
 
+struct Described {
+  Report report;
+  Drawing peaks;  ///< of the terrain, the most prominent first: height as value, prominence_m and isolation_m
+};
+
 /// `reference` may be null. Throws InvalidArgument for params out of range, and for a cell_m that is finer than the
 /// coarser input's cells or makes more than 2^31 - 1 of them. Parallel in part; linear but for sorting
 /// passes between catchments; 45 bytes per cell.
-Report describe(const HeightField& terrain, const HeightField* reference, const DescribeParams& params,
-                const RunContext& run);
+Described describe(const HeightField& terrain, const HeightField* reference, const DescribeParams& params,
+                   const RunContext& run);
 
 }  // namespace seamount::hydrology

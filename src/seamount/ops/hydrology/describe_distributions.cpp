@@ -77,12 +77,14 @@ Descriptor describe_cells(const Surveys& surveys, const CellDistribution& what) 
 }
 
 Descriptor describe_aspect(const Surveys& surveys) {
-  Descriptor out{"aspect",
-                 "Aspect",
-                 "Downhill bearing, clockwise from north. Distance: circular Wasserstein over a half turn.",
-                 {PlotKind::histogram, "bearing (deg)", "density"},
-                 {},
-                 {}};
+  Descriptor out{
+      "aspect",
+      "Aspect",
+      "Downhill bearing, clockwise from north. Direction strength is 1 where all slopes face one way and 0 where "
+      "they cancel. Distance: circular Wasserstein over a half turn.",
+      {PlotKind::histogram, "bearing (deg)", "density"},
+      {},
+      {}};
   constexpr size_t kMerged = 2;  // bins in one of the plot
   constexpr double kWidth = kMerged * Bearings::kBinDeg;
   for (const Survey& one : surveys) {
@@ -101,6 +103,10 @@ Descriptor describe_aspect(const Surveys& surveys) {
       north += s.aspect.counts[i] + s.aspect.counts[Bearings::kBins - 1 - i];
     return s.aspect.total() > 0 ? static_cast<double>(north) / static_cast<double>(s.aspect.total()) : kNaN;
   }));
+  out.measures.push_back(
+      measure(surveys, "mean_direction", "deg", [](const Survey& s) { return s.aspect.mean_deg(); }));
+  out.measures.push_back(
+      measure(surveys, "direction_strength", "", [](const Survey& s) { return s.aspect.strength(); }));
   if (surveys.size() == 2) out.distance = defined(circular_wasserstein(surveys[0].aspect, surveys[1].aspect) / 180.0);
   return out;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace seamount::hydrology {
 namespace {
@@ -40,8 +41,14 @@ Descriptor describe_strahler(const Surveys& surveys) {
       measure(surveys, "highest_order", "", [](const Survey& s) { return static_cast<double>(s.streams.size()); }),
       measure(surveys, "bifurcation_ratio", "", [](const Survey& s) { return bifurcation_ratio(s.streams); }),
       measure(surveys, "drainage_density", "km/km2", [](const Survey& s) { return 1e3 * s.river_m / s.land_m2; })};
+  size_t orders = 0;
+  for (const Survey& one : surveys) orders = std::max(orders, one.streams.size());
+  for (size_t i = 0; i < orders; ++i) {
+    out.measures.push_back(measure(surveys, "streams_of_order_" + std::to_string(i + 1), "", [&](const Survey& s) {
+      return i < s.streams.size() ? static_cast<double>(s.streams[i]) : 0.0;
+    }));
+  }
   if (comparable(surveys)) {
-    const size_t orders = std::max(surveys[0].streams.size(), surveys[1].streams.size());
     double sum = 0.0;
     for (size_t i = 0; i < orders; ++i) {
       const auto rate = [&](const Survey& s) {

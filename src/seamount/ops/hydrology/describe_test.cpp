@@ -135,7 +135,7 @@ TEST(Peaks, OnTheFrameAreNotKnown) {
 
 TEST(Describe, ATerrainIsNoDistanceFromItself) {
   const HeightField terrain = hills(128, 96, 6);
-  const Report report = describe(terrain, &terrain, {}, {});
+  const Report report = describe(terrain, &terrain, {}, {}).report;
   EXPECT_EQ(report.subjects.size(), 2U);
   EXPECT_EQ(report.descriptors.size(), 13U);
   for (const Descriptor& descriptor : report.descriptors) {
@@ -151,12 +151,12 @@ TEST(Describe, DistancesMeanWhatTheySay) {
   HeightField raised = terrain, steeper = terrain;
   for (float& z : raised.cells()) z += 100.0F;
   for (float& z : steeper.cells()) z = 300.0F + 3.0F * (z - 300.0F);
-  const Report lift = describe(raised, &terrain, {.sea = false}, {});
+  const Report lift = describe(raised, &terrain, {.sea = false}, {}).report;
   EXPECT_NEAR(*find(lift, "elevation").distance, 100.0 / value(lift, "elevation", "deviation", 1), 0.02);
   for (const char* name :
        {"slope", "curvature", "aspect", "drainage_area", "prominence", "isolation", "roughness", "strahler"})
     EXPECT_NEAR(*find(lift, name).distance, 0.0, 0.02) << name;
-  const Report stretch = describe(steeper, &terrain, {.sea = false}, {});
+  const Report stretch = describe(steeper, &terrain, {.sea = false}, {}).report;
   EXPECT_NEAR(*find(stretch, "roughness").distance, std::log10(3.0), 1e-3);
   EXPECT_NEAR(*find(stretch, "aspect").distance, 0.0, 1e-2);
   EXPECT_NEAR(*find(stretch, "hypsometry").distance, 0.0, 1e-2);
@@ -167,7 +167,7 @@ TEST(Describe, APlaneHasOneSlope) {
   HeightField terrain(GridFrame::centred(64, 64, 10));
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) terrain(x, y) = 1000.0F - 10.0F * static_cast<float>(x);
-  const Report report = describe(terrain, nullptr, {}, {});
+  const Report report = describe(terrain, nullptr, {}, {}).report;
   EXPECT_NEAR(value(report, "slope", "median"), 45.0, 0.1);
   EXPECT_NEAR(value(report, "curvature", "deviation"), 0.0, 1e-6);
   EXPECT_NEAR(value(report, "roughness", "hurst_exponent"), 1.0, 1e-3);
@@ -180,9 +180,9 @@ TEST(Describe, MeasuresDoNotDependOnTheReference) {
   for (int y = 0; y < 128; ++y)
     for (int x = 0; x < 128; ++x) smooth(x, y) += 0.001F * static_cast<float>(x * x + y);
   const DescribeParams params{.channel_m2 = 20000, .min_prominence_m = 3};
-  const Report alone = describe(terrain, nullptr, params, {});
+  const Report alone = describe(terrain, nullptr, params, {}).report;
   for (const HeightField& reference : {rough, smooth}) {
-    const Report compared = describe(terrain, &reference, params, {});
+    const Report compared = describe(terrain, &reference, params, {}).report;
     for (const Descriptor& descriptor : alone.descriptors)
       for (const Measure& measure : descriptor.measures)
         EXPECT_EQ(value(compared, descriptor.name, measure.name), measure.values[0])
@@ -192,8 +192,8 @@ TEST(Describe, MeasuresDoNotDependOnTheReference) {
 
 TEST(Describe, HowFarValuesMoveIsTheSameBothWays) {
   const HeightField terrain = hills(128, 128, 6, 300.0F, 20.0F), rough = hills(128, 128, 9, 300.0F, 200.0F);
-  const Report there = describe(terrain, &rough, {.sea = false}, {}),
-               back = describe(rough, &terrain, {.sea = false}, {});
+  const Report there = describe(terrain, &rough, {.sea = false}, {}).report,
+               back = describe(rough, &terrain, {.sea = false}, {}).report;
   for (const char* name : {"elevation", "slope", "curvature", "local_relief"}) {
     const double moved = *find(there, name).distance * value(there, name, "deviation", 1);
     EXPECT_NEAR(*find(back, name).distance * value(back, name, "deviation", 1), moved, 1e-9 * moved) << name;
@@ -204,14 +204,14 @@ TEST(Describe, HowFarValuesMoveIsTheSameBothWays) {
 
 TEST(Describe, GentleAndLevelGroundIsWhatItIs) {
   const HeightField plane(GridFrame::centred(32, 32, 10), 40.0F);
-  const Report level = describe(plane, nullptr, {}, {});
+  const Report level = describe(plane, nullptr, {}, {}).report;
   for (const char* name : {"slope", "curvature", "local_relief"})
     for (const char* what : {"mean", "deviation", "p05", "median", "p95"}) EXPECT_EQ(value(level, name, what), 0.0);
   for (const char* what : {"mean", "p05", "median", "p95"}) EXPECT_EQ(value(level, "elevation", what), 40.0);
   HeightField ramp(GridFrame::centred(64, 16, 10), 3000.0F);
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 64; ++x) ramp(x, y) += 0.125F * static_cast<float>(x);
-  const Report gentle = describe(ramp, nullptr, {.relief_window_m = 20}, {});
+  const Report gentle = describe(ramp, nullptr, {.relief_window_m = 20}, {}).report;
   const double slope = std::atan(0.0125) * 180.0 / std::numbers::pi;
   for (const char* what : {"mean", "p05", "median", "p95"}) EXPECT_NEAR(value(gentle, "slope", what), slope, 1e-4);
   EXPECT_NEAR(value(gentle, "local_relief", "median"), 0.25, 1e-6);
@@ -221,7 +221,7 @@ TEST(Describe, GentleAndLevelGroundIsWhatItIs) {
 TEST(Describe, WhatALandlessTerrainLacksIsNull) {
   const HeightField sea(GridFrame::centred(60, 60, 30), -200.0F), land = hills(60, 60, 1);
   for (const bool first : {true, false}) {
-    const Report report = describe(first ? sea : land, first ? &land : &sea, {}, {});
+    const Report report = describe(first ? sea : land, first ? &land : &sea, {}, {}).report;
     for (const Descriptor& descriptor : report.descriptors) {
       EXPECT_FALSE(descriptor.distance.has_value()) << descriptor.name;
       for (const Measure& measure : descriptor.measures)
@@ -232,12 +232,12 @@ TEST(Describe, WhatALandlessTerrainLacksIsNull) {
 
 TEST(Describe, LevelLandHasNoAspectAndNoHypsometry) {
   const HeightField level(GridFrame::centred(60, 60, 30), 20.0F), land = hills(60, 60, 1);
-  const Report report = describe(level, &land, {}, {});
+  const Report report = describe(level, &land, {}, {}).report;
   for (const char* name : {"aspect", "hypsometry", "slope_area", "isolation", "roughness"})
     EXPECT_FALSE(find(report, name).distance.has_value()) << name;
   EXPECT_TRUE(std::isnan(value(report, "aspect", "facing_north")));
   EXPECT_GT(*find(report, "slope").distance, 0.0);
-  EXPECT_GT(*find(describe(land, &level, {}, {}), "slope").distance, 0.0);
+  EXPECT_GT(*find(describe(land, &level, {}, {}).report, "slope").distance, 0.0);
 }
 
 TEST(Describe, ComparesAtTheCoarserCell) {
@@ -246,8 +246,73 @@ TEST(Describe, ComparesAtTheCoarserCell) {
   frame.cell_m = 15.0;
   fine.set_frame(frame);
   const HeightField coarse = hills(128, 128, 6);
-  const Report report = describe(fine, &coarse, {}, {});
+  const Report report = describe(fine, &coarse, {}, {}).report;
   EXPECT_EQ(find(report, "roughness").plot.lines[0].x.front(), 30.0);
+}
+
+double setting(const Report& report, std::string_view name, size_t subject = 0) {
+  for (const Measure& measure : report.settings)
+    if (measure.name == name) return measure.values[subject];
+  ADD_FAILURE() << "no " << name;
+  return NAN;
+}
+
+TEST(Describe, SaysWhatItsNumbersRestOn) {
+  HeightField terrain = hills(128, 96, 6), reference = hills(64, 64, 7);
+  for (int y = 0; y < 96; ++y) terrain(0, y) = -5.0F;
+  GridFrame coarse = reference.frame();
+  coarse.cell_m = 60.0;
+  reference.set_frame(coarse);
+  const Report report = describe(terrain, &reference, {.relief_window_m = 500, .min_prominence_m = 12}, {}).report;
+  for (const size_t subject : {size_t{0}, size_t{1}}) {
+    EXPECT_EQ(setting(report, "cell", subject), 60.0);
+    EXPECT_EQ(setting(report, "relief_window", subject), 9 * 60.0);
+    EXPECT_EQ(setting(report, "min_prominence", subject), 12.0);
+  }
+  EXPECT_EQ(setting(report, "land", 1), 64 * 64 * 3600.0);
+  EXPECT_EQ(setting(report, "channel"), setting(report, "land") / 2000.0);
+  // With them the same numbers come again.
+  const Report again = describe(reference, nullptr,
+                                {.relief_window_m = setting(report, "relief_window"),
+                                 .channel_m2 = setting(report, "channel"),
+                                 .min_prominence_m = setting(report, "min_prominence")},
+                                {})
+                           .report;
+  EXPECT_EQ(value(again, "prominence", "peaks"), value(report, "prominence", "peaks", 1));
+  EXPECT_EQ(value(again, "strahler", "streams_of_order_1"), value(report, "strahler", "streams_of_order_1", 1));
+  EXPECT_GT(value(report, "strahler", "streams_of_order_1"), value(report, "strahler", "streams_of_order_2"));
+}
+
+TEST(Describe, KnowsTheWayThatSlopesFace) {
+  HeightField east(GridFrame::centred(64, 64, 10)), cone = east;
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      east(x, y) = 1000.0F - 10.0F * static_cast<float>(x);
+      cone(x, y) = 1000.0F - static_cast<float>(std::hypot(x - 31.5, y - 31.5));
+    }
+  }
+  const Report report = describe(east, &cone, {}, {}).report;
+  EXPECT_NEAR(value(report, "aspect", "mean_direction"), 90.0, 1e-3);
+  EXPECT_NEAR(value(report, "aspect", "direction_strength"), 1.0, 1e-6);
+  EXPECT_NEAR(value(report, "aspect", "direction_strength", 1), 0.0, 1e-3);
+}
+
+TEST(Describe, DrawsThePeaksOfTheTerrain) {
+  const HeightField terrain = hills(128, 96, 6), reference = hills(64, 64, 7);
+  const Described described = describe(terrain, &reference, {.min_prominence_m = 5}, {});
+  ASSERT_EQ(static_cast<double>(described.peaks.points.size()), value(described.report, "prominence", "peaks"));
+  ASSERT_FALSE(described.peaks.points.empty());
+  EXPECT_TRUE(described.peaks.heights);
+  const GridFrame& frame = terrain.frame();
+  for (const ValuedPoint& peak : described.peaks.points) {
+    const int x = static_cast<int>(std::lround(frame.column(peak.place.x))),
+              y = static_cast<int>(std::lround(frame.row(peak.place.y)));
+    EXPECT_EQ(peak.value, static_cast<double>(terrain(x, y)));
+    ASSERT_EQ(peak.attributes.size(), 2U);
+    EXPECT_EQ(peak.attributes[0].name, "prominence_m");
+    EXPECT_GE(peak.attributes[0].value, 5.0);
+    EXPECT_EQ(peak.attributes[1].name, "isolation_m");
+  }
 }
 
 TEST(Describe, RefusesCellsFinerThanTheData) {
@@ -293,13 +358,13 @@ TEST(Describe, BearsWhatHasNothingToMeasure) {
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 12}, {12, 1}, {3, 4}}) {
     for (const float z : {-20.0F, 5.0F}) {
       const HeightField terrain(GridFrame::centred(width, height, 30), z);
-      const Report report = describe(terrain, &reference, {}, {});
+      const Report report = describe(terrain, &reference, {}, {}).report;
       for (const Descriptor& descriptor : report.descriptors) {
         EXPECT_TRUE(std::isfinite(descriptor.distance.value_or(0.0))) << descriptor.name;
         for (const PlotLine& line : descriptor.plot.lines)
           for (const double y : line.y) EXPECT_TRUE(std::isfinite(y)) << descriptor.name;
       }
-      EXPECT_EQ(describe(reference, &terrain, {}, {}).descriptors.size(), 13U);
+      EXPECT_EQ(describe(reference, &terrain, {}, {}).report.descriptors.size(), 13U);
     }
   }
 }

@@ -4,7 +4,7 @@
 
 namespace seamount::hydrology {
 
-Measure measure(const Surveys& surveys, const char* name, const char* unit,
+Measure measure(const Surveys& surveys, const std::string& name, const char* unit,
                 const std::function<double(const Survey&)>& value) {
   Measure out{name, unit, {}};
   for (const Survey& one : surveys) out.values.push_back(one.has_land() ? value(one) : kNaN);

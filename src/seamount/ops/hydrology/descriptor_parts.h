@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "seamount/model/report.h"
@@ -17,7 +18,7 @@ using Surveys = std::vector<Survey>;
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A number of every subject that has land; not a number for one that has none.
-Measure measure(const Surveys& surveys, const char* name, const char* unit,
+Measure measure(const Surveys& surveys, const std::string& name, const char* unit,
                 const std::function<double(const Survey&)>& value);
 
 /// Are there two to compare, both with land?

@@ -1,5 +1,6 @@
 #include "seamount/ops/hydrology/descriptors.h"
 
+#include <array>
 #include <string>
 
 #include "seamount/ops/hydrology/describe_curves.h"
@@ -7,6 +8,19 @@
 #include "seamount/ops/hydrology/describe_networks.h"
 
 namespace seamount::hydrology {
+
+std::vector<Measure> make_settings(const std::vector<Survey>& surveys, const SurveyPlan& plan) {
+  std::vector<Measure> settings = {{"cell", "m", {}},
+                                   {"land", "m2", {}},
+                                   {"channel", "m2", {}},
+                                   {"min_prominence", "m", {}},
+                                   {"relief_window", "m", {}}};
+  for (const Survey& one : surveys) {
+    const std::array values = {one.cell_m, one.land_m2, plan.channel_m2, plan.min_prominence_m, one.relief_window_m};
+    for (size_t i = 0; i < values.size(); ++i) settings[i].values.push_back(values[i]);
+  }
+  return settings;
+}
 
 std::vector<Descriptor> make_descriptors(const std::vector<Survey>& surveys, const SurveyPlan& plan) {
   constexpr const char* kOverDeviation = " Distance: Wasserstein of the distributions, over the reference's deviation.";

@@ -8,6 +8,9 @@
 
 namespace seamount::hydrology {
 
+/// What the descriptors rest on: land, and the parameters as they were, by their names without the unit.
+std::vector<Measure> make_settings(const std::vector<Survey>& surveys, const SurveyPlan& plan);
+
 /// All of them, in the order of the page. `surveys` are of the terrain and, where there is one, the reference.
 std::vector<Descriptor> make_descriptors(const std::vector<Survey>& surveys, const SurveyPlan& plan);
 

@@ -20,11 +20,11 @@ std::vector<float> heavy_tailed(int count, uint64_t seed, float middle, float sc
   return values;
 }
 
-Distribution tallied(const std::vector<float>& values, float origin, int threads = 1) {
+Distribution tallied(const std::vector<float>& values, float origin, int threads = 1, bool whole = false) {
   RunContext run;
   run.threads = threads;
   return gather(
-      origin, static_cast<int64_t>(values.size()), [](int64_t) { return true; },
+      Tally(origin, whole), static_cast<int64_t>(values.size()), [](int64_t) { return true; },
       [&](int64_t i) { return values[static_cast<size_t>(i)]; }, run);
 }
 
@@ -61,6 +61,16 @@ TEST(Distribution, OfOneValueIsThatValue) {
     EXPECT_EQ(all.mean(), static_cast<double>(value));
     EXPECT_EQ(all.deviation(), 0.0);
   }
+}
+
+TEST(Distribution, OfWholeNumbersIsOfThose) {
+  const Distribution all = tallied({1, 1, 1, 2, 2, 3, 400, 511, 100'000}, 0.0F, 1, true);
+  EXPECT_EQ(all.quantile(0.3), 1.0);
+  EXPECT_EQ(all.quantile(0.5), 2.0);
+  EXPECT_EQ(all.quantile(0.85), 511.0);
+  EXPECT_EQ(all.quantile(1.0), 100'000.0);
+  EXPECT_NEAR(all.up_to(1.0), 1.0 / 3.0, 1e-12);
+  EXPECT_EQ(all.below(1.0), 0.0);
 }
 
 TEST(Distribution, OfNothingIsNotANumber) {

@@ -113,7 +113,7 @@ void survey_rivers(const HeightField& terrain, const ScalarField& slope_deg, con
   }
   const auto is_land = [&](int64_t i) { return terrain.data()[i] > plan.sea_level_m; };
   out.area = gather(
-                 0.0F, frame.cells(), is_land, [&](int64_t i) { return cells.data()[i]; }, run)
+                 Tally(0.0F, true), frame.cells(), is_land, [&](int64_t i) { return cells.data()[i]; }, run)
                  .logarithmic(cell_m2);
   out.slope_of_area = slope_by_area(slope_deg, cells, plan.sea_level_m, terrain);
   const std::vector<Link> links = find_links(directions, cells, std::max(2.0, plan.channel_m2 / cell_m2), nullptr, run);
@@ -149,7 +149,7 @@ Survey survey(const HeightField& terrain, const SurveyPlan& plan, const RunConte
   const auto is_land = [&](int64_t i) { return terrain.data()[i] > sea; };
   const auto distribution = [&](float origin, const ScalarField& field) {
     return gather(
-        origin, frame.cells(), is_land, [&](int64_t i) { return field.data()[i]; }, run);
+        Tally(origin, false), frame.cells(), is_land, [&](int64_t i) { return field.data()[i]; }, run);
   };
   out.elevation = distribution(land.low_m, terrain);
   const ScalarField slope = geom::slope_deg(terrain, run);

@@ -30,7 +30,8 @@ Distribution::Bin Tally::bin(size_t place, int64_t count) const {
   const auto origin = static_cast<double>(origin_);
   if (steps == 0) return {origin, origin, count};
   if (from_middle < 0) return {origin - edge(steps), origin - edge(steps - 1), count};
-  return {origin + edge(steps - 1), origin + edge(steps), count};
+  const double low = edge(steps - 1), high = edge(steps);
+  return {origin + low, origin + (whole_ && high - low <= 1.0 ? low : high), count};
 }
 
 }  // namespace seamount::hydrology

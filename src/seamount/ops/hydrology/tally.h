@@ -15,7 +15,8 @@ namespace seamount::hydrology {
 /// mantissa. Distances below 2^-34 count as none; those above 2^40 share a bin.
 class Tally {
  public:
-  explicit Tally(float origin) : origin_(origin), counts_(static_cast<size_t>(2 * kSide + 1), 0) {}
+  /// `whole`: distances are whole numbers, so a bin no wider than 1 holds one value.
+  Tally(float origin, bool whole) : origin_(origin), whole_(whole), counts_(static_cast<size_t>(2 * kSide + 1), 0) {}
 
   void add(float value) {
     const float distance = value - origin_;
@@ -37,17 +38,19 @@ class Tally {
   Distribution::Bin bin(size_t place, int64_t count) const;
 
   float origin_;
+  bool whole_;
   std::vector<uint32_t> counts_;  ///< from the lowest values on
   RunningMoments moments_;
 };
 
-/// The values of those places [0, count) that `counts` allows, in parallel. Parts depend on the count alone, so that
-/// any number of threads gives the same bits.
+/// Those of `count` values that `counts` allows, in parallel. Parts depend on the count alone, so that any number of
+/// threads gives the same bits.
 template <class Counts, class Value>
-Distribution gather(float origin, int64_t count, const Counts& counts, const Value& value, const RunContext& run) {
+Distribution gather(const Tally& empty, int64_t count, const Counts& counts, const Value& value,
+                    const RunContext& run) {
   constexpr int64_t kShortest = int64_t{1} << 17, kMostParts = 32;
   const int64_t grain = std::max(kShortest, (count + kMostParts - 1) / kMostParts);
-  std::vector<Tally> parts(static_cast<size_t>(std::max<int64_t>(1, (count + grain - 1) / grain)), Tally(origin));
+  std::vector<Tally> parts(static_cast<size_t>(std::max<int64_t>(1, (count + grain - 1) / grain)), empty);
   parallel_blocks(run, count, grain, [&](int64_t begin, int64_t end) {
     Tally& part = parts[static_cast<size_t>(begin / grain)];
     for (int64_t i = begin; i < end; ++i)

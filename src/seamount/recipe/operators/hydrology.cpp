@@ -35,8 +35,9 @@ Values ridges(const hydrology::RidgesParams& params, const Call& call) {
 
 Values describe(const hydrology::DescribeParams& params, const Call& call) {
   const Value* reference = call.input("reference");
-  return {{"report", Value::report(hydrology::describe(
-                         terrain_of(call), reference == nullptr ? nullptr : &reference->heights(), params, call.run))}};
+  hydrology::Described made =
+      hydrology::describe(terrain_of(call), reference == nullptr ? nullptr : &reference->heights(), params, call.run);
+  return {{"report", Value::report(std::move(made.report))}, {"peaks", Value::drawing(std::move(made.peaks))}};
 }
 
 }  // namespace
@@ -89,7 +90,8 @@ void add_hydrology_operators(Registry& registry) {
        .summary = "What a terrain is like in numbers and curves, and how far it is from a reference",
        .source = "P2 sec. 6.5; Argudo, Guerin, Schott and Galin 2025",
        .in = {terrain_in, {"reference", ValueKind::terrain, "another terrain to compare with", false}},
-       .out = {{"report", ValueKind::report, "descriptors with curves, measures and distances"}}},
+       .out = {{"report", ValueKind::report, "descriptors with curves, measures and distances"},
+               {"peaks", ValueKind::drawing, "summits of the terrain with height_m, prominence_m and isolation_m"}}},
       describe);
 }
 
