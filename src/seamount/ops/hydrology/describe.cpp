@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "seamount/geom/flow.h"
+#include "seamount/geom/inland.h"
 #include "seamount/geom/resample.h"
 #include "seamount/ops/hydrology/comparison.h"
 #include "seamount/ops/hydrology/descriptors.h"
@@ -13,7 +14,9 @@ namespace seamount::hydrology {
 namespace {
 
 /// The terrain on cells of another size, its sea a level surface: surveys of land have none below.
-HeightField prepare(HeightField terrain, const GridFrame& frame, float sea_level_m, const RunContext& run) {
+HeightField prepare(const HeightField& input, const GridFrame& frame, float sea_level_m,
+                    const std::optional<double>& least_sea_m2, const RunContext& run) {
+  HeightField terrain = geom::raise_inland(input, sea_level_m, least_sea_m2, run);
   for (float& z : terrain.cells()) z = std::max(z, sea_level_m);
   return terrain.frame() == frame ? terrain : geom::resample(terrain, frame, run);
 }
@@ -43,7 +46,8 @@ Described describe(const HeightField& terrain, const HeightField* reference, con
   const double cell_m = comparison_cell(frames, params.cell_m);
   for (GridFrame& frame : frames) frame = frame_at(frame, cell_m);
   std::vector<HeightField> terrains;
-  for (size_t i = 0; i < inputs.size(); ++i) terrains.push_back(prepare(*inputs[i], frames[i], sea_level_m, run));
+  for (size_t i = 0; i < inputs.size(); ++i)
+    terrains.push_back(prepare(*inputs[i], frames[i], sea_level_m, params.least_sea_m2, run));
   const SurveyPlan plan =
       make_plan(terrains, sea_level_m, params.relief_window_m, params.channel_m2, params.min_prominence_m);
   std::vector<Survey> surveys;

@@ -33,6 +33,7 @@ namespace seamount::hydrology {
 
 struct DescribeParams {
   bool sea = true;
+  std::optional<double> least_sea_m2;
   double relief_window_m = 1000.0;
   std::optional<double> channel_m2;
   std::optional<double> min_prominence_m;
@@ -44,6 +45,10 @@ struct DescribeParams {
     using P = DescribeParams;
     return std::tuple(
         field(&P::sea, "sea", "describe only what lies above sea level"),
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
+              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
+              "area if "
+              "absent"),
         field(&P::relief_window_m, "relief_window_m", "m", between(0.01, 1e6), "side of the square of local relief"),
         field(&P::channel_m2, "channel_m2", "m2", between(1, 1e13),
               "catchment with which a river, or a ridge, begins; a 2000th of the smaller land if absent"),
