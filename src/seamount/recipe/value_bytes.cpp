@@ -10,7 +10,7 @@
 namespace seamount::recipe {
 namespace {
 
-constexpr uint64_t kMagic = 0x32304d5354414d53ULL;  // "SMATSM02"
+constexpr uint64_t kMagic = 0x31304d5354414d53ULL;  // "SMATSM01"
 
 void write_frame(Writer& writer, const GridFrame& frame) {
   writer.plain(frame.width);

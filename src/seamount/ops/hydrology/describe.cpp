@@ -18,7 +18,8 @@ HeightField prepare(const HeightField& input, const GridFrame& frame, float sea_
                     const std::optional<double>& least_sea_m2, const RunContext& run) {
   HeightField terrain = geom::raise_inland(input, sea_level_m, least_sea_m2, run);
   for (float& z : terrain.cells()) z = std::max(z, sea_level_m);
-  return terrain.frame() == frame ? terrain : geom::resample(terrain, frame, run);
+  if (terrain.frame() == frame) return terrain;
+  return geom::resample(terrain, frame, run);
 }
 
 Drawing draw_peaks(const std::vector<Peak>& peaks, const GridFrame& frame) {
@@ -26,9 +27,10 @@ Drawing draw_peaks(const std::vector<Peak>& peaks, const GridFrame& frame) {
   drawing.crs = frame.crs;
   drawing.heights = true;
   for (const Peak& peak : peaks) {
-    const Vec2 place{frame.x(peak.cell % frame.width), frame.y(peak.cell / frame.width)};
-    drawing.points.push_back(
-        {place, peak.height_m, {{"prominence_m", peak.prominence_m}, {"isolation_m", peak.isolation_m}}});
+    const int column = peak.cell % frame.width, row = peak.cell / frame.width;
+    drawing.points.push_back({{frame.x(column), frame.y(row)},
+                              peak.height_m,
+                              {{"prominence_m", peak.prominence_m}, {"isolation_m", peak.isolation_m}}});
   }
   return drawing;
 }
@@ -42,6 +44,7 @@ Described describe(const HeightField& terrain, const HeightField* reference, con
   std::vector<const HeightField*> inputs{&terrain};
   if (reference != nullptr) inputs.push_back(reference);
   std::vector<GridFrame> frames;
+  frames.reserve(inputs.size());
   for (const HeightField* input : inputs) frames.push_back(input->frame());
   const double cell_m = comparison_cell(frames, params.cell_m);
   for (GridFrame& frame : frames) frame = frame_at(frame, cell_m);

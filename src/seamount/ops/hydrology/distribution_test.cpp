@@ -14,9 +14,8 @@ namespace {
 
 std::vector<float> heavy_tailed(int count, uint64_t seed, float middle, float scale) {
   Rng rng{Seed{seed}};
-  std::vector<float> values;
-  for (int i = 0; i < count; ++i)
-    values.push_back(middle + scale * static_cast<float>(std::tan(rng.uniform(-1.5, 1.5))));
+  std::vector<float> values(static_cast<size_t>(count));
+  for (float& value : values) value = middle + scale * static_cast<float>(std::tan(rng.uniform(-1.5, 1.5)));
   return values;
 }
 
