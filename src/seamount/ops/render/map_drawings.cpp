@@ -39,7 +39,7 @@ class Sheet {
       const Grid<uint8_t> inside = geom::rasterise(lake.parts, pixels);
       for (int y = 0; y < box_.height; ++y) {
         for (int x = 0; x < box_.width; ++x) {
-          if (inside(x, y) != 0) blend(image_, box_.x + x, box_.y + y, kLake, 0.9F);
+          if (inside(x, y) != 0) blend(image_, box_.x + x, box_.y + y, kLake, 1.0F);
         }
       }
       for (const Polygon& part : lake.parts) {
