@@ -11,6 +11,8 @@ for recipe in reef/barrier reef/platform reef/ribbon reef/patch erosion/worn_isl
   ./run run "recipes/$recipe.json" --out "$made/$recipe" --no-cache
   cp "$made/$recipe/view.png" "docs/gallery/${recipe/\//_}.png"
 done
+./run run recipes/hydrology/map.json --out "$made/hydrology" --no-cache
+cp "$made/hydrology/map.png" docs/gallery/hydrology_map.png
 for recipe in volcano mesa canyon range; do
   ./run run "recipes/contours/$recipe.json" --out "$made/contours_$recipe" --no-cache
   cp "$made/contours_$recipe/view.png" "docs/gallery/contours_$recipe.png"

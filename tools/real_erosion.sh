@@ -29,7 +29,8 @@ for key in noise[0]:
     print(f"| {key} | {pairs[pictured][0]:.3f} | {pairs[pictured][1]:.3f} | {means[0]:.3f} | {means[1]:.3f} | {sum(b < a for a, b in pairs)} |")
 TABLE
 }
-compare sangabriel_bigtujunga_30m 3
-compare himalaya_n27e086_1arcsec 1 --set steps.noise.params.height_m=2428 --set steps.noise.params.base_m=2418 \
+compare sangabriel_bigtujunga_30m 1
+compare himalaya_n27e086_1arcsec 2 --set steps.noise.params.height_m=2428 --set steps.noise.params.base_m=2418 \
   --set steps.worn.params.years=5000000 --set steps.worn.params.uplift_mm=1.4 --set steps.worn.params.erodibility=5.1e-6 \
-  --set steps.worn.params.creep_m2=0.076 --set steps.worn.params.bedrock_angle_deg=27
+  --set steps.worn.params.creep_m2=0.08 --set steps.worn.params.bedrock_angle_deg=29 \
+  --set steps.worn.params.fan_m=100
