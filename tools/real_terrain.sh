@@ -19,7 +19,8 @@ reports = {way: json.loads((folder / f"{way}.json").read_text())["descriptors"] 
 print(f"\n{folder.name}: distance to the terrain\n")
 print("| descriptor | " + " | ".join(ways) + " |\n|---|" + "---|" * len(ways))
 for key, first in reports[ways[0]].items():
-    print(f"| {key} | " + " | ".join(f"{reports[way][key]['distance']:.3f}" for way in ways) + " |")
+    own = [reports[way][key]["distance"] for way in ways]
+    print(f"| {key} | " + " | ".join("-" if one is None else f"{one:.3f}" for one in own) + " |")
 print("\nin numbers\n\n| measure | terrain | " + " | ".join(ways) + " |\n|---|---|" + "---|" * len(ways))
 for key, measure in [("slope", "mean"), ("curvature", "deviation"), ("strahler", "highest_order"), ("prominence", "peaks")]:
     both = [reports[way][key]["measures"][measure]["values"] for way in ways]

@@ -219,8 +219,8 @@ std::vector<double> river_directions(const Eroded& result, float least_flow, int
 
 TEST(Erosion, ValleysRunInAllDirections) {
   std::vector<double> sum(8);
-  for (uint64_t seed = 1; seed <= 6; ++seed) {
-    const GridFrame frame = GridFrame::centred(320, 320, 60);
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    const GridFrame frame = GridFrame::centred(256, 256, 75);
     HeightField z =
         geom::fbm_grid(frame, Seed{seed}, {.wavelength_m = 12000, .octaves = 8, .cell_m = frame.cell_m}, {});
     for (float& value : z.cells()) value = 1080 + 1172 * value;
@@ -232,7 +232,7 @@ TEST(Erosion, ValleysRunInAllDirections) {
                            .sea_m = -1000};
     const Eroded result = run({std::move(z), {}, {}}, {}, params, Seed{seed}, {});
     const std::vector<double> share = river_directions(result, 2e5F, 8, 8);
-    for (size_t i = 0; i < sum.size(); ++i) sum[i] += share[i] / 6;
+    for (size_t i = 0; i < sum.size(); ++i) sum[i] += share[i] / 4;
   }
   for (size_t i = 0; i < sum.size(); ++i) {
     EXPECT_LT(sum[i], 1.25) << i;
