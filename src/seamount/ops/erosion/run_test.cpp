@@ -80,7 +80,7 @@ TEST(Erosion, ZeroYearsChangeNothing) {
 
 TEST(Erosion, AnyNumberOfThreadsMakesTheSameBytes) {
   for (const Method method : {Method::hydraulic, Method::stream_power}) {
-    const HeightField start = hills(300, 280, 20);
+    const HeightField start = hills(170, 150, 20);
     const RunParams params{.method = method, .uplift_mm = 0.2};
     const Eroded one = eroded(start, params, {}, 1), more = eroded(start, params, {}, 5);
     EXPECT_TRUE(one.terrain == more.terrain);
@@ -220,7 +220,7 @@ std::vector<double> river_directions(const Eroded& result, float least_flow, int
 TEST(Erosion, ValleysRunInAllDirections) {
   std::vector<double> sum(8);
   for (uint64_t seed = 1; seed <= 4; ++seed) {
-    const GridFrame frame = GridFrame::centred(256, 256, 75);
+    const GridFrame frame = GridFrame::centred(192, 192, 100);
     HeightField z =
         geom::fbm_grid(frame, Seed{seed}, {.wavelength_m = 12000, .octaves = 8, .cell_m = frame.cell_m}, {});
     for (float& value : z.cells()) value = 1080 + 1172 * value;
@@ -249,7 +249,7 @@ TEST(Erosion, OddShapesAndTinyMaps) {
 }
 
 TEST(Erosion, YearsThatRiseMakeFramesThatBelongTogether) {
-  const HeightField start = hills(256, 256);
+  const HeightField start = hills(160, 160);
   const auto change = [&](double years) {
     ScalarField by = eroded(start, {.years = years}).terrain;
     for (size_t i = 0; i < by.size(); ++i) by.data()[i] -= start.data()[i];
