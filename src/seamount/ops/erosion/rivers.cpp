@@ -204,15 +204,16 @@ class Step {
   /// Over how many cells side by side a river lays down its load in the years of a step: one between banks or on steep
   /// ground, and as many as its fan is wide where it runs free.
   float fan_width(int32_t cell) const {
-    const int x = cell % width_;
-    if (fan_ <= 0.0F || x == 0 || x == width_ - 1 || cell < width_ || cell >= width_ * (height_ - 1)) return 1.0F;
+    if (fan_ <= 0.0F) return 1.0F;
     const float distance = drainage_.distance(cell);
     const float slope = (surface_[cell] - surface_[drainage_.receiver(cell)]) / distance;
+    const float gentle = 1.0F - slope / kSteepestFan;
+    const int x = cell % width_;
+    if (gentle <= 0.0F || x == 0 || x == width_ - 1 || cell < width_ || cell >= width_ * (height_ - 1)) return 1.0F;
     const float bank =
         std::min(surface_[drainage_.beside(cell, 2)], surface_[drainage_.beside(cell, 6)]) - surface_[cell];
-    const float gentle = std::clamp(1.0F - slope / kSteepestFan, 0.0F, 1.0F);
     const float open = std::clamp(1.0F - bank / (kBank * distance), 0.0F, 1.0F);
-    return 1.0F + gentle * open * fan_ / distance;
+    return 1.0F + std::min(1.0F, gentle) * open * fan_ / distance;
   }
 
   /// K dt sqrt(Q) / dx for bedrock of hardness 1.
