@@ -10,7 +10,8 @@
 namespace seamount::erosion {
 namespace {
 
-constexpr double kGradient = 0.005;  // of a river along the border
+constexpr double kGradient = 0.005;           // of a river along the border
+constexpr float kLastDraw = 1.0F - 0x1p-16F;  // a direction (below 16) plus a draw never rounds up to the next
 constexpr size_t kLeastPart = 1 << 13, kMostParts = 100;
 
 /// Border cells in order around the map.
@@ -66,7 +67,7 @@ namespace {
 
 /// Where water runs from a cell whose neighbours lie `fall` metres lower (geom/flow.h's order; none or uphill: <= 0):
 /// down the steepest of the eight facets around it (Tarboton 1997), to one of that facet's two corners: for a uniform
-/// draw in [0, 1) so that the way follows the slope on average, for 0.5 to the nearer one.
+/// draw in [0, kLastDraw] so that the way follows the slope on average, for 0.5 to the nearer one.
 uint8_t steepest_facet(const std::array<float, 8>& fall, float draw) {
   float steepest = 0.0F, way = 0.0F;  // squared slope, and its direction in eighths of a circle
   for (unsigned straight = 0; straight < 8; straight += 2) {
@@ -107,7 +108,8 @@ void Drainage::choose_receivers(const HeightField& surface, const Grid<uint8_t>&
           fall[d] = z[cell] - std::max(sea_m, z[cell + offset_[d]]);
         }
         const auto draw = [&] {
-          return static_cast<float>(mix_bits(seed->value + cell * 0x9e3779b97f4a7c15ULL) >> 40) * 0x1p-24F;
+          const auto bits = mix_bits(seed->value + cell * 0x9e3779b97f4a7c15ULL) >> 40;
+          return std::min(static_cast<float>(bits) * 0x1p-24F, kLastDraw);
         };
         chosen = steepest_facet(fall, seed ? draw() : 0.5F);
       }

@@ -128,6 +128,25 @@ TEST(Drainage, FollowsASlopeInAnyDirectionOnAverage) {
   }
 }
 
+TEST(Drainage, NeverTurnsOffAWayThatIsCertain) {
+  // Due east: a draw near 1 must not round up to the next direction.
+  HeightField z(GridFrame::centred(1500, 1500, 10));
+  for (int y = 0; y < 1500; ++y) {
+    for (int x = 0; x < 1500; ++x) z(x, y) = static_cast<float>(1500 - x);
+  }
+  Drainage drainage;
+  ScalarField room(z.frame());
+  const Grid<uint8_t> outlets = border_outlets(z, 10);
+  for (uint64_t seed = 1; seed <= 3; ++seed) {
+    drainage.route(z, outlets, -1e6F, Seed{seed}, room, {});
+    int64_t astray = 0;
+    for (int y = 1; y < 1499; ++y) {
+      for (int x = 1; x < 1499; ++x) astray += drainage.direction(y * 1500 + x) == 0 ? 0 : 1;
+    }
+    EXPECT_EQ(astray, 0) << seed;
+  }
+}
+
 TEST(Drainage, DrawsTheSameWaysForTheSameSeed) {
   HeightField z(GridFrame::centred(50, 50, 10));
   for (int y = 0; y < 50; ++y) {

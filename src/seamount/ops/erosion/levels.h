@@ -21,8 +21,9 @@ Ground halved(const Ground& ground, const RunContext& run);
 Site halved(const Site& site, const RunContext& run);
 
 /// Carries the change from `start` to `now` over to `fine`, of which `start` is the halved one, and whose site is
-/// `site`: nothing changes where its mask is 0, and `pinned` cells (1) keep their height. Adds to ledger.exported what
-/// the fine ground could not take over. Parallel, about 60 ns per cell; one more grid of memory.
+/// `site`: nothing changes where its mask is 0, and `pinned` cells (1) keep their height. `seed` draws the
+/// bends. Adds to ledger.exported what the fine ground could not take over. Parallel, about 60 ns per cell; one more
+/// grid of memory.
 void refine(const Ground& now, const Ground& start, Ground& fine, const Site& site, const Grid<uint8_t>& pinned,
             Seed seed, Ledger& ledger, const RunContext& run);
 

@@ -80,7 +80,7 @@ TEST(Erosion, ZeroYearsChangeNothing) {
 
 TEST(Erosion, AnyNumberOfThreadsMakesTheSameBytes) {
   for (const Method method : {Method::hydraulic, Method::stream_power}) {
-    const HeightField start = hills(170, 150, 20);
+    const HeightField start = hills(300, 280, 20);
     const RunParams params{.method = method, .uplift_mm = 0.2};
     const Eroded one = eroded(start, params, {}, 1), more = eroded(start, params, {}, 5);
     EXPECT_TRUE(one.terrain == more.terrain);
@@ -141,6 +141,24 @@ TEST(Erosion, HardRockStandsAndSoftRockGoes) {
   };
   EXPECT_GT(loss(0.5F), loss(1.0F));
   EXPECT_GT(loss(1.0F), 1.5 * loss(10.0F));
+}
+
+TEST(Erosion, RiversBuildAnApronWhereTheyLeaveTheMountains) {
+  // A block of hills over a plain to the south that falls by half a degree.
+  HeightField start = hills(160, 160, 700, 8000);
+  for (int y = 80; y < 160; ++y) {
+    for (int x = 0; x < 160; ++x) start(x, y) = static_cast<float>(300 - 0.4 * (y - 80)) + 0.002F * start(x, y);
+  }
+  const auto apron = [&](double fan_m) {
+    const Eroded result = eroded(start, {.years = 60000, .deposition = 2, .fan_m = fan_m, .sea_m = -1000});
+    double volume_m3 = 0;
+    for (int y = 80; y < 110; ++y) {
+      for (int x = 10; x < 150; ++x) volume_m3 += (result.terrain(x, y) - start(x, y)) * 2500.0;
+    }
+    return volume_m3;
+  };
+  EXPECT_GT(apron(800), 1.5 * std::max(0.0, apron(0)));
+  EXPECT_GT(apron(800), 1e6);
 }
 
 TEST(Erosion, ValleysGrowWhereItRains) {

@@ -50,7 +50,7 @@ struct Flow {
 };
 
 /// A catchment is what drains through one cell of the border or of the sea. The sum of `cells` over the ends of flow is
-/// the number of cells. Throws InvalidArgument for params out of range. Parallel, linear; 13 bytes per cell besides the
+/// the number of cells. Throws InvalidArgument for params out of range. Parallel, linear; 17 bytes per cell besides the
 /// results.
 Flow flow(const HeightField& terrain, const FlowParams& params, const RunContext& run);
 

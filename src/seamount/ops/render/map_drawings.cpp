@@ -35,17 +35,17 @@ class Sheet {
     pixels.height = box_.height;
     pixels.cell_m = 1.0 / scale_;
     LineLayer shore(box_.width, box_.height);
-    for (const NamedArea& lake : lakes.areas) {
-      const Grid<uint8_t> inside = geom::rasterise(lake.parts, pixels);
-      for (int y = 0; y < box_.height; ++y) {
-        for (int x = 0; x < box_.width; ++x) {
-          if (inside(x, y) != 0) blend(image_, box_.x + x, box_.y + y, kLake, 1.0F);
-        }
+    std::vector<Polygon> parts;
+    for (const NamedArea& lake : lakes.areas) parts.insert(parts.end(), lake.parts.begin(), lake.parts.end());
+    const Grid<uint8_t> inside = geom::rasterise(parts, pixels);
+    for (int y = 0; y < box_.height; ++y) {
+      for (int x = 0; x < box_.width; ++x) {
+        if (inside(x, y) != 0) blend(image_, box_.x + x, box_.y + y, kLake, 1.0F);
       }
-      for (const Polygon& part : lake.parts) {
-        add_ring(shore, part.outer);
-        for (const Ring& hole : part.holes) add_ring(shore, hole);
-      }
+    }
+    for (const Polygon& part : parts) {
+      add_ring(shore, part.outer);
+      for (const Ring& hole : part.holes) add_ring(shore, hole);
     }
     shore.draw(image_, box_.x, box_.y, kWater, 0.8F);
   }

@@ -32,10 +32,10 @@ struct Ground {
   Mask land;  ///< 1 or 0; empty: all of it
   float sea;
 
-  Ground(const HeightField& ground, bool with_sea, const RunContext& run)
-      : terrain(ground), sea(with_sea ? 0.0F : geom::kNoSea) {
-    if (!with_sea) return;
-    land = geom::raise_inland(terrain, sea, {}, run);
+  Ground(const HeightField& ground, const ExtractParams& params, const RunContext& run)
+      : terrain(ground), sea(params.sea ? 0.0F : geom::kNoSea) {
+    if (!params.sea) return;
+    land = geom::raise_inland(terrain, sea, params.least_sea_m2, run);
     bool all = true;
     for (float& z : land.cells()) all = all && z > sea, z = z > sea ? 1.0F : 0.0F;
     if (all) land = {};
@@ -235,7 +235,7 @@ Image paint(const Sketch& sketch, const HeightField& coarse) {
 Sketch extract(const HeightField& terrain, const ExtractParams& params, Seed seed, const RunContext& run) {
   check_params(params);
   const GridFrame& frame = terrain.frame();
-  const Ground ground(terrain, params.sea, run);
+  const Ground ground(terrain, params, run);
   const Scale scale = scale_of(params, ground);
   const HeightField coarse = coarsen(ground, scale, run.part(0.0, 0.2));
   const Network none{Grid<uint8_t>(coarse.frame(), 0), {}};

@@ -30,6 +30,7 @@ struct ExtractParams {
   std::optional<double> shallow_m;
   double min_length = 4.0;
   bool sea = true;
+  std::optional<double> least_sea_m2;
   bool rivers = true;
   bool ridges = true;
   bool cues = true;
@@ -52,6 +53,10 @@ struct ExtractParams {
               "shortest branch and piece that is kept, in coarse cells"),
         field(&P::sea, "sea",
               "rivers end at sea level and ridges stand above it; otherwise the sea floor is ground as well"),
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
+              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
+              "area if "
+              "absent"),
         field(&P::rivers, "rivers", "draw rivers"), field(&P::ridges, "ridges", "draw ridges"),
         field(&P::cues, "cues", "draw peaks and basins with their heights"));
   }
@@ -66,7 +71,7 @@ struct Sketch {
   Drawing lines;           ///< value 0: river, 1: ridge; points: cues with height as value, and "basin" (1) or not (0)
 };
 
-/// Throws InvalidArgument for params out of range. Parallel; memory 20 bytes per cell of the terrain; time about linear
+/// Throws InvalidArgument for params out of range. Parallel; memory 28 bytes per cell of the terrain; time about linear
 /// in the cells, and in coarse cells times the length of a drop's way.
 Sketch extract(const HeightField& terrain, const ExtractParams& params, Seed seed, const RunContext& run);
 
