@@ -11,6 +11,11 @@
 
 namespace seamount::geom {
 
+/// What a parameter of that area says of itself, the same in every operator that has one.
+inline constexpr const char* kLeastSeaMeaning =
+    "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's area if "
+    "absent";
+
 /// The terrain in which hollows lie just above sea level: cells at or below it that hang together (by sides or
 /// corners), do not reach the edge and cover less than `least_sea_m2` (a hundredth of the terrain if absent). Filled or
 /// not, water flows from the result as it would from the terrain if its hollows were no sea. Linear; about 1 ns per

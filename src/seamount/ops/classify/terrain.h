@@ -18,6 +18,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
+#include "seamount/geom/inland.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
 
@@ -58,10 +59,7 @@ struct TerrainParams {
               "depth down to which sheltered water is lagoon"),
         field(&P::scale_m, "scale_m", "m", between(0, 1e5), "forms smaller than this do not count as slope"),
         field(&P::smallest_m2, "smallest_m2", "m2", between(0, 1e12), "smaller patches go to what lies around them"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
-              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
-              "area if "
-              "absent"));
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
   }
 };
 

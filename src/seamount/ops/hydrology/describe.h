@@ -25,6 +25,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
+#include "seamount/geom/inland.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/report.h"
@@ -45,10 +46,7 @@ struct DescribeParams {
     using P = DescribeParams;
     return std::tuple(
         field(&P::sea, "sea", "describe only what lies above sea level"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
-              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
-              "area if "
-              "absent"),
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning),
         field(&P::relief_window_m, "relief_window_m", "m", between(0.01, 1e6), "side of the square of local relief"),
         field(&P::channel_m2, "channel_m2", "m2", between(1, 1e13),
               "catchment with which a river, or a ridge, begins; a 2000th of the smaller land if absent"),

@@ -11,6 +11,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
+#include "seamount/geom/inland.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/grid.h"
 
@@ -34,10 +35,7 @@ struct FillParams {
         field(&P::descend, "descend",
               "let filled ground fall towards its outlet by the least step that a float can make"),
         field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
-              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
-              "area if "
-              "absent"),
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning),
         field(&P::max_cut_m, "max_cut_m", "m", between(0, 10000), "breach: deepest cut; what needs more is filled"),
         field(&P::max_length_m, "max_length_m", "m", between(0, 1e6), "breach: longest cut; what needs more is filled"),
         field(&P::min_lake_m2, "min_lake_m2", "m2", between(0, 1e12), "smaller lakes are not traced"));

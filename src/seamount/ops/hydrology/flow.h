@@ -9,6 +9,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
+#include "seamount/geom/inland.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/grid.h"
 
@@ -32,10 +33,7 @@ struct FlowParams {
         field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"),
         field(&P::min_catchment_m2, "min_catchment_m2", "m2", between(0, 1e15),
               "smaller catchments are not traced; a five-hundredth of the terrain's area if absent"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
-              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
-              "area if "
-              "absent"));
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
   }
 };
 

@@ -11,6 +11,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
+#include "seamount/geom/inland.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/grid.h"
 
@@ -32,10 +33,7 @@ struct RiversParams {
         field(&P::width_factor, "width_factor", "", between(0, 100),
               "width in metres of a river of 1 m3/s; it goes with the square root of discharge"),
         field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
-              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
-              "area if "
-              "absent"));
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
   }
 };
 
@@ -49,10 +47,7 @@ struct RidgesParams {
     return std::tuple(field(&P::min_area_m2, "min_area_m2", "m2", between(1, 1e13),
                             "ground whose ways up join before a ridge begins; a five-hundredth of the land if absent"),
                       field(&P::sea, "sea", "ridges stand on cells above sea level; otherwise everywhere"),
-                      field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
-                            "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the "
-                            "terrain's area if "
-                            "absent"));
+                      field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
   }
 };
 

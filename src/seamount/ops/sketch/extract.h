@@ -15,6 +15,7 @@
 #include "seamount/base/fields.h"
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
+#include "seamount/geom/inland.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
@@ -53,10 +54,7 @@ struct ExtractParams {
               "shortest branch and piece that is kept, in coarse cells"),
         field(&P::sea, "sea",
               "rivers end at sea level and ridges stand above it; otherwise the sea floor is ground as well"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15),
-              "enclosed water below sea level that is smaller is no sea but a hollow; a hundredth of the terrain's "
-              "area if "
-              "absent"),
+        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning),
         field(&P::rivers, "rivers", "draw rivers"), field(&P::ridges, "ridges", "draw ridges"),
         field(&P::cues, "cues", "draw peaks and basins with their heights"));
   }
