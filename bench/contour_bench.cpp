@@ -6,14 +6,14 @@
 #include <map>
 #include <numbers>
 
-#include "seamount/geom/delaunay.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/poisson_disc.h"
-#include "seamount/ops/contour/extract.h"
-#include "seamount/ops/contour/grow.h"
-#include "seamount/ops/contour/growth.h"
-#include "seamount/ops/contour/heights.h"
-#include "seamount/ops/contour/probability.h"
+#include "seamount/geom/polygon/poisson_disc.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/tin/delaunay.h"
+#include "seamount/ops/contour/convert/extract.h"
+#include "seamount/ops/contour/growth/grow.h"
+#include "seamount/ops/contour/growth/growth.h"
+#include "seamount/ops/contour/growth/probability.h"
+#include "seamount/ops/contour/heights/heights.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Editing contours: a stroke over a tenth of half a million vertices, and the tools that work on everything.
 #include <benchmark/benchmark.h>
 
-#include "seamount/ops/contour/edit.h"
-#include "seamount/ops/contour/test_contours.h"
+#include "seamount/ops/contour/edit/edit.h"
+#include "seamount/ops/contour/move/test_contours.h"
 
 namespace {
 

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "seamount/geom/contour.h"
-#include "seamount/geom/contour_nesting.h"
-#include "seamount/geom/marching_triangles.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/test_tin.h"
-#include "seamount/ops/contour/extract.h"
-#include "seamount/ops/contour/reconstruct.h"
+#include "seamount/geom/contour/contour.h"
+#include "seamount/geom/contour/marching_triangles.h"
+#include "seamount/geom/contour/nesting.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/tin/test_tin.h"
+#include "seamount/ops/contour/convert/extract.h"
+#include "seamount/ops/contour/convert/reconstruct.h"
 #include "seamount/ops/terrain/noise.h"
 
 namespace {

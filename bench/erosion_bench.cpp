@@ -1,7 +1,7 @@
 // Erosion: rough noise worn down to valleys, fans and talus; a range raised from a plain.
 #include <benchmark/benchmark.h>
 
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/noise.h"
 #include "seamount/ops/erosion/run.h"
 
 namespace {

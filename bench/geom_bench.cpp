@@ -6,12 +6,12 @@
 #include <numbers>
 #include <vector>
 
-#include "seamount/geom/contour.h"
-#include "seamount/geom/distance.h"
-#include "seamount/geom/gullies.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/poisson.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/contour/contour.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/solve/poisson.h"
+#include "seamount/geom/water/gullies.h"
 
 namespace {
 

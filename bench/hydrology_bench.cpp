@@ -1,7 +1,7 @@
 // Water: fill, D8 and accumulation on a mountain island of 40 km, the same at every size.
 #include <benchmark/benchmark.h>
 
-#include "seamount/geom/flow.h"
+#include "seamount/geom/water/flow.h"
 #include "seamount/ops/hydrology/describe.h"
 #include "seamount/ops/hydrology/flow.h"
 #include "seamount/ops/hydrology/rivers.h"

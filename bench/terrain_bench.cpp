@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/noise.h"
 #include "seamount/ops/classify/terrain.h"
 #include "seamount/ops/terrain/blend.h"
 #include "seamount/ops/terrain/layers.h"

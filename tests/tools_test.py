@@ -25,8 +25,8 @@ class Layers(unittest.TestCase):
     def test_table(self):
         self.check("model/grid.h", "seamount/base/error.h", True)
         self.check("base/text.cpp", "seamount/model/grid.h", False)
-        self.check("io/raster.cpp", "seamount/geom/noise.h", False)
-        self.check("ops/reef/grow.cpp", "seamount/geom/noise.h", True)
+        self.check("io/raster.cpp", "seamount/geom/scalar/noise.h", False)
+        self.check("ops/reef/grow.cpp", "seamount/geom/scalar/noise.h", True)
         self.check("ops/reef/grow.cpp", "seamount/recipe/registry.h", False)
         self.check("recipe/registry.cpp", "seamount/ops/reef/grow.h", True)
         self.check("server/handlers.cpp", "seamount/train/dataset.h", False)
@@ -35,12 +35,23 @@ class Layers(unittest.TestCase):
     def test_families(self):
         self.check("ops/reef/grow.cpp", "seamount/ops/reef/flow.h", True)
         self.check("ops/reef/grow.cpp", "seamount/ops/island/build.h", False)
-        self.check("ops/contour/grow_test.cpp", "seamount/ops/hydrology/fill.h", True)
+        self.check("ops/contour/growth/grow_test.cpp", "seamount/ops/hydrology/fill.h", True)
+
+        self.check("ops/reef/growth/walk.cpp", "seamount/ops/island/build.h", False)
+        self.check("ops/reef/growth/walk.cpp", "seamount/ops/reef/grow.h", True)
+
+    def test_rooms(self):
+        self.check("geom/water/flow.cpp", "seamount/geom/grid/resample.h", True)
+        self.check("geom/grid/resample.cpp", "seamount/geom/water/flow.h", False)
+        self.check("geom/grid/resample_test.cpp", "seamount/geom/water/flow.h", True)
+        self.check("geom/attic/old.cpp", "seamount/geom/grid/resample.h", False)
+        self.check("ops/contour/growth/grow.cpp", "seamount/ops/contour/edit/edit.h", False)
+        self.check("ops/contour/edit/edit.cpp", "seamount/ops/contour/growth/grow.h", True)
 
     def test_libraries(self):
         self.check("ops/reef/grow.cpp", "nlohmann/json.hpp>", False)
         self.check("io/vector.cpp", "nlohmann/json.hpp>", True)
-        self.check("geom/noise.cpp", "thread>", False)
+        self.check("geom/scalar/noise.cpp", "thread>", False)
         self.check("ops/learned/network.cpp", "dnnl.hpp>", True)
         self.check("ops/amplify/sparse.cpp", "dnnl.hpp>", False)
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "seamount/base/error.h"
-#include "seamount/geom/marching_triangles.h"
+#include "seamount/geom/contour/marching_triangles.h"
 #include "seamount/io/tin_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

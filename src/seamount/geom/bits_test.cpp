@@ -6,14 +6,14 @@
 #include <bit>
 #include <cstdint>
 
-#include "seamount/geom/blend.h"
-#include "seamount/geom/distance.h"
-#include "seamount/geom/gullies.h"
-#include "seamount/geom/height_layers.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/poisson.h"
-#include "seamount/geom/resample.h"
-#include "seamount/geom/surface.h"
+#include "seamount/geom/grid/height_layers.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/grid/surface.h"
+#include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/scalar/blend.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/solve/poisson.h"
+#include "seamount/geom/water/gullies.h"
 
 namespace seamount::geom {
 namespace {

@@ -1,7 +1,7 @@
 // Terrain for game engines and Blender, with the exact numbers to type in there.
 //
 // Engines put the outer samples ON the terrain's edge, so a terrain of n samples is (n - 1) cells wide. engine_frame()
-// gives the frame to resample to (geom/resample.h); write_for_engine() only accepts a grid of a right size.
+// gives the frame to resample to (geom/grid/resample.h); write_for_engine() only accepts a grid of a right size.
 #pragma once
 
 #include <array>

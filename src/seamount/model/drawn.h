@@ -43,7 +43,7 @@ struct Knot {
 };
 
 /// A function of one variable through knots in ascending x; constant beyond the first and the last. How it runs between
-/// knots is the reader's choice (geom/curve.h): monotone cubic unless said otherwise.
+/// knots is the reader's choice (geom/scalar/curve.h): monotone cubic unless said otherwise.
 struct Curve {
   std::vector<Knot> knots;
   bool operator==(const Curve&) const = default;

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <vector>
 
-#include "seamount/geom/contour_lines.h"
-#include "seamount/geom/frame_around.h"
-#include "seamount/geom/marching_triangles.h"
+#include "seamount/geom/contour/lines.h"
+#include "seamount/geom/contour/marching_triangles.h"
+#include "seamount/geom/polygon/frame_around.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
 #include "seamount/io/label_image.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "seamount/geom/contour_lines.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/contour/lines.h"
+#include "seamount/geom/grid/resample.h"
 #include "seamount/io/engine.h"
 #include "seamount/io/image_file.h"
 #include "seamount/io/mesh.h"

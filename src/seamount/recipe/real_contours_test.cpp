@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seamount/geom/contour_faces.h"
-#include "seamount/geom/flow.h"
-#include "seamount/geom/polygon.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/contour/faces.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/water/flow.h"
 #include "seamount/io/raster.h"
-#include "seamount/ops/contour/extract.h"
-#include "seamount/ops/contour/reconstruct.h"
+#include "seamount/ops/contour/convert/extract.h"
+#include "seamount/ops/contour/convert/reconstruct.h"
 #include "seamount/recipe/test_dems.h"
 
 namespace seamount::recipe {

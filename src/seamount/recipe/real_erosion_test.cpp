@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
 #include "seamount/io/raster.h"
 #include "seamount/ops/erosion/run.h"
 #include "seamount/ops/hydrology/describe.h"

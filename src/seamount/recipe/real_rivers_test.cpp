@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "seamount/geom/distance.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/distance.h"
 #include "seamount/io/raster.h"
 #include "seamount/ops/hydrology/flow.h"
 #include "seamount/ops/hydrology/rivers.h"

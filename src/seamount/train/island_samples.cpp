@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/noise.h"
 #include "seamount/ops/island/archipelago.h"
 #include "seamount/ops/island/build.h"
 #include "seamount/ops/island/coral.h"

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "seamount/geom/curve.h"
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/curve.h"
+#include "seamount/geom/scalar/noise.h"
 #include "seamount/train/island_set.h"
 
 namespace seamount::train {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/blend.h"
+#include "seamount/geom/scalar/blend.h"
 
 namespace seamount::classify {
 namespace {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/distance.h"
-#include "seamount/geom/flat_sea.h"
-#include "seamount/geom/inland.h"
-#include "seamount/geom/resample.h"
-#include "seamount/geom/surface.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/grid/surface.h"
+#include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/water/flat_sea.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/ops/classify/exposure.h"
 #include "seamount/ops/classify/patches.h"
 

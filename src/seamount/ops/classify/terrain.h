@@ -18,7 +18,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
-#include "seamount/geom/inland.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
 

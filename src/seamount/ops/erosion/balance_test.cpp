@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/noise.h"
 
 namespace seamount::erosion {
 namespace {

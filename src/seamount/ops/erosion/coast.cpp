@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/flow.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/water/flow.h"
 
 namespace seamount::erosion {
 namespace {

@@ -65,9 +65,9 @@ Grid<uint8_t> refined_outlets(const Grid<uint8_t>& coarse, const HeightField& fi
 
 namespace {
 
-/// Where water runs from a cell whose neighbours lie `fall` metres lower (geom/flow.h's order; none or uphill: <= 0):
-/// down the steepest of the eight facets around it (Tarboton 1997), to one of that facet's two corners: for a uniform
-/// draw in [0, kLastDraw] so that the way follows the slope on average, for 0.5 to the nearer one.
+/// Where water runs from a cell whose neighbours lie `fall` metres lower (geom/water/flow.h's order; none or uphill: <=
+/// 0): down the steepest of the eight facets around it (Tarboton 1997), to one of that facet's two corners: for a
+/// uniform draw in [0, kLastDraw] so that the way follows the slope on average, for 0.5 to the nearer one.
 uint8_t steepest_facet(const std::array<float, 8>& fall, float draw) {
   float steepest = 0.0F, way = 0.0F;  // squared slope, and its direction in eighths of a circle
   for (unsigned straight = 0; straight < 8; straight += 2) {

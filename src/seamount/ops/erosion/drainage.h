@@ -2,8 +2,8 @@
 //
 // A cell drains to a lower neighbour, one of the two corners of the steepest facet around it (Tarboton 1997), drawn so
 // that water follows the slope on average and not the eight directions of the grid (cf. P1 sec. 5.1). Depressions are
-// lakes: their water climbs over the lowest pass along the reversed path from their floor (geom/flow.h), so the water
-// level of a cell is the greatest height on its way out. Roots are sea cells and the outlets of the border.
+// lakes: their water climbs over the lowest pass along the reversed path from their floor (geom/water/flow.h), so the
+// water level of a cell is the greatest height on its way out. Roots are sea cells and the outlets of the border.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
-#include "seamount/geom/flow.h"
+#include "seamount/geom/water/flow.h"
 #include "seamount/model/grid.h"
 
 namespace seamount::erosion {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/pyramid.h"
-#include "seamount/geom/sample_rows.h"
+#include "seamount/geom/grid/pyramid.h"
+#include "seamount/geom/grid/sample_rows.h"
+#include "seamount/geom/scalar/noise.h"
 
 namespace seamount::erosion {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/noise.h"
 
 namespace seamount::erosion {
 namespace {

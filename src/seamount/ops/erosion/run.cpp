@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/noise.h"
 #include "seamount/ops/erosion/coast.h"
 #include "seamount/ops/erosion/drainage.h"
 #include "seamount/ops/erosion/fans.h"

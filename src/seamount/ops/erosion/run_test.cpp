@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "seamount/geom/noise.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/scalar/noise.h"
 #include "seamount/ops/erosion/drainage.h"
 
 namespace seamount::erosion {

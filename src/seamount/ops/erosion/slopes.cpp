@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/flow.h"
+#include "seamount/geom/water/flow.h"
 #include "seamount/ops/erosion/slides.h"
 
 namespace seamount::erosion {

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/surface.h"
+#include "seamount/geom/grid/surface.h"
 
 namespace seamount::hydrology {
 namespace {

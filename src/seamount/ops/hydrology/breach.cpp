@@ -4,7 +4,7 @@
 #include <queue>
 #include <vector>
 
-#include "seamount/geom/flow.h"
+#include "seamount/geom/water/flow.h"
 
 namespace seamount::hydrology {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "seamount/geom/flow.h"
-#include "seamount/geom/inland.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/water/flow.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/ops/hydrology/comparison.h"
 #include "seamount/ops/hydrology/descriptors.h"
 #include "seamount/ops/hydrology/survey.h"

@@ -8,8 +8,8 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/rng.h"
-#include "seamount/geom/flow.h"
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/water/flow.h"
 #include "seamount/ops/hydrology/comparison.h"
 #include "seamount/ops/hydrology/local_relief.h"
 #include "seamount/ops/hydrology/network.h"

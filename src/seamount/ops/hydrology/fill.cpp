@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/flow.h"
-#include "seamount/geom/inland.h"
+#include "seamount/geom/water/flow.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/ops/hydrology/breach.h"
 #include "seamount/ops/hydrology/lakes.h"
 

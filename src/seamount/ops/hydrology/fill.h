@@ -1,8 +1,8 @@
 // hydrology.fill: a terrain on which water runs everywhere to the edge or to the sea.
 //
 // Filling raises depressions to their lowest pass, as priority-flood does (Barnes, Lehman and Mulla 2014;
-// geom/flow.h). Breaching cuts the cheapest way out instead (least-cost breaching, Lindsay and Dhun 2015): from each
-// pit the way to lower ground along which the least ground is removed; what would need a cut longer or deeper than
+// geom/water/flow.h). Breaching cuts the cheapest way out instead (least-cost breaching, Lindsay and Dhun 2015): from
+// each pit the way to lower ground along which the least ground is removed; what would need a cut longer or deeper than
 // allowed is filled. The lakes are what filling covered.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
-#include "seamount/geom/inland.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/grid.h"
 

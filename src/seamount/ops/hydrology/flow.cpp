@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/flow.h"
-#include "seamount/geom/inland.h"
+#include "seamount/geom/water/flow.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/ops/hydrology/catchments.h"
 #include "seamount/ops/hydrology/flow_spread.h"
 

@@ -1,6 +1,6 @@
 // hydrology.flow: where water runs, and how much of it gathers.
 //
-// Depressions are filled and flats drained first (geom/flow.h). Directions after O'Callaghan and Mark 1984 (D8),
+// Depressions are filled and flats drained first (geom/water/flow.h). Directions after O'Callaghan and Mark 1984 (D8),
 // Tarboton 1997 (D-infinity), Freeman 1991 and Holmgren 1994 (multiple).
 #pragma once
 
@@ -9,7 +9,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
-#include "seamount/geom/inland.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/grid.h"
 

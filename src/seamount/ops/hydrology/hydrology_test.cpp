@@ -6,9 +6,9 @@
 #include <set>
 
 #include "seamount/base/rng.h"
-#include "seamount/geom/flow.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/polygon.h"
+#include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/water/flow.h"
 #include "seamount/ops/hydrology/breach.h"
 #include "seamount/ops/hydrology/fill.h"
 #include "seamount/ops/hydrology/flow.h"

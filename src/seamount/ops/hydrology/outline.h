@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "seamount/geom/contour.h"
+#include "seamount/geom/contour/contour.h"
 #include "seamount/model/grid.h"
 
 namespace seamount::hydrology {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <queue>
 
-#include "seamount/geom/flow_invert.h"
-#include "seamount/geom/flow_passes.h"
+#include "seamount/geom/water/flow_invert.h"
+#include "seamount/geom/water/flow_passes.h"
 
 namespace seamount::hydrology {
 namespace {

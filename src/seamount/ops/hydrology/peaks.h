@@ -20,7 +20,7 @@ struct Peak {
 /// Summits (cells or level ground without higher neighbours) above the sea of at least min_prominence_m, from the most
 /// prominent on. Summits whose level ground touches the frame are left out: how they go on beyond is not known.
 /// Prominence by joining the catchments of the inverted terrain at their passes, from the highest on
-/// (geom/flow_passes.h); isolation by a search through a pyramid of maxima. Linear, and n log n in the passes.
+/// (geom/water/flow_passes.h); isolation by a search through a pyramid of maxima. Linear, and n log n in the passes.
 std::vector<Peak> find_peaks(const HeightField& terrain, float sea_level_m, double min_prominence_m,
                              const RunContext& run);
 

@@ -1,7 +1,7 @@
 #include "seamount/ops/hydrology/ridge_flow.h"
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/flow_invert.h"
+#include "seamount/geom/water/flow_invert.h"
 
 namespace seamount::hydrology {
 

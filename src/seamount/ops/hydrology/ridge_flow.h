@@ -2,7 +2,7 @@
 #pragma once
 
 #include "seamount/base/run_context.h"
-#include "seamount/geom/flow.h"
+#include "seamount/geom/water/flow.h"
 #include "seamount/model/grid.h"
 
 namespace seamount::hydrology {

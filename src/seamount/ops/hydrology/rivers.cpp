@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/flow.h"
-#include "seamount/geom/inland.h"
-#include "seamount/geom/polygon.h"
-#include "seamount/geom/skeleton.h"
+#include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/water/flow.h"
+#include "seamount/geom/water/inland.h"
+#include "seamount/geom/water/skeleton.h"
 #include "seamount/ops/hydrology/network.h"
 #include "seamount/ops/hydrology/ridge_flow.h"
 

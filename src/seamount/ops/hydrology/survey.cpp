@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/flow.h"
-#include "seamount/geom/polygon.h"
-#include "seamount/geom/skeleton.h"
-#include "seamount/geom/surface.h"
+#include "seamount/geom/grid/surface.h"
+#include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/water/flow.h"
+#include "seamount/geom/water/skeleton.h"
 #include "seamount/ops/hydrology/local_relief.h"
 #include "seamount/ops/hydrology/network.h"
 #include "seamount/ops/hydrology/ridge_flow.h"

@@ -8,9 +8,9 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/blend.h"
-#include "seamount/geom/placed_rows.h"
-#include "seamount/geom/sample_rows.h"
+#include "seamount/geom/grid/placed_rows.h"
+#include "seamount/geom/grid/sample_rows.h"
+#include "seamount/geom/scalar/blend.h"
 
 namespace seamount::island {
 namespace {

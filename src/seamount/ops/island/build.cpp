@@ -6,9 +6,9 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/gullies.h"
-#include "seamount/geom/lattice_rows.h"
-#include "seamount/geom/noise.h"
+#include "seamount/geom/grid/lattice_rows.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/water/gullies.h"
 #include "seamount/ops/island/coordinate.h"
 
 namespace seamount::island {

@@ -2,7 +2,8 @@
 //
 // Source: P0 sec. 1.4.1, eq. 1.1 and 1.2, Algorithm 1 part 1, and the low-amplitude noise of its last paragraph.
 // Departures: plans of any form (coordinate.h); heights in metres; irregular detail of coasts below what the plan
-// shows; gullies that run down the slopes (geom/gullies.h), since a surface of revolution with noise does not drain.
+// shows; gullies that run down the slopes (geom/water/gullies.h), since a surface of revolution with noise does not
+// drain.
 #pragma once
 
 #include <optional>
@@ -11,7 +12,7 @@
 #include "seamount/base/fields.h"
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
-#include "seamount/geom/curve.h"
+#include "seamount/geom/scalar/curve.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"

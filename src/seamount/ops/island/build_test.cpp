@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "seamount/base/error.h"
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/noise.h"
 #include "seamount/ops/island/archipelago.h"
 #include "seamount/ops/island/coordinate.h"
 #include "seamount/ops/island/outlines.h"

@@ -8,10 +8,10 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/distance.h"
-#include "seamount/geom/lattice_rows.h"
-#include "seamount/geom/poisson.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/lattice_rows.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/solve/poisson.h"
 
 namespace seamount::island {
 namespace {

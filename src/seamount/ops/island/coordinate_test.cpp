@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "seamount/geom/distance.h"
+#include "seamount/geom/polygon/distance.h"
 
 namespace seamount::island {
 namespace {

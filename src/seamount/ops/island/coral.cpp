@@ -6,11 +6,11 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/blend.h"
-#include "seamount/geom/curve.h"
-#include "seamount/geom/distance.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/sample_rows.h"
+#include "seamount/geom/grid/sample_rows.h"
+#include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/scalar/blend.h"
+#include "seamount/geom/scalar/curve.h"
+#include "seamount/geom/scalar/noise.h"
 #include "seamount/ops/island/coordinate.h"
 #include "seamount/ops/island/reef_passes.h"
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "seamount/geom/blend.h"
+#include "seamount/geom/scalar/blend.h"
 #include "seamount/ops/island/build.h"
 
 namespace seamount::island {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seamount/geom/contour.h"
-#include "seamount/geom/polygon.h"
+#include "seamount/geom/contour/contour.h"
+#include "seamount/geom/polygon/polygon.h"
 #include "seamount/ops/island/shape.h"
 
 namespace seamount::island {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
 #include "seamount/ops/island/build.h"
 #include "seamount/ops/island/coral.h"
 #include "seamount/ops/island/wind.h"

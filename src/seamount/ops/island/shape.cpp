@@ -8,10 +8,10 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
-#include "seamount/geom/contour.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/polygon.h"
-#include "seamount/geom/spline.h"
+#include "seamount/geom/contour/contour.h"
+#include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/scalar/spline.h"
 
 namespace seamount::island {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/polygon.h"
-#include "seamount/geom/resample.h"
-#include "seamount/geom/spline.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/spline.h"
 
 namespace seamount::island {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
-#include "seamount/geom/lattice_rows.h"
+#include "seamount/geom/grid/lattice_rows.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 

@@ -6,8 +6,8 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/curve.h"
-#include "seamount/geom/sample_rows.h"
+#include "seamount/geom/grid/sample_rows.h"
+#include "seamount/geom/scalar/curve.h"
 #include "seamount/ops/island/coordinate.h"
 #include "seamount/ops/island/stroke_field.h"
 

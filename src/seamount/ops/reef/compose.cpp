@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "seamount/base/simd.h"
-#include "seamount/geom/blend.h"
+#include "seamount/geom/scalar/blend.h"
 
 namespace seamount::reef {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "seamount/base/rng.h"
-#include "seamount/geom/curve.h"
-#include "seamount/geom/lattice_rows.h"
-#include "seamount/geom/noise.h"
+#include "seamount/geom/grid/lattice_rows.h"
+#include "seamount/geom/scalar/curve.h"
+#include "seamount/geom/scalar/noise.h"
 #include "seamount/model/grid.h"
 #include "seamount/ops/reef/grow_params.h"
 #include "seamount/ops/reef/kernels.h"

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/contour.h"
-#include "seamount/geom/pyramid.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/contour/contour.h"
+#include "seamount/geom/grid/pyramid.h"
+#include "seamount/geom/grid/resample.h"
 #include "seamount/ops/reef/compose.h"
 #include "seamount/ops/reef/nursery.h"
 #include "seamount/ops/reef/shape.h"

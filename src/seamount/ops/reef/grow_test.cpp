@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seamount/geom/polygon.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/polygon.h"
 #include "seamount/ops/reef/kernels.h"
 #include "seamount/ops/reef/nursery.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "seamount/base/rng.h"
-#include "seamount/geom/curve.h"
+#include "seamount/geom/scalar/curve.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 #include "seamount/ops/reef/aggregate.h"

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "seamount/geom/contour.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/polygon.h"
-#include "seamount/geom/resample.h"
-#include "seamount/geom/spline.h"
+#include "seamount/geom/contour/contour.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/scalar/spline.h"
 
 namespace seamount::reef {
 namespace {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/blend.h"
-#include "seamount/geom/distance.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/scalar/blend.h"
+#include "seamount/geom/scalar/noise.h"
 
 namespace seamount::reef {
 namespace {

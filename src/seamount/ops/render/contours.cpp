@@ -9,8 +9,8 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
-#include "seamount/geom/contour_nesting.h"
-#include "seamount/geom/polygon.h"
+#include "seamount/geom/contour/nesting.h"
+#include "seamount/geom/polygon/polygon.h"
 #include "seamount/ops/render/canvas.h"
 #include "seamount/ops/render/contour_labels.h"
 #include "seamount/ops/render/map_furniture.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "seamount/base/error.h"
-#include "seamount/geom/polygon.h"
+#include "seamount/geom/polygon/polygon.h"
 #include "seamount/ops/render/contour_labels.h"
 
 namespace seamount::render {

@@ -1,6 +1,6 @@
 // Small-scale noise for shading: one gradient noise in float with its slope, made for tens of millions of points that
-// no grid joins (geom/noise.h works along rows). Octaves finer than the footprint of a pixel fade out, so nothing
-// shimmers.
+// no grid joins (geom/scalar/noise.h works along rows). Octaves finer than the footprint of a pixel fade out, so
+// nothing shimmers.
 #pragma once
 
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
-#include "seamount/geom/flat_sea.h"
+#include "seamount/geom/water/flat_sea.h"
 #include "seamount/ops/render/detail_noise.h"
 #include "seamount/ops/render/lava.h"
 #include "seamount/ops/render/style.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seamount/geom/flow.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/water/flow.h"
 #include "seamount/ops/render/colour.h"
 #include "seamount/ops/render/light.h"
 

@@ -5,9 +5,9 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
-#include "seamount/geom/contour.h"
-#include "seamount/geom/flat_sea.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/contour/contour.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/water/flat_sea.h"
 #include "seamount/ops/render/canvas.h"
 #include "seamount/ops/render/ground.h"
 #include "seamount/ops/render/map_furniture.h"

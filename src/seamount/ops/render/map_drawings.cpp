@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "seamount/base/error.h"
-#include "seamount/geom/polygon.h"
+#include "seamount/geom/polygon/polygon.h"
 #include "seamount/ops/render/canvas.h"
 
 namespace seamount::render {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
 #include "seamount/ops/render/ground.h"
 #include "seamount/ops/render/shading.h"
 #include "seamount/ops/render/tints.h"

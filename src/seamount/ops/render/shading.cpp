@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
 #include "seamount/ops/render/colour.h"
 #include "seamount/ops/render/light.h"
 

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "seamount/base/fields.h"
-#include "seamount/geom/height_layers.h"
+#include "seamount/geom/grid/height_layers.h"
 #include "seamount/model/drawn.h"
 #include "seamount/ops/render/materials.h"
 

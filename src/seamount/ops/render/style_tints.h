@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "seamount/base/run_context.h"
-#include "seamount/geom/height_layers.h"
+#include "seamount/geom/grid/height_layers.h"
 #include "seamount/model/grid.h"
 #include "seamount/ops/render/map_furniture.h"
 #include "seamount/ops/render/style.h"

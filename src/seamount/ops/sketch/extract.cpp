@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/flow.h"
-#include "seamount/geom/flow_invert.h"
-#include "seamount/geom/inland.h"
-#include "seamount/geom/resample.h"
-#include "seamount/geom/skeleton.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/water/flow.h"
+#include "seamount/geom/water/flow_invert.h"
+#include "seamount/geom/water/inland.h"
+#include "seamount/geom/water/skeleton.h"
 #include "seamount/ops/sketch/stochastic_flow.h"
 
 namespace seamount::sketch {

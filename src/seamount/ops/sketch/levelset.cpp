@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "seamount/geom/contour.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/contour/contour.h"
+#include "seamount/geom/grid/resample.h"
 
 namespace seamount::sketch {
 namespace {

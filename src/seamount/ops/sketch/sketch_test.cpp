@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "seamount/geom/flow_invert.h"
-#include "seamount/geom/inland.h"
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/water/flow_invert.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/ops/sketch/extract.h"
 #include "seamount/ops/sketch/levelset.h"
 #include "seamount/ops/sketch/stochastic_flow.h"

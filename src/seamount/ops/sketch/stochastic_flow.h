@@ -5,7 +5,7 @@
 
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
-#include "seamount/geom/flow.h"
+#include "seamount/geom/water/flow.h"
 #include "seamount/model/grid.h"
 
 namespace seamount::sketch {

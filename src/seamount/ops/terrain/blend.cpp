@@ -4,7 +4,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/blend.h"
+#include "seamount/geom/scalar/blend.h"
 
 namespace seamount::terrain {
 namespace {

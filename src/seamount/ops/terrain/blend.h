@@ -1,9 +1,9 @@
 // terrain.blend: two terrains become one, everywhere or where a mask says so.
 //
 // What is done to the first terrain: mix (the second takes its place), max and min (whichever is higher or lower, with
-// a crease rounded over smooth_m: geom/blend.h), add and subtract (the second is a relief to put on or carve out). The
-// result is a + w (op(a, b) - a) with w = strength times the mask, so that a weight of 0 leaves the first terrain as it
-// is, to the bit.
+// a crease rounded over smooth_m: geom/scalar/blend.h), add and subtract (the second is a relief to put on or carve
+// out). The result is a + w (op(a, b) - a) with w = strength times the mask, so that a weight of 0 leaves the first
+// terrain as it is, to the bit.
 #pragma once
 
 #include <tuple>

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "seamount/geom/blend.h"
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/blend.h"
+#include "seamount/geom/scalar/noise.h"
 
 namespace seamount::terrain {
 namespace {

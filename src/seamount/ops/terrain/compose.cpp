@@ -7,10 +7,10 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/blend.h"
-#include "seamount/geom/placed_rows.h"
-#include "seamount/geom/resample.h"
-#include "seamount/geom/sample_rows.h"
+#include "seamount/geom/grid/placed_rows.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/grid/sample_rows.h"
+#include "seamount/geom/scalar/blend.h"
 
 namespace seamount::terrain {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/noise.h"
 
 namespace seamount::terrain {
 namespace {

@@ -1,12 +1,13 @@
 // terrain.layers: how much of each cell is low, middle and high ground: three masks that sum to one, for splat maps,
 // scattering, or to be different about each of them.
 //
-// Source: P4 sec. 3.4, eq. 3 to 6 (geom/height_layers.h). Pictures drawn in a style and splat maps show these layers.
+// Source: P4 sec. 3.4, eq. 3 to 6 (geom/grid/height_layers.h). Pictures drawn in a style and splat maps show these
+// layers.
 #pragma once
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
-#include "seamount/geom/height_layers.h"
+#include "seamount/geom/grid/height_layers.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/layer_borders.h"
 

@@ -6,10 +6,10 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/blend.h"
-#include "seamount/geom/distance.h"
-#include "seamount/geom/noise.h"
-#include "seamount/geom/surface.h"
+#include "seamount/geom/grid/surface.h"
+#include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/scalar/blend.h"
+#include "seamount/geom/scalar/noise.h"
 
 namespace seamount::terrain {
 namespace {

@@ -4,7 +4,7 @@
 //
 // A criterion measures one thing at every cell and lets a soft range of it through: 1 from `low` to `high` (either may
 // be absent: no limit), falling smoothly to 0 over `falloff` beyond. Slopes, aspects and curvatures are those of the
-// terrain at a scale in metres (geom/surface.h), so that a mask depends on the cell size only in detail.
+// terrain at a scale in metres (geom/grid/surface.h), so that a mask depends on the cell size only in detail.
 #pragma once
 
 #include <optional>

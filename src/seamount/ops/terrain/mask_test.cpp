@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "seamount/geom/noise.h"
-#include "seamount/geom/surface.h"
+#include "seamount/geom/grid/surface.h"
+#include "seamount/geom/scalar/noise.h"
 
 namespace seamount::terrain {
 namespace {

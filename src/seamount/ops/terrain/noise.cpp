@@ -1,7 +1,7 @@
 #include "seamount/ops/terrain/noise.h"
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/noise.h"
+#include "seamount/geom/scalar/noise.h"
 
 namespace seamount::terrain {
 

@@ -1,6 +1,6 @@
 // terrain.noise: fractal noise as a terrain of its own, or to mix with others.
 //
-// Source: Perlin 1985, 2002; ridged multifractal after Musgrave 1994 (geom/noise.h).
+// Source: Perlin 1985, 2002; ridged multifractal after Musgrave 1994 (geom/scalar/noise.h).
 #pragma once
 
 #include <tuple>

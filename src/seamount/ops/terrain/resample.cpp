@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/resample.h"
+#include "seamount/geom/grid/resample.h"
 
 namespace seamount::terrain {
 namespace {

@@ -1,7 +1,7 @@
 // terrain.resample: a terrain at another cell size, or on the domain of the document.
 //
 // Cells that grow larger are averages, cells that grow smaller a Catmull-Rom surface through the old ones
-// (geom/resample.h). Beyond its edge a terrain goes on with its nearest cells.
+// (geom/grid/resample.h). Beyond its edge a terrain goes on with its nearest cells.
 #pragma once
 
 #include <optional>

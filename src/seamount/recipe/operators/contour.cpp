@@ -4,13 +4,13 @@
 
 #include "seamount/io/image_file.h"
 #include "seamount/io/vector.h"
-#include "seamount/ops/contour/edit.h"
-#include "seamount/ops/contour/grow.h"
-#include "seamount/ops/contour/heights.h"
-#include "seamount/ops/contour/pattern.h"
-#include "seamount/ops/contour/probability.h"
-#include "seamount/ops/contour/refine.h"
-#include "seamount/ops/contour/rivers.h"
+#include "seamount/ops/contour/edit/edit.h"
+#include "seamount/ops/contour/edit/pattern.h"
+#include "seamount/ops/contour/growth/grow.h"
+#include "seamount/ops/contour/growth/probability.h"
+#include "seamount/ops/contour/growth/rivers.h"
+#include "seamount/ops/contour/heights/heights.h"
+#include "seamount/ops/contour/refine/refine.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {

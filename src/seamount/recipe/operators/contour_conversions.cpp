@@ -1,6 +1,6 @@
 // Registration of what leads from terrains to contours and back.
-#include "seamount/ops/contour/extract.h"
-#include "seamount/ops/contour/reconstruct.h"
+#include "seamount/ops/contour/convert/extract.h"
+#include "seamount/ops/contour/convert/reconstruct.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {

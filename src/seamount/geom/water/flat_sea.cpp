@@ -1,0 +1,42 @@
+#include "seamount/geom/water/flat_sea.h"
+
+#include <cmath>
+
+#include "seamount/base/parallel.h"
+#include "seamount/geom/polygon/distance.h"
+
+namespace seamount::geom {
+
+Grid<uint8_t> flat_sea(const HeightField& terrain, const RunContext& run) {
+  Grid<uint8_t> sea(terrain.frame());
+  parallel_rows(run, terrain.width(), terrain.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < terrain.width(); ++x) {
+        bool flat = terrain(x, y) == 0.0F;
+        for (int dy = -1; flat && dy <= 1; ++dy) {
+          for (int dx = -1; flat && dx <= 1; ++dx) flat = terrain.clamped(x + dx, y + dy) == 0.0F;
+        }
+        sea(x, y) = flat ? 1 : 0;
+      }
+    }
+  });
+  int64_t count = 0;
+  for (const uint8_t cell : sea.cells()) count += cell;
+  if (count * 100 < static_cast<int64_t>(terrain.size())) return {};
+  return sea;
+}
+
+void sink_flat_sea(HeightField& terrain, const Grid<uint8_t>& sea, const RunContext& run) {
+  Grid<uint8_t> coast(sea.frame());
+  for (size_t i = 0; i < sea.size(); ++i) coast.cells()[i] = sea.cells()[i] == 0 ? 1 : 0;
+  const ScalarField distance = distance_to(coast, run);
+  parallel_rows(run, terrain.width(), terrain.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < terrain.width(); ++x) {
+        if (sea(x, y) != 0) terrain(x, y) = -110.0F * (1.0F - std::exp(-distance(x, y) / 1400.0F)) - 1.0F;
+      }
+    }
+  });
+}
+
+}  // namespace seamount::geom

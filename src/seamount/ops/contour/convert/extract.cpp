@@ -1,0 +1,104 @@
+#include "seamount/ops/contour/convert/extract.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "seamount/geom/contour/contour.h"
+#include "seamount/geom/contour/marching_triangles.h"
+#include "seamount/geom/contour/nesting.h"
+#include "seamount/geom/contour/simplify.h"
+#include "seamount/geom/polygon/polygon.h"
+
+namespace seamount::contour {
+namespace {
+
+constexpr double kMostLevels = 5000;
+
+std::string metres(double value) { return format_number(std::round(value * 1000.0) / 1000.0) + " m"; }
+
+/// The levels that the params ask for, ascending, each once.
+std::vector<double> chosen_levels(const ExtractParams& params, double low, double high) {
+  const std::string range = metres(low) + " to " + metres(high);
+  std::vector<double> levels = params.levels_m;
+  if (!levels.empty()) {
+    std::sort(levels.begin(), levels.end());
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+    for (const double outside : {levels.front(), levels.back()}) {
+      if (outside < low || outside > high)
+        throw InvalidArgument("levels_m", metres(outside) + " is outside the heights, which are " + range);
+    }
+    return levels;
+  }
+  if (params.interval_m) {
+    const double first = std::ceil((low - params.base_m) / *params.interval_m);
+    const double last = std::floor((high - params.base_m) / *params.interval_m);
+    if (last < first)
+      throw InvalidArgument("interval_m", "no multiple of " + metres(*params.interval_m) + " from base_m = " +
+                                              metres(params.base_m) + " lies within the heights, which are " + range);
+    if (last - first >= kMostLevels)
+      throw InvalidArgument("interval_m", metres(*params.interval_m) + " would make " +
+                                              format_number(last - first + 1) + " levels of heights from " + range +
+                                              "; at most " + format_number(kMostLevels) + " are allowed");
+    for (double i = first; i <= last; ++i) levels.push_back(params.base_m + i * *params.interval_m);
+    return levels;
+  }
+  // A flat terrain has one height only.
+  const int count = high > low ? params.count : 1;
+  for (int i = 0; i < count; ++i) levels.push_back(low + (high - low) * ((i + 0.5) / count));
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+/// Takes out contours that are too small, with all that they enclose. REQUIRES: parents before children.
+void drop_small(std::vector<Contour>& contours, const ExtractParams& params) {
+  if (params.least_area_m2 <= 0.0 && params.least_length_m <= 0.0) return;
+  std::vector<Contour> kept;
+  std::vector<int> place(contours.size(), -1);
+  for (size_t i = 0; i < contours.size(); ++i) {
+    Contour& contour = contours[i];
+    const bool orphan = contour.parent >= 0 && place[static_cast<size_t>(contour.parent)] < 0;
+    const bool small = std::abs(geom::signed_area(contour.ring)) < params.least_area_m2 ||
+                       geom::ring_length(contour.ring) < params.least_length_m;
+    if (orphan || small) continue;
+    if (contour.parent >= 0) contour.parent = place[static_cast<size_t>(contour.parent)];
+    place[i] = static_cast<int>(kept.size());
+    kept.push_back(std::move(contour));
+  }
+  contours = std::move(kept);
+}
+
+ContourSet finish(const GridFrame& frame, std::vector<Contour> contours, const ExtractParams& params,
+                  const RunContext& run) {
+  run.check_cancelled();
+  geom::nest_contours(contours);
+  drop_small(contours, params);
+  if (params.simplify_m > 0.0) geom::simplify_contours(contours, params.simplify_m, run);
+  run.report(1.0);
+  return {frame, std::move(contours)};
+}
+
+}  // namespace
+
+ContourSet extract(const Tin& tin, const ExtractParams& params, const RunContext& run) {
+  check_params(params);
+  run.check_cancelled();
+  if (tin.nodes.empty() || tin.triangles.empty()) throw InvalidArgument("tin", "has no triangles");
+  if (tin.height_m.empty()) throw InvalidArgument("tin", "has no heights yet; give it some with contour.heights");
+  const auto [low, high] = std::minmax_element(tin.height_m.begin(), tin.height_m.end());
+  const std::vector<double> levels = chosen_levels(params, *low, *high);
+  return finish(tin.frame, geom::march_triangles(tin, levels, run), params, run);
+}
+
+ContourSet extract(const HeightField& terrain, const ExtractParams& params, const RunContext& run) {
+  check_params(params);
+  run.check_cancelled();
+  if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");
+  const std::span<const float> cells = terrain.cells();
+  if (!std::all_of(cells.begin(), cells.end(), [](float z) { return std::isfinite(z); }))
+    throw InvalidArgument("terrain", "has heights that are not finite; fill its voids first");
+  const auto [low, high] = std::minmax_element(cells.begin(), cells.end());
+  const std::vector<double> levels = chosen_levels(params, *low, *high);
+  return finish(terrain.frame(), geom::trace_contours(terrain, levels), params, run);
+}
+
+}  // namespace seamount::contour

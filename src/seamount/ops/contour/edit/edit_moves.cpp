@@ -1,0 +1,167 @@
+#include "seamount/ops/contour/edit/edit_moves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "seamount/base/parallel.h"
+#include "seamount/base/text.h"
+#include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/polygon/polygon.h"
+#include "seamount/ops/contour/move/drag.h"
+#include "seamount/ops/contour/move/move.h"
+#include "seamount/ops/contour/move/places.h"
+#include "seamount/ops/contour/move/roughen.h"
+#include "seamount/ops/contour/move/smooth.h"
+#include "seamount/ops/contour/move/squeeze.h"
+
+namespace seamount::contour {
+namespace {
+
+constexpr double kMostSteps = 20000.0;
+constexpr double kEdge = 0.1;         ///< of a step: P2 sec. 5.2
+constexpr double kTolerance = 0.005;  ///< of a step: what thinning may change
+
+/// Two decimals are enough to type in again; rounded towards 0, so that they do work.
+std::string rounded_down(double strength) { return format_number(std::trunc(strength * 1000.0) / 1000.0); }
+
+/// The parameter that says how much a tool moves, for messages.
+struct Amount {
+  const char* tool;
+  const char* field;
+  double value;  ///< at the strength that is asked for
+};
+
+/// Says what was limited, or refuses.
+void move_or_refuse(const Amount& amount, const PlaneMap& map, double strength, ContourSet& set,
+                    const ToolContext& context) {
+  const Moved result = move_contours(set.contours, map, strength, context.run);
+  if (result.crossing) {
+    const std::string where = "contours would cross at " + place_text(*result.crossing);
+    const std::string given = std::string(amount.field) + " = " + format_number(amount.value);
+    const std::string possible = rounded_down(amount.value * (result.strength / strength));
+    if (context.on_crossing == OnCrossing::refuse)
+      throw InvalidArgument(context.name + "." + amount.field,
+                            where + " with " + given + "; nothing crosses up to " + possible);
+    context.run.say(context.name + " (" + amount.tool + "): " + where + " with " + given + "; applied with " +
+                    possible);
+  }
+}
+
+void check_stroke(const Polyline& stroke, size_t least, const GridFrame& frame, const std::string& name) {
+  check_inside(stroke, frame, name + ".stroke");
+  size_t different = stroke.empty() ? 0 : 1;
+  for (size_t i = 1; i < stroke.size(); ++i) different += stroke[i] == stroke[i - 1] ? 0 : 1;
+  if (different < least)
+    throw InvalidArgument(name + ".stroke", "has " + std::to_string(different) +
+                                                (least == 1 ? " points" : " different points") +
+                                                "; it needs at least " + std::to_string(least));
+}
+
+double drag_step(const WarpTool& tool, const Displacement& displacement, const std::string& name) {
+  const double longest = 2.0 * tool.radius_m / displacement.steepest_fall();
+  if (tool.step_m && *tool.step_m > longest)
+    throw InvalidArgument(name + ".step_m", format_number(*tool.step_m) + " would fold space: a drag of radius " +
+                                                format_number(tool.radius_m) + " m is one to one up to steps of " +
+                                                rounded_down(longest) + " m");
+  const double step = tool.step_m.value_or(0.5 * longest);
+  const double length = geom::line_length(tool.stroke);
+  if (length > kMostSteps * step)
+    throw InvalidArgument(name + ".radius_m", format_number(tool.radius_m) + " is too small for a stroke of " +
+                                                  format_number(std::round(length)) + " m; from " +
+                                                  format_number(std::ceil(length / kMostSteps / step * tool.radius_m)) +
+                                                  " m on it would do");
+  return step;
+}
+
+}  // namespace
+
+void apply(const WarpTool& tool, ContourSet& set, const ToolContext& context) {
+  check_stroke(tool.stroke, 2, set.frame, context.name);
+  const Displacement displacement = tool.profile.knots.empty()
+                                        ? Displacement(tool.k)
+                                        : Displacement(tool.profile, (context.name + ".profile").c_str());
+  const double step = drag_step(tool, displacement, context.name);
+  const Drag drag(tool.stroke, tool.radius_m, step, displacement);
+  const PlaneMap map{
+      drag.reach(), kEdge * step, kTolerance * step, [&](const geom::Box& box) { return drag.touches(box); },
+      [&](double strength, std::span<Vec2> places, const RunContext& run) { drag.move(strength, places, run); }};
+  move_or_refuse({"warp", "strength", tool.strength}, map, tool.strength, set, context);
+}
+
+void apply(const SlopeTool& tool, ContourSet& set, const ToolContext& context) {
+  check_stroke(tool.stroke, 1, set.frame, context.name);
+  const double length = geom::line_length(tool.stroke);
+  if (length > kMostSteps * 0.05 * tool.radius_m)
+    throw InvalidArgument(context.name + ".radius_m", format_number(tool.radius_m) + " is too small for a curve of " +
+                                                          format_number(std::round(length)) + " m");
+  const Squeeze squeeze(tool.stroke, tool.radius_m, tool.k);
+  constexpr double kEdgeOfRadius = 0.04;
+  const PlaneMap map{
+      squeeze.reach(), kEdgeOfRadius * tool.radius_m, kEdgeOfRadius * kEdge * tool.radius_m,
+      [&](const geom::Box& box) { return squeeze.touches(box); },
+      [&](double strength, std::span<Vec2> places, const RunContext& run) { squeeze.move(strength, places, run); }};
+  move_or_refuse({"slope", "strength", tool.strength}, map, tool.strength, set, context);
+}
+
+void apply(const SmoothTool& tool, ContourSet& set, const ToolContext& context) {
+  const std::vector<size_t> chosen = select(set, tool.select, context.name + ".select");
+  const Smoothed result = smooth_contours(set, chosen, {tool.radius_m, tool.strength, tool.rounds}, context.run);
+  if (result.where) {
+    const std::string where = "contours would cross near " + place_text(*result.where);
+    if (context.on_crossing == OnCrossing::refuse)
+      throw InvalidArgument(context.name + ".radius_m",
+                            where + "; " + std::to_string(result.limited) +
+                                " points have too little room to be smoothed this much; a smaller radius would do");
+    context.run.say(context.name + " (smooth): " + where + "; " + std::to_string(result.limited) +
+                    " points were smoothed by less");
+  }
+}
+
+namespace {
+
+/// 1 in the middle, smoothly 0 at the border of the areas and of the frame.
+ScalarField fading_weight(const std::vector<Polygon>& within, const GridFrame& domain, double fade_m,
+                          const RunContext& run) {
+  constexpr int kMostCells = 1024;
+  const double longest = std::max(domain.width_m(), domain.height_m());
+  GridFrame frame = domain;
+  frame.cell_m = std::max(fade_m / 8.0, longest / kMostCells);
+  frame.width = std::max(2, static_cast<int>(std::ceil(domain.width_m() / frame.cell_m)));
+  frame.height = std::max(2, static_cast<int>(std::ceil(domain.height_m() / frame.cell_m)));
+  ScalarField weight = within.empty() ? ScalarField(frame, 0.0F) : geom::signed_distance(within, frame, run);
+  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < frame.width; ++x) {
+        const int cells = std::min(std::min(x, frame.width - 1 - x), std::min(y, frame.height - 1 - y));
+        double inside = cells * frame.cell_m;
+        if (!within.empty()) inside = std::min(inside, -static_cast<double>(weight(x, y)));
+        const double t = std::clamp(inside / std::max(fade_m, 2.0 * frame.cell_m), 0.0, 1.0);
+        weight(x, y) = static_cast<float>(t * t * (3.0 - 2.0 * t));
+      }
+    }
+  });
+  return weight;
+}
+
+}  // namespace
+
+void apply(const FractalizeTool& tool, ContourSet& set, const ToolContext& context) {
+  for (const Polygon& polygon : tool.within) {
+    if (const auto defect = geom::find_defect(polygon)) throw InvalidArgument(context.name + ".within", *defect);
+    check_inside(polygon.outer, set.frame, context.name + ".within");
+  }
+  if (tool.amplitude_m == 0.0) return;
+  const ScalarField weight = fading_weight(tool.within, set.frame, tool.fade_m, context.run);
+  const double slope = 1.5 / std::max(tool.fade_m, 2.0 * weight.cell_m());
+  const Roughen roughen({tool.amplitude_m, tool.wavelength_m, tool.octaves, tool.gain}, weight, slope, context.seed);
+  const GridFrame& frame = weight.frame();
+  const geom::Box reach{{frame.west_m, frame.south_m()}, {frame.east_m(), frame.north_m}};
+  constexpr double kEdgeOfWave = 0.1;
+  const double edge = kEdgeOfWave * roughen.shortest_wavelength_m();
+  const PlaneMap map{
+      reach, edge, kEdge * edge, [](const geom::Box&) { return true; },
+      [&](double strength, std::span<Vec2> places, const RunContext& run) { roughen.move(strength, places, run); }};
+  move_or_refuse({"fractalize", "amplitude_m", tool.amplitude_m}, map, 1.0, set, context);
+}
+
+}  // namespace seamount::contour

@@ -1,0 +1,362 @@
+#include "seamount/ops/contour/edit/fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+
+#include "seamount/base/error.h"
+#include "seamount/base/text.h"
+#include "seamount/geom/contour/nesting.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/solve/poisson.h"
+#include "seamount/ops/contour/edit/selection.h"
+#include "seamount/ops/contour/edit/site.h"
+#include "seamount/ops/contour/move/roughen.h"
+
+namespace seamount::contour {
+namespace {
+
+/// A distribution of heights: the share of area at or above a height, as a function that falls from 1 to 0.
+class Hypsometry {
+ public:
+  /// Points (height, area at or above), heights ascending.
+  explicit Hypsometry(std::vector<Knot> points) : points_(std::move(points)) {}
+  /// The height that a share of the area lies above.
+  double height(double share) const {
+    const double area = share * points_.front().y;
+    size_t i = 1;
+    while (i + 1 < points_.size() && points_[i].y > area) ++i;
+    const Knot& a = points_[i - 1];
+    const Knot& b = points_[i];
+    const double t = a.y > b.y ? std::clamp((a.y - area) / (a.y - b.y), 0.0, 1.0) : 0.0;
+    return a.x + t * (b.x - a.x);
+  }
+
+ private:
+  std::vector<Knot> points_;
+};
+
+/// Marks the contour and what lies inside it.
+std::vector<char> family(const ContourSet& set, size_t contour) {
+  std::vector<char> inside(set.contours.size(), 0);
+  inside[contour] = 1;
+  for (size_t i = contour + 1; i < inside.size(); ++i) {
+    const int parent = set.contours[i].parent;
+    if (parent >= 0 && inside[static_cast<size_t>(parent)] != 0) inside[i] = 1;
+  }
+  return inside;
+}
+
+/// Heights away from the outline's own, in its direction (up in a hill), and the area that lies beyond each.
+Hypsometry hypsometry(const ContourSet& set, const std::vector<size_t>& roots) {
+  const bool hill = geom::is_hill(set.contours[roots[0]]);
+  const double base = set.contours[roots[0]].height_m;
+  std::vector<Knot> areas;
+  for (const size_t root : roots) {
+    const std::vector<char> inside = family(set, root);
+    for (size_t i = root; i < inside.size(); ++i) {
+      if (inside[i] == 0) continue;
+      const double rise = (set.contours[i].height_m - base) * (hill ? 1.0 : -1.0);
+      const double area = std::abs(geom::signed_area(set.contours[i].ring));
+      areas.push_back({rise, geom::is_hill(set.contours[i]) == hill ? area : -area});
+    }
+  }
+  std::sort(areas.begin(), areas.end(),
+            [](const Knot& a, const Knot& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::vector<Knot> points;
+  for (const Knot& area : areas) {
+    if (area.x < 0.0) continue;
+    if (!points.empty() && points.back().x == area.x) {
+      points.back().y += area.y;
+    } else {
+      points.push_back(area);
+    }
+  }
+  for (size_t i = 1; i < points.size(); ++i) points[i].y = std::clamp(points[i].y, 0.0, points[i - 1].y);
+  const double gap = points.size() > 1 ? points.back().x - points[points.size() - 2].x : 1.0;
+  points.push_back({points.back().x + 0.7 * gap, 0.0});
+  return Hypsometry(std::move(points));
+}
+
+bool encloses_any(const ContourSet& set, size_t contour) {
+  return std::any_of(set.contours.begin() + static_cast<ptrdiff_t>(contour), set.contours.end(),
+                     [&](const Contour& c) { return c.parent == static_cast<int>(contour); });
+}
+
+/// Contours like the one to fill, the nearest first, until their areas are twice its own.
+std::vector<size_t> models_for(const ContourSet& set, size_t filled) {
+  const Contour& own = set.contours[filled];
+  const bool hill = geom::is_hill(own);
+  const auto middle = [](const Ring& ring) {
+    const geom::Box box = geom::bounding_box(ring);
+    return 0.5 * (box.low + box.high);
+  };
+  const Vec2 here = middle(own.ring);
+  std::vector<std::pair<double, size_t>> found;
+  for (size_t i = 0; i < set.contours.size(); ++i) {
+    const Contour& other = set.contours[i];
+    if (i == filled || other.height_m != own.height_m || geom::is_hill(other) != hill || !encloses_any(set, i))
+      continue;
+    const Vec2 off = middle(other.ring) - here;
+    found.emplace_back(dot(off, off), i);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<size_t> models;
+  double area = 0.0;
+  for (const auto& [distance, i] : found) {
+    if (area > 2.0 * std::abs(geom::signed_area(own.ring))) break;
+    area += std::abs(geom::signed_area(set.contours[i].ring));
+    models.push_back(i);
+  }
+  if (models.empty() && encloses_any(set, filled)) models.push_back(filled);
+  return models;
+}
+
+constexpr std::array<std::array<int, 2>, 4> kNeighbours = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+/// Is the node of the patch and no corner of its border?
+bool is_inner(const Patch& patch, int x, int y) {
+  return patch.has(x - 1, y - 1) && patch.has(x, y - 1) && patch.has(x - 1, y) && patch.has(x, y);
+}
+
+/// Nodes of the patch that are no corner of its border, in the order in which they are reached from it when always the
+/// one with the lowest key comes next.
+std::vector<int32_t> grown_order(const Patch& patch, const ScalarField& key, const RunContext& run) {
+  using Open = std::pair<float, int32_t>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  const int width = patch.nodes.width;
+  Grid<uint8_t> seen(patch.nodes, 0);
+  const auto push_neighbours = [&](int x, int y) {
+    for (const auto& step : kNeighbours) {
+      const int nx = x + step[0];
+      const int ny = y + step[1];
+      if (!seen.contains(nx, ny) || seen(nx, ny) != 0 || !is_inner(patch, nx, ny)) continue;
+      seen(nx, ny) = 1;
+      open.emplace(key(nx, ny), ny * width + nx);
+    }
+  };
+  for (int y = 0; y < patch.nodes.height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (patch.at_border(x, y)) push_neighbours(x, y);
+    }
+  }
+  std::vector<int32_t> order;
+  while (!open.empty()) {
+    const int32_t at = open.top().second;
+    open.pop();
+    order.push_back(at);
+    if (order.size() % 65536 == 0) run.check_cancelled();
+    push_neighbours(at % width, at / width);
+  }
+  return order;
+}
+
+geom::Fbm landforms(double wavelength_m, double cell_m) {
+  return {.wavelength_m = wavelength_m, .octaves = 6, .gain = 0.5, .lacunarity = 2.0, .cell_m = 2.0 * cell_m};
+}
+
+/// Time at which a front from the patch's border arrives at each inner node, with this speed there: |grad T| speed = 1,
+/// by fast marching (Sethian 1996). Every node has a neighbour that is reached before it. `order` gets the inner nodes
+/// in the order of their arrival.
+class Front {
+ public:
+  Front(const Patch& patch, const ScalarField& speed) : patch_(patch), speed_(speed), time_(patch.nodes, kNever) {
+    for (int y = 0; y < patch.nodes.height; ++y) {
+      for (int x = 0; x < patch.nodes.width; ++x) {
+        if (patch.at_border(x, y)) time_(x, y) = 0.0;
+      }
+    }
+  }
+
+  std::vector<int32_t> run(const RunContext& run) {
+    for (int y = 0; y < patch_.nodes.height; ++y) {
+      for (int x = 0; x < patch_.nodes.width; ++x) {
+        if (patch_.at_border(x, y)) push_neighbours(x, y);
+      }
+    }
+    std::vector<int32_t> order;
+    while (!open_.empty()) {
+      const auto [time, at] = open_.top();
+      open_.pop();
+      const int x = at % patch_.nodes.width;
+      const int y = at / patch_.nodes.width;
+      if (time_(x, y) != kNever) continue;
+      time_(x, y) = time;
+      order.push_back(at);
+      if (order.size() % 65536 == 0) run.check_cancelled();
+      push_neighbours(x, y);
+    }
+    return order;
+  }
+
+ private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  void push_neighbours(int x, int y) {
+    for (const auto& step : kNeighbours) {
+      const int nx = x + step[0];
+      const int ny = y + step[1];
+      if (!time_.contains(nx, ny) || time_(nx, ny) != kNever || !is_inner(patch_, nx, ny)) continue;
+      open_.emplace(arrival(nx, ny), ny * patch_.nodes.width + nx);
+    }
+  }
+
+  double known(int x, int y) const { return time_.contains(x, y) ? time_(x, y) : kNever; }
+
+  double arrival(int x, int y) const {
+    const double a = std::min(known(x - 1, y), known(x + 1, y));
+    const double b = std::min(known(x, y - 1), known(x, y + 1));
+    const double step = 1.0 / static_cast<double>(speed_(x, y));
+    if (std::abs(a - b) >= step) return std::min(a, b) + step;
+    return 0.5 * (a + b + std::sqrt(2.0 * step * step - (a - b) * (a - b)));
+  }
+
+  const Patch& patch_;
+  const ScalarField& speed_;
+  Grid<double> time_;
+  using Open = std::pair<double, int32_t>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+};
+
+/// The inside of a contour.
+void fill_contour(size_t contour, const FillTool& tool, ContourSet& set, const std::string& name, Seed seed,
+                  const RunContext& run) {
+  const std::vector<size_t> models = models_for(set, contour);
+  if (models.empty())
+    throw InvalidArgument(name, "no contour of " + format_number(set.contours[contour].height_m) +
+                                    " m encloses others, this one neither: there is nothing to be like");
+  const Hypsometry distribution = hypsometry(set, models);
+  const double sign = geom::is_hill(set.contours[contour]) ? 1.0 : -1.0;
+  const double base = set.contours[contour].height_m;
+  std::vector<double> levels = levels_of(set);
+  std::vector<char> gone = family(set, contour);
+  gone[contour] = 0;
+  const Polygon outline{set.contours[contour].ring, {}};
+  remove_contours(set, gone);
+  const Site site = make_site(set, outline, true, 0.0, name, run);
+  const GridFrame& frame = site.patch.nodes;
+  constexpr float kContrast = 2.5F;  // of the logarithm of the speed over the noise
+  ScalarField speed = geom::fbm_grid(frame, seed.derive("fill"), landforms(tool.wavelength_m, frame.cell_m), run);
+  for (float& value : speed.cells()) value = std::exp(kContrast * value);
+  const std::vector<int32_t> order = Front(site.patch, speed).run(run);
+  ScalarField heights = site.ground;
+  const double border = std::abs(static_cast<double>(least_gap(levels))) * 0.02;
+  double top = base;
+  for (size_t i = 0; i < order.size(); ++i) {
+    const double share = 1.0 - (static_cast<double>(i) + 0.5) / static_cast<double>(order.size());
+    const double height = base + sign * (border + tool.relief * distribution.height(share));
+    heights.cells()[static_cast<size_t>(order[i])] = static_cast<float>(height);
+    top = sign * height > sign * top ? height : top;
+  }
+  levels = levels_covering(levels, std::min(base, top), std::max(base, top), name);
+  replace_patch(set, site.patch, heights, levels, name, run);
+}
+
+/// Raises inner nodes until each has a neighbour that is lower, by `step` where it was not.
+void fill_basins(ScalarField& heights, const Patch& patch, float step, const RunContext& run) {
+  float water = -std::numeric_limits<float>::infinity();
+  const ScalarField wanted = heights;
+  for (const int32_t at : grown_order(patch, wanted, run)) {
+    water = std::max(water + step, wanted.cells()[static_cast<size_t>(at)]);
+    heights.cells()[static_cast<size_t>(at)] = water;
+  }
+}
+
+/// Bends values to another distribution: each to the height that as large a share of `like` lies below.
+float bent(float value, const std::vector<float>& own, const std::vector<float>& like) {
+  const auto below = std::lower_bound(own.begin(), own.end(), value) - own.begin();
+  const double at = static_cast<double>(below) / static_cast<double>(own.size()) * static_cast<double>(like.size() - 1);
+  const auto i = std::min(static_cast<size_t>(at), like.size() - 1);
+  const auto t = static_cast<float>(at - static_cast<double>(i));
+  return like[i] + t * (like[std::min(i + 1, like.size() - 1)] - like[i]);
+}
+
+/// Root of the mean square of what a blur over one wavelength takes from the ground outside.
+double roughness(const Site& site, double wavelength_m, const RunContext& run) {
+  ScalarField smooth = site.ground;
+  geom::gaussian_blur(smooth, 0.5 * wavelength_m, run);
+  double sum = 0.0;
+  double count = 0.0;
+  for (size_t i = 0; i < smooth.size(); ++i) {
+    if (site.inward.cells()[i] > 0.0F) continue;
+    const auto off = static_cast<double>(site.ground.cells()[i] - smooth.cells()[i]);
+    sum += off * off;
+    count += 1.0;
+  }
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+/// Ground stretched smoothly over the outline, read at places that noise displaces one to one: rough, and as free of
+/// basins as it was.
+ScalarField stretched(const Site& site, const ScalarField& share, double share_slope, double wavelength_m, Seed seed,
+                      const RunContext& run) {
+  const GridFrame& frame = site.patch.nodes;
+  ScalarField smooth = site.ground;
+  Grid<uint8_t> fixed(frame, 0);
+  for (size_t i = 0; i < smooth.size(); ++i) fixed.cells()[i] = site.inward.cells()[i] <= 0.0F ? 1 : 0;
+  geom::solve_laplace(smooth, fixed, run);
+  constexpr double kAmplitude = 0.2;
+  const Roughen roughen({kAmplitude * wavelength_m, wavelength_m, 5, 0.5}, share, share_slope, seed);
+  Polyline places;
+  places.reserve(smooth.size());
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) places.push_back({frame.x(x), frame.y(y)});
+  roughen.move(1.0, places, run);
+  ScalarField heights(frame);
+  for (size_t i = 0; i < heights.size(); ++i)
+    heights.cells()[i] = geom::sample_bilinear(smooth, frame.column(places[i].x), frame.row(places[i].y));
+  return heights;
+}
+
+/// A polygon that may cross contours.
+void fill_polygon(const Polygon& outline, const FillTool& tool, ContourSet& set, const std::string& name, Seed seed,
+                  const RunContext& run) {
+  const double reach = 0.5 * std::sqrt(std::abs(geom::signed_area(outline.outer)));
+  const Site site = make_site(set, outline, false, reach, name, run);
+  const GridFrame& frame = site.patch.nodes;
+  const double rim = std::max(0.25 * tool.wavelength_m, 4.0 * frame.cell_m);
+  ScalarField share(frame);
+  for (size_t i = 0; i < share.size(); ++i) {
+    const double t = std::clamp(static_cast<double>(site.inward.cells()[i]) / rim, 0.0, 1.0);
+    share.cells()[i] = static_cast<float>(t * t * (3.0 - 2.0 * t));
+  }
+  ScalarField heights = stretched(site, share, 1.5 / rim, tool.wavelength_m, seed.derive("stretch"), run);
+  const ScalarField noise = geom::fbm_grid(frame, seed.derive("fill"), landforms(tool.wavelength_m, frame.cell_m), run);
+  constexpr double kDeviation = 0.35;  // of fbm
+  constexpr double kRelief = 0.5;      // the rest comes from the displacement
+  const double amplitude = kRelief * tool.relief * roughness(site, tool.wavelength_m, run) / kDeviation;
+  std::vector<float> own;
+  std::vector<float> like;
+  for (size_t i = 0; i < heights.size(); ++i) {
+    heights.cells()[i] += share.cells()[i] * static_cast<float>(amplitude) * noise.cells()[i];
+    (site.inward.cells()[i] > 0.0F ? own : like).push_back(heights.cells()[i]);
+  }
+  std::sort(own.begin(), own.end());
+  std::sort(like.begin(), like.end());
+  for (size_t i = 0; i < heights.size(); ++i) {
+    float& height = heights.cells()[i];
+    if (share.cells()[i] > 0.0F) height += share.cells()[i] * (bent(height, own, like) - height);
+  }
+  fill_basins(heights, site.patch, static_cast<float>(1e-5 * least_gap(levels_of(set))), run);
+  const std::vector<double> levels =
+      levels_covering(levels_of(set), static_cast<double>(std::min(own.front(), like.front())),
+                      static_cast<double>(std::max(own.back(), like.back())), name);
+  replace_patch(set, site.patch, heights, levels, name, run);
+}
+
+}  // namespace
+
+void fill_outline(const Outline& outline, const FillTool& tool, ContourSet& set, const std::string& name, Seed seed,
+                  const RunContext& run) {
+  if (outline.contour >= 0) {
+    fill_contour(static_cast<size_t>(outline.contour), tool, set, name, seed, run);
+  } else {
+    fill_polygon(outline.polygon, tool, set, name, seed, run);
+  }
+}
+
+}  // namespace seamount::contour

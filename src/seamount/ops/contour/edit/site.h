@@ -1,0 +1,44 @@
+// Where contours are made anew: an outline among the contours of a set, on a lattice.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "seamount/base/run_context.h"
+#include "seamount/model/contour_set.h"
+#include "seamount/model/grid.h"
+#include "seamount/ops/contour/edit/patch.h"
+
+namespace seamount::contour {
+
+/// The different heights of a set, ascending.
+std::vector<double> levels_of(const ContourSet& set);
+
+/// The least difference between levels; 1 if there is only one.
+double least_gap(const std::vector<double>& levels);
+
+/// Levels continued at either end by its last gap until they cover [low, high]. Throws InvalidArgument{name} where
+/// that would be more than 10000.
+std::vector<double> levels_covering(std::vector<double> levels, double low, double high, const std::string& name);
+
+/// Height of the innermost contour around a place, a little up or down into the band that it bounds; a gap below the
+/// lowest level if there is none.
+double height_around(const ContourSet& set, Vec2 place);
+
+/// A cell size for an outline of this extent among lines with edges of this mean length.
+double lattice_cell(double extent_m, double mean_edge_m);
+double mean_edge(const ContourSet& set, const std::vector<size_t>& contours);
+
+struct Site {
+  Patch patch;
+  ScalarField inward;  ///< distance of each node to the outline, metres; below 0 outside
+  ScalarField ground;  ///< between the contours of the set
+};
+
+/// The lattice of an outline, with at least `margin_m` around it. Its patch holds every square with a node in the
+/// outline, so that it is a little larger than that; or, strictly inside, only squares with a node at least 3.5 cells
+/// in. Throws InvalidArgument{name}: outline not sound or not wholly in the domain, set without contours.
+Site make_site(const ContourSet& set, const Polygon& outline, bool strictly_inside, double margin_m,
+               const std::string& name, const RunContext& run);
+
+}  // namespace seamount::contour

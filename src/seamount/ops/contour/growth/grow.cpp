@@ -1,0 +1,236 @@
+#include "seamount/ops/contour/growth/grow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "seamount/base/parallel.h"
+#include "seamount/base/text.h"
+#include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/polygon/poisson_disc.h"
+#include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/tin/delaunay.h"
+#include "seamount/geom/tin/tin_border.h"
+#include "seamount/ops/contour/growth/growth.h"
+#include "seamount/ops/contour/growth/outline_detail.h"
+#include "seamount/ops/contour/growth/probability.h"
+#include "seamount/ops/contour/growth/rivers.h"
+
+namespace seamount::contour {
+namespace {
+
+constexpr double kBytesPerNode = 200.0;
+constexpr double kWidening = 2.0;  ///< spacings around the regions: 4 r with r half a spacing
+
+geom::Box box_of(const GridFrame& frame, double margin_m) {
+  return {{frame.west_m - margin_m, frame.south_m() - margin_m}, {frame.east_m() + margin_m, frame.north_m + margin_m}};
+}
+
+struct Measures {
+  double area = 0.0;       ///< of the regions in the domain, m^2
+  double perimeter = 0.0;  ///< of the outermost outlines in the domain, m
+  geom::Box box;
+};
+
+Measures measure(const RegionTree& tree, const GridFrame& domain) {
+  Measures all;
+  for (const GrowthRegion& region : tree.regions) {
+    if (region.parent >= 0) continue;
+    const Ring ring = geom::clip_to_box(region.outline, box_of(domain, 0.0));
+    all.area += std::abs(geom::signed_area(ring));
+    all.perimeter += geom::ring_length(ring);
+    const geom::Box box = geom::bounding_box(ring);
+    if (box.empty()) continue;
+    if (all.box.empty()) all.box = box;
+    all.box.low = {std::min(all.box.low.x, box.low.x), std::min(all.box.low.y, box.low.y)};
+    all.box.high = {std::max(all.box.high.x, box.high.x), std::max(all.box.high.y, box.high.y)};
+  }
+  return all;
+}
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return format_number(std::stod(text));
+}
+
+/// Rounds to two digits, up or down: a number for people to type in.
+double two_digits(double value, bool up) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", (up ? std::ceil(value / unit) : std::floor(value / unit)) * unit);
+  return std::stod(text);
+}
+
+void check_size(const Measures& all, double spacing_m) {
+  const auto nodes = [&](double spacing) {
+    const double rim = all.perimeter * (kWidening + 1.5) * spacing;
+    return geom::kDiscDensity * (all.area + rim) / (spacing * spacing);
+  };
+  double least = spacing_m;
+  while (nodes(least) > static_cast<double>(kMostNodes)) least *= 1.1;
+  const double extent = std::max(all.box.high.x - all.box.low.x, all.box.high.y - all.box.low.y);
+  least = std::max(least, extent / (geom::kMostDiscsAcross - 100.0));
+  if (least <= spacing_m) return;
+  const double count = nodes(spacing_m), most = nodes(two_digits(least, true));
+  throw InvalidArgument("spacing_m", format_number(spacing_m) + " would need " + short_number(count / 1e6) +
+                                         " million nodes and about " + short_number(count * kBytesPerNode / 1e9) +
+                                         " GB; " + format_number(two_digits(least, true)) + " m needs " +
+                                         short_number(most * kBytesPerNode / 1e9) + " GB");
+}
+
+/// Regions of the nodes. Ground at the domain's edge goes on beyond it: a node there is in the region of the nearest
+/// place inside. What is nearer to the edge than half a spacing counts as touching it.
+std::vector<int32_t> regions_of_nodes(const RegionTree& tree, const GridFrame& domain, double spacing_m,
+                                      const std::vector<Vec2>& nodes, const RunContext& run) {
+  const double inset = std::min({0.5 * spacing_m, 0.25 * domain.width_m(), 0.25 * domain.height_m()});
+  const geom::Box box = box_of(domain, -inset);
+  std::vector<Vec2> places;
+  places.reserve(nodes.size());
+  for (const Vec2 p : nodes) {
+    places.push_back({std::clamp(p.x, box.low.x, box.high.x), std::clamp(p.y, box.low.y, box.high.y)});
+  }
+  return regions_at(tree, places, run);
+}
+
+/// Radius of a disc that fits into a region in the domain: a sampling of that spacing never misses the region. About
+/// the largest, and at least area / border; 0 if the region is all outside.
+double disc_in(const RegionTree& tree, size_t region, const GridFrame& domain, const RunContext& run) {
+  constexpr int kCells = 100;
+  Polygon polygon{geom::clip_to_box(tree.regions[region].outline, box_of(domain, 0.0)), {}};
+  const geom::Box box = geom::bounding_box(polygon.outer);
+  for (const GrowthRegion& child : tree.regions) {
+    if (child.parent == static_cast<int>(region)) polygon.holes.push_back(child.outline);
+  }
+  const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
+  if (box.empty() || !(std::min(width, height) > 0.0)) return 0.0;
+  const double cell = std::min(width, height) / kCells;
+  const double least = std::max(0.0, geom::area(polygon) / geom::perimeter(polygon));
+  if (std::max(width, height) > 1e4 * cell) return least;
+  const auto cells = [&](double side) { return static_cast<int>(std::ceil(side / cell)); };
+  const GridFrame frame = {cells(width), cells(height), cell, box.low.x, box.high.y, {}};
+  const ScalarField distance = geom::signed_distance({polygon}, frame, run);
+  return std::max(least, -static_cast<double>(*std::min_element(distance.cells().begin(), distance.cells().end())));
+}
+
+void check_regions(const RegionTree& tree, const GridFrame& domain, double spacing_m,
+                   const std::vector<int32_t>& region, const RunContext& run) {
+  std::vector<bool> has_node(tree.regions.size(), false);
+  for (const int32_t r : region) {
+    if (r >= 0) has_node[static_cast<size_t>(r)] = true;
+  }
+  for (size_t i = 0; i < tree.regions.size(); ++i) {
+    if (has_node[i]) continue;
+    const double disc = std::min(disc_in(tree, i, domain, run), 0.7 * spacing_m);
+    const std::string advice =
+        disc > 0.0 ? "; a spacing_m of " + format_number(two_digits(disc, false)) + " would do" : "; take it out";
+    throw InvalidArgument("spacing_m", "no node falls into the region '" + tree.regions[i].name + "' at a spacing of " +
+                                           short_number(spacing_m) + " m" + advice);
+  }
+}
+
+/// Triangles of the sampled area have sides below two spacings, where it made room for rivers below three; longer ones
+/// only span the sea between islands.
+std::vector<geom::Triangle> triangulate(const std::vector<geom::LatticePoint>& points, bool has_rivers,
+                                        const RunContext& run) {
+  const int64_t longest = (has_rivers ? 3 : 2) * int64_t{geom::DiscSampling::kSpacing};
+  std::vector<geom::Triangle> triangles = geom::delaunay(points, run);
+  std::erase_if(triangles, [&](const geom::Triangle& t) {
+    for (size_t k = 0; k < 3; ++k) {
+      const auto a = static_cast<size_t>(t[k]), b = static_cast<size_t>(t[(k + 1) % 3]);
+      if (geom::squared_distance(points[a], points[b]) >= longest * longest) return true;
+    }
+    return false;
+  });
+  return triangles;
+}
+
+}  // namespace
+
+void check_spacing(const RegionTree& tree, const GridFrame& domain, double spacing_m) {
+  check_size(measure(tree, domain), spacing_m);
+}
+
+double node_spacing(const RegionTree& tree, const GridFrame& domain, const GrowParams& params) {
+  if (params.spacing_m) return *params.spacing_m;
+  return std::sqrt(geom::kDiscDensity * measure(tree, domain).area / params.particles);
+}
+
+Tin strew_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<RiverLine> rivers,
+                const GrowParams& params, Seed seed, const RunContext& run) {
+  const Measures all = measure(tree, domain);
+  if (!(all.area > 0.0)) throw InvalidArgument("outlines", "no region has an area inside the domain");
+  const double spacing = node_spacing(tree, domain, params);
+  check_size(all, spacing);
+
+  std::vector<Polygon> areas;
+  for (const GrowthRegion& region : tree.regions) {
+    if (region.parent < 0) areas.push_back({region.outline, {}});
+  }
+  const double margin = kWidening * spacing;
+  const geom::Box box = {all.box.low - Vec2{margin, margin}, all.box.high + Vec2{margin, margin}};
+  geom::DiscSampling discs = geom::poisson_discs(areas, margin, box, spacing, seed.derive("nodes"), run.part(0.0, 0.5));
+  rivers.insert(rivers.end(), params.rivers.begin(), params.rivers.end());
+  const std::vector<River> courses = prepare_rivers(rivers, tree, domain, kRiverStep * spacing, "rivers");
+  Tin tin;
+  tin.bed_m = lay_rivers(courses, tree, domain, spacing, discs);
+  tin.frame = domain;
+  tin.regions = tin_regions(tree);
+  tin.triangles = triangulate(discs.points, !tin.bed_m.empty(), run.part(0.5, 0.9));
+  tin.nodes.reserve(discs.points.size());
+  for (const geom::LatticePoint p : discs.points) tin.nodes.push_back(discs.lattice.place(p));
+  geom::open_pinches(tin);
+  tin.region = regions_of_nodes(tree, domain, spacing, tin.nodes, run.part(0.9, 1.0));
+  return tin;
+}
+
+void grow_nodes(Tin& tin, const ScalarField* probability, const GrowParams& params, Seed seed, const RunContext& run) {
+  std::vector<float> chance(tin.nodes.size(), 0.5F);
+  if (probability != nullptr) {
+    chance = field_probability(tin.nodes, *probability, params.exponent, run.part(0.0, 0.2));
+  } else if (params.probability == ProbabilityKind::noise) {
+    geom::Fbm shape;
+    shape.wavelength_m = params.feature_m.value_or(std::sqrt(measure(regions_of(tin), tin.frame).area) / 3.0);
+    shape.octaves = params.octaves;
+    chance = noise_probability(tin.nodes, shape, params.exponent, seed.derive("probability"), run.part(0.0, 0.2));
+  }
+  const RiverNodes river_nodes = keep_river_nodes(tin);
+  tin.rank = grow_ranks(tin.triangles, tin.region, tin.regions, chance, river_nodes, seed.derive("growth"),
+                        run.part(0.2, 1.0));
+}
+
+Tin grow(RegionTree tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
+         GrowParams params, Seed seed, const RunContext& run) {
+  check_params(params);
+  if (params.irregularity > 0.0) {
+    check_size(measure(tree, domain), node_spacing(tree, domain, params));
+    rivers.insert(rivers.end(), params.rivers.begin(), params.rivers.end());
+    params.rivers.clear();
+    add_outline_detail(tree, rivers, params.irregularity, domain, seed.derive("outlines"), run);
+  }
+  Tin tin = strew_nodes(tree, domain, std::move(rivers), params, seed, run.part(0.0, 0.7));
+  check_regions(tree, domain, node_spacing(tree, domain, params), tin.region, run);
+  grow_nodes(tin, probability, params, seed, run.part(0.7, 1.0));
+  return tin;
+}
+
+RegionTree random_region(const GridFrame& domain, Seed seed) {
+  constexpr int kPoints = 360;
+  const double size = std::min(domain.width_m(), domain.height_m());
+  const Vec2 centre = {domain.west_m + 0.5 * domain.width_m(), domain.south_m() + 0.5 * domain.height_m()};
+  Ring ring;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPoints;
+    const double wave = geom::fbm_circle(seed.derive("outline"), angle, 4.0, 6);
+    const double radius = size * std::clamp(0.33 + 0.16 * wave, 0.15, 0.47);
+    ring.push_back(centre + radius * Vec2{std::cos(angle), std::sin(angle)});
+  }
+  GrowthRegion region;
+  region.name = "land";
+  region.outline = ring;
+  return {{region}};
+}
+
+}  // namespace seamount::contour

@@ -1,0 +1,73 @@
+// The parts of contour.heights (heights.h) that work on nodes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "seamount/base/run_context.h"
+#include "seamount/geom/tin/node_graph.h"
+#include "seamount/model/tin.h"
+#include "seamount/ops/contour/heights/distribution.h"
+#include "seamount/ops/contour/heights/height_bands.h"
+
+namespace seamount::contour {
+
+/// A node beside another region's.
+struct Shore {
+  int32_t node = 0;
+  int32_t outline = 0;  ///< the region whose outline lies between: the node's own, or one directly inside its region
+  bool inside = false;  ///< of that outline
+};
+
+/// Every node beside an outline, once per outline, by outline; nodes outside all regions as well.
+std::vector<Shore> find_shores(const Tin& tin, const geom::NodeGraph& graph);
+
+/// What outlines and rivers leave to a node. A floor above the cap wins.
+struct Limits {
+  std::vector<double> floor, cap;
+};
+Limits find_limits(const Tin& tin, const std::vector<RegionBand>& bands, const std::vector<Shore>& shores);
+
+/// River nodes lie at their beds, the land beside them not lower.
+void limit_rivers(const Tin& tin, const geom::NodeGraph& graph, Limits& limits);
+
+/// Quantiles in the order of ranks: per group and level, or per region where outlines inside it have heights of their
+/// own. Nodes outside stay 0.
+std::vector<double> band_heights(const Tin& tin, const std::vector<RegionBand>& bands, const std::vector<Shore>& shores,
+                                 const HeightDistribution& distribution, const HeightsParams& params,
+                                 const RunContext& run);
+
+/// Stands the heights of regions with rivers on the bed that the water from there comes to, smoothed across divides,
+/// instead of on their region's lowest height: a node keeps its share of the way up from there.
+void stand_on_rivers(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
+                     std::vector<double>& height, const RunContext& run);
+
+/// Lays nodes beside outlines at the heights that a plane through the outline has there, as steep as the ground is, so
+/// that the contour passes between them where the outline does. Sets nodes outside the regions too (`known`).
+void follow_outlines(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
+                     const std::vector<Shore>& shores, std::vector<double>& height, std::vector<uint8_t>& known,
+                     const RunContext& run);
+
+/// Lowers what is steeper than twice the root of the mean square slope above the lower ground around it, down to the
+/// node's floor at most; nodes of regions with a peak stay. A node that is lowered keeps a lower neighbour.
+void cut_needles(const Tin& tin, const geom::NodeGraph& graph, const Limits& limits, std::vector<double>& height,
+                 const RunContext& run);
+
+/// Nodes of the regions, drains before what they drain: by level, then rank.
+std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& bands);
+
+/// The lowest neighbour of lower rank or in lower ground; -1: an outlet, or the deepest node of a basin.
+std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height);
+
+/// Lowers what would dam the water on its way down the ranks, then lifts what still lies below where it drains to, and
+/// rounds to floats that differ: afterwards each node's drain is lower than the node. Outside nodes count as outlets.
+std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
+                         const Limits& limits, std::vector<double> height, const RunContext& run);
+
+/// Nodes outside the regions fall from the outlines by `slope` (m/m) and the distance along sides.
+void fall_outside(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
+                  const std::vector<Shore>& shores, const std::vector<uint8_t>& known, double slope,
+                  std::vector<double>& height, const RunContext& run);
+
+}  // namespace seamount::contour

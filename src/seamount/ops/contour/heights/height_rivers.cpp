@@ -1,0 +1,72 @@
+// Heights along rivers (height_nodes.h).
+#include <algorithm>
+
+#include "seamount/ops/contour/heights/height_nodes.h"
+
+namespace seamount::contour {
+namespace {
+
+constexpr int kRounds = 40;  ///< of smoothing: divides are about a dozen nodes wide
+
+size_t at(int32_t i) { return static_cast<size_t>(i); }
+
+bool is_river(const Tin& tin, size_t node) { return !tin.bed_m.empty() && tin.bed_m[node] != Tin::kNoBed; }
+
+}  // namespace
+
+void limit_rivers(const Tin& tin, const geom::NodeGraph& graph, Limits& limits) {
+  for (size_t node = 0; node < tin.bed_m.size(); ++node) {
+    if (!is_river(tin, node) || tin.region[node] < 0) continue;
+    const auto bed = static_cast<double>(tin.bed_m[node]);
+    limits.floor[node] = limits.cap[node] = bed;
+    for (const int32_t neighbour : graph.around(node)) {
+      const size_t beside = at(neighbour);
+      if (tin.region[beside] >= 0 && !is_river(tin, beside)) limits.floor[beside] = std::max(limits.floor[beside], bed);
+    }
+  }
+}
+
+void stand_on_rivers(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
+                     std::vector<double>& height, const RunContext& run) {
+  std::vector<uint8_t> has_river(bands.size(), 0);
+  for (size_t node = 0; node < tin.bed_m.size(); ++node) {
+    if (is_river(tin, node) && tin.region[node] >= 0) has_river[at(tin.region[node])] = 1;
+  }
+  if (std::none_of(has_river.begin(), has_river.end(), [](uint8_t has) { return has != 0; })) return;
+  const auto stands = [&](size_t node) { return tin.region[node] >= 0 && has_river[at(tin.region[node])] != 0; };
+
+  const std::vector<int32_t> drains = find_drains(tin, graph, height);
+  std::vector<double> base(tin.nodes.size(), 0.0);
+  for (const int32_t node : rank_order(tin, bands)) {
+    const size_t n = at(node);
+    const double lowest = bands[at(tin.region[n])].from_m;
+    const int32_t to = drains[n];
+    const bool same = to >= 0 && tin.region[at(to)] == tin.region[n];
+    base[n] = is_river(tin, n) ? static_cast<double>(tin.bed_m[n]) : (same ? base[at(to)] : lowest);
+  }
+  std::vector<double> smooth = base;
+  for (int round = 0; round < kRounds; ++round) {
+    run.check_cancelled();
+    for (size_t node = 0; node < tin.nodes.size(); ++node) {
+      if (!stands(node) || is_river(tin, node) || drains[node] < 0) continue;
+      double sum = 0.0;
+      int count = 0;
+      for (const int32_t neighbour : graph.around(node)) {
+        if (tin.region[at(neighbour)] != tin.region[node]) continue;
+        sum += base[at(neighbour)];
+        ++count;
+      }
+      if (count > 0) smooth[node] = 0.3 * base[node] + 0.7 * sum / count;
+    }
+    base = smooth;
+  }
+  for (size_t node = 0; node < tin.nodes.size(); ++node) {
+    if (!stands(node)) continue;
+    const RegionBand& band = bands[at(tin.region[node])];
+    if (!(band.to_m > band.from_m)) continue;
+    const double share = (height[node] - band.from_m) / (band.to_m - band.from_m);
+    height[node] = base[node] + share * std::max(band.to_m - base[node], 0.0);
+  }
+}
+
+}  // namespace seamount::contour
