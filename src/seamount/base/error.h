@@ -42,6 +42,12 @@ class IoError : public Error {
   std::string path_;
 };
 
+/// A file cannot be written: the work failed, its input may be fine. path() is the file that was wanted.
+class WriteError : public IoError {
+ public:
+  using IoError::IoError;
+};
+
 /// The user asked for the work to stop.
 class Cancelled : public Error {
  public:

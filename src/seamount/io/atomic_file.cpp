@@ -1,20 +1,18 @@
 #include "seamount/io/atomic_file.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <system_error>
 
 #include "seamount/base/error.h"
+#include "seamount/io/private_folder.h"
+#include "seamount/io/replace_file.h"
 
 namespace seamount::io {
 namespace fs = std::filesystem;
@@ -22,64 +20,22 @@ namespace {
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-constexpr const char* kTemporary = ".seamount-";
-
-/// ".seamount-<process>-<count>-<name>" in the folder of `target`.
-fs::path temporary_beside(const fs::path& target) {
-  static std::atomic<unsigned> count{0};
-  const std::string stamp = std::to_string(::getpid()) + "-" + std::to_string(count++);
-  return target.parent_path() / (kTemporary + stamp + "-" + target.filename().string());
-}
-
-/// Removes the temporary and what a library may have put beside it under a longer name (journals, .aux.xml).
-void remove_temporaries(const fs::path& temporary) {
-  std::error_code ignored;
-  const std::string stem = temporary.filename().string();
-  for (const fs::directory_entry& entry : fs::directory_iterator(temporary.parent_path(), ignored)) {
-    std::error_code gone;
-    if (entry.path().filename().string().starts_with(stem)) fs::remove(entry.path(), gone);
-  }
-}
-
-/// Makes sure that a file's bytes, or a folder's entries, are on the disk.
-void sync(const fs::path& place, const std::string& path) {
-  const int file = ::open(place.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) throw IoError(path, "cannot be written: " + reason(errno));
-  const int failed = ::fsync(file) != 0 ? errno : 0;
-  ::close(file);
-  if (failed != 0 && failed != EINVAL) throw IoError(path, "cannot be written: " + reason(failed));
-}
-
-/// The place to write to: links are followed, folders made, devices and folders refused.
-fs::path prepare_target(const std::string& path) {
-  if (path.empty()) throw IoError("(no name)", "a file name is needed");
-  std::error_code error;
-  fs::path target = path;
-  if (fs::is_symlink(target, error)) target = fs::weakly_canonical(target, error);
-  target = fs::absolute(target, error);
-  if (!target.has_filename() || fs::is_directory(target, error)) throw IoError(path, "is a folder, not a file name");
-  if (fs::exists(target, error) && !fs::is_regular_file(target, error)) throw IoError(path, "is not a regular file");
-  fs::create_directories(target.parent_path(), error);
-  if (error) throw IoError(path, "its folder cannot be made: " + error.message());
-  return target;
-}
-
 }  // namespace
 
 void write_atomically(const std::string& path, const std::function<void(const std::string& temporary)>& write) {
-  const fs::path target = prepare_target(path);
-  const fs::path temporary = temporary_beside(target);
-  try {
-    write(temporary.string());
-    sync(temporary, path);
-    std::error_code error;
-    fs::rename(temporary, target, error);
-    if (error) throw IoError(path, "cannot be written: " + error.message());
-    sync(target.parent_path(), path);
-  } catch (...) {
-    remove_temporaries(temporary);
-    throw;
-  }
+  if (path.empty()) throw WriteError("(no name)", "a file name is needed");
+  const fs::path target = path;
+  if (!target.has_filename()) throw WriteError(path, "is a folder, not a file name");
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  const std::optional<mode_t> mode = check_replaceable(target, path);
+  if (!mode) make_folders(folder, path, "its folder cannot be made");
+  const PrivateFolder own(folder, path);
+  const fs::path temporary = own.path() / target.filename();
+  write(temporary.string());
+  take_over_mode(temporary, mode, path);
+  sync_to_disk(temporary, path);
+  if (::rename(temporary.c_str(), target.c_str()) != 0) throw WriteError(path, "cannot be written: " + reason(errno));
+  sync_to_disk(folder, path);
 }
 
 void write_bytes(const std::string& path, std::span<const uint8_t> bytes) {
@@ -94,26 +50,9 @@ void write_text(const std::string& path, std::string_view text) {
   write_bytes(path, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
 }
 
-FolderLock::FolderLock(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError(folder, "cannot be made: " + error.message());
-  handle_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (handle_ < 0) throw IoError(folder, "cannot be opened: " + reason(errno));
-  if (::flock(handle_, LOCK_EX | LOCK_NB) == 0) {
-    remove_temporaries(fs::path(folder) / kTemporary);
-    return;
-  }
-  const int failed = errno;
-  ::close(handle_);
-  throw IoError(folder, failed == EWOULDBLOCK ? "another run is writing to it" : "cannot be locked: " + reason(failed));
-}
-
-FolderLock::~FolderLock() { ::close(handle_); }
-
 FileWriter::FileWriter(const std::string& file, std::string shown_path)
     : path_(std::move(shown_path)), file_(std::fopen(file.c_str(), "wb")) {
-  if (file_ == nullptr) throw IoError(path_, "cannot be written: " + reason(errno));
+  if (file_ == nullptr) throw WriteError(path_, "cannot be written: " + reason(errno));
 }
 
 FileWriter::~FileWriter() {
@@ -123,12 +62,12 @@ FileWriter::~FileWriter() {
 void FileWriter::write(std::span<const uint8_t> bytes) {
   if (bytes.empty()) return;
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
-    throw IoError(path_, "cannot be written: " + reason(errno));
+    throw WriteError(path_, "cannot be written: " + reason(errno));
 }
 
 void FileWriter::close() {
   std::FILE* file = std::exchange(file_, nullptr);
-  if (std::fclose(file) != 0) throw IoError(path_, "cannot be written: " + reason(errno));
+  if (std::fclose(file) != 0) throw WriteError(path_, "cannot be written: " + reason(errno));
 }
 
 void check_readable(const std::string& path) {

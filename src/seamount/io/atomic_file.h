@@ -1,4 +1,4 @@
-// Files that appear whole or not at all: written under a temporary name in the same folder, synced, then renamed. Every
+// Files that appear whole or not at all: written in a private folder beside their place, synced, then renamed. Every
 // writer of this module goes through here.
 #pragma once
 
@@ -13,17 +13,19 @@
 
 namespace seamount::io {
 
-/// Calls write(temporary) and renames what it wrote to `path`. Missing parent folders are created. The temporary name
-/// keeps the extension, for writers that look at it. Whatever fails (write() itself, a full disk, a folder in the way),
-/// the temporary is removed, an earlier file stays as it was, and IoError{path} is thrown; other exceptions of write()
-/// pass through.
+/// Calls write(temporary) and renames what it wrote to `path`. Missing parent folders are created. The temporary file
+/// has the same name, in a private folder beside it (private_folder.h). A file that is replaced hands its mode on.
+/// Whatever fails (write() itself, a full disk, a folder or a link in the way, an earlier file that is read-only), no
+/// temporary stays, the earlier file stays as it was, and WriteError{path} is thrown; other exceptions of write() pass
+/// through.
 void write_atomically(const std::string& path, const std::function<void(const std::string& temporary)>& write);
 
 /// The same for bytes at hand.
 void write_bytes(const std::string& path, std::span<const uint8_t> bytes);
 void write_text(const std::string& path, std::string_view text);
 
-/// A file that is written piece by piece inside write_atomically(); every call that fails throws IoError{shown_path}.
+/// A file that is written piece by piece inside write_atomically(); every call that fails throws
+/// WriteError{shown_path}.
 class FileWriter {
  public:
   FileWriter(const std::string& file, std::string shown_path);
@@ -42,20 +44,6 @@ class FileWriter {
  private:
   std::string path_;
   std::FILE* file_;
-};
-
-/// A folder (made if missing) that one process at a time works in; the lock goes with the process, however it ends.
-/// Temporaries that a killed process left there are removed.
-/// Throws IoError if the folder cannot be made or another process holds it.
-class FolderLock {
- public:
-  explicit FolderLock(const std::string& folder);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int handle_;
 };
 
 /// Throws IoError unless `path` is a regular file that may be read.

@@ -59,13 +59,32 @@ TEST(AtomicFile, RefusesFoldersDevicesAndFilesAsFolders) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
-TEST(AtomicFile, FollowsLinks) {
+TEST(AtomicFile, DoesNotWriteThroughLinks) {
   const TestFolder folder;
   write_text(folder("real.txt"), "old");
   std::filesystem::create_symlink(folder("real.txt"), folder("link.txt"));
-  write_text(folder("link.txt"), "new");
-  EXPECT_TRUE(std::filesystem::is_symlink(folder("link.txt")));
-  EXPECT_EQ(text_of(folder("real.txt")), "new");
+  std::filesystem::create_symlink(folder("loop.txt"), folder("loop.txt"));
+  EXPECT_THAT(error_of([&] { write_text(folder("link.txt"), "new"); }), HasSubstr("link.txt: is a link"));
+  EXPECT_THAT(error_of([&] { write_text(folder("loop.txt"), "new"); }), HasSubstr("is a link"));
+  EXPECT_EQ(text_of(folder("real.txt")), "old");
+}
+
+TEST(AtomicFile, KeepsTheModeOfWhatItReplacesAndLeavesReadOnlyFilesAlone) {
+  namespace fs = std::filesystem;
+  const TestFolder folder;
+  write_text(folder("mine.txt"), "old");
+  fs::permissions(folder("mine.txt"), fs::perms(0600));
+  write_text(folder("mine.txt"), "new");
+  EXPECT_EQ(fs::status(folder("mine.txt")).permissions(), fs::perms(0600));
+  fs::permissions(folder("mine.txt"), fs::perms(0444));
+  EXPECT_THAT(error_of([&] { write_text(folder("mine.txt"), "newer"); }), HasSubstr("mine.txt: is read-only"));
+  EXPECT_EQ(text_of(folder("mine.txt")), "new");
+  EXPECT_EQ(folder.files(), 1U);
+}
+
+TEST(AtomicFile, AFailureToWriteIsNoFaultOfAnInput) {
+  EXPECT_THROW(write_text("/dev/full", "x"), WriteError);
+  EXPECT_THROW(write_text("/proc/x/y", "x"), WriteError);
 }
 
 TEST(AtomicFile, FullDiskIsOneClearErrorAndLeavesNothing) {
@@ -79,19 +98,6 @@ TEST(AtomicFile, FullDiskIsOneClearErrorAndLeavesNothing) {
   EXPECT_THAT(message, HasSubstr("data.bin: cannot be written: "));
   EXPECT_EQ(text_of(folder("data.bin")), "earlier");
   EXPECT_EQ(folder.files(), 1U);
-}
-
-TEST(FolderLock, IsForOneAtATimeAndRemovesWhatAKilledRunLeft) {
-  const TestFolder folder;
-  write_text(folder(".seamount-1-0-x.png"), "half");
-  write_text(folder("x.png"), "whole");
-  {
-    const FolderLock lock(folder(""));
-    EXPECT_EQ(folder.files(), 1U);
-    EXPECT_THAT(error_of([&] { FolderLock(folder("")); }), HasSubstr("another run is writing to it"));
-  }
-  EXPECT_NO_THROW(FolderLock(folder("new/folder")));
-  EXPECT_THROW(FolderLock(folder("x.png")), IoError);
 }
 
 TEST(ReadFile, SaysWhatIsWrong) {

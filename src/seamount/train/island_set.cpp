@@ -11,6 +11,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/io/atomic_file.h"
+#include "seamount/io/folder_lock.h"
 #include "seamount/io/image_file.h"
 #include "seamount/io/label_image.h"
 #include "seamount/io/raster.h"
