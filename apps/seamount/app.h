@@ -50,7 +50,8 @@ using FlagNames = std::vector<std::pair<std::string, std::string>>;
 
 /// A recipe made from flags. Throws InvalidArgument for the first defect.
 recipe::Recipe parse_made_recipe(const recipe::Json& document, const std::string& command, const FlagNames& flags,
-                                 const recipe::RecipeChanges& changes = {});
+                                 const recipe::RecipeChanges& changes = {},
+                                 const recipe::Registry& registry = recipe::standard_registry());
 
 /// A file name that does not depend on where the program runs. Throws InvalidArgument{flag} for an empty one.
 std::string absolute_file(const std::string& flag, const std::string& file);
@@ -63,9 +64,9 @@ CLI::Validator finite_number();
 using Work = std::function<void()>;
 
 // Each adds its commands to the program.
-void add_run_command(CLI::App& program, Work& work);
-void add_operator_commands(CLI::App& program, Work& work);
-void add_discover_commands(CLI::App& program, Work& work);
+void add_run_command(CLI::App& program, const recipe::Registry& registry, Work& work);
+void add_operator_commands(CLI::App& program, const recipe::Registry& registry, Work& work);
+void add_discover_commands(CLI::App& program, const recipe::Registry& registry, Work& work);
 void add_chore_commands(CLI::App& program, Work& work);
 void add_dataset_command(CLI::App& program, Work& work);
 

@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "app.h"
-#include "seamount/io/info.h"
 #include "seamount/io/vector.h"
+#include "seamount/recipe/file_info.h"
 #include "seamount/recipe/recipe.h"
 
 namespace seamount::app {
@@ -45,6 +45,8 @@ void set_member(Json& output, const std::string& assignment) {
 /// Areas and lines as they are; a terrain by importing it and writing one output.
 void convert(const ChoreFlags& flags) {
   if (is_drawing(flags.in)) {
+    if (std::error_code none_there; fs::equivalent(flags.in, flags.out, none_there))
+      throw InvalidArgument("out", "would be written over the input " + flags.in);
     io::write_drawing(io::read_drawing(flags.in, {.feature = flags.feature, .layer = {}}), flags.out);
     std::cout << flags.out << "\n";
     return;
@@ -98,7 +100,7 @@ void render(const ChoreFlags& flags) {
 }
 
 void info(const ChoreFlags& flags) {
-  const io::FileInfo lines = io::describe_file(flags.in);
+  const io::FileInfo lines = recipe::describe_file(flags.in);
   if (flags.json) {
     Json object = Json::object();
     for (const auto& [key, value] : lines) object[key] = value;

@@ -16,35 +16,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void list(bool json) {
+void list(const recipe::Registry& registry, bool json) {
   if (json) {
-    recipe::Json names = {{"operators", recipe::Json::array()}, {"formats", recipe::Json::array()}};
-    for (const auto& op : recipe::operators().all())
-      names["operators"].push_back({{"name", op.name}, {"summary", op.summary}});
-    for (const auto& format : recipe::output_formats())
-      names["formats"].push_back({{"name", format.name}, {"summary", format.summary}});
+    recipe::Json names = {
+        {"operators", recipe::Json::array()}, {"formats", recipe::Json::array()}, {"kinds", recipe::Json::array()}};
+    for (const auto& op : registry.operators())
+      names["operators"].push_back({{"name", op->name}, {"summary", op->summary}});
+    for (const auto& format : registry.formats())
+      names["formats"].push_back({{"name", format->name}, {"summary", format->summary}});
+    for (const recipe::Kind* kind : registry.kinds())
+      names["kinds"].push_back({{"name", kind->name}, {"summary", kind->about}});
     std::cout << names.dump(2) << "\n";
     return;
   }
   std::cout << "operators (seamount describe NAME)\n";
-  for (const auto& op : recipe::operators().all()) fmt::print("  {:<20} {}\n", op.name, op.summary);
+  for (const auto& op : registry.operators()) fmt::print("  {:<20} {}\n", op->name, op->summary);
   fmt::print("\noutput formats (\"as\" in a recipe)\n");
-  for (const auto& format : recipe::output_formats()) fmt::print("  {:<20} {}\n", format.name, format.summary);
+  for (const auto& format : registry.formats()) fmt::print("  {:<20} {}\n", format->name, format->summary);
+  std::cout << "\nkinds of values\n";
+  for (const recipe::Kind* kind : registry.kinds()) fmt::print("  {:<20} {}\n", kind->name, kind->about);
 }
 
-void describe(const std::string& name, bool markdown) {
+void describe(const recipe::Registry& registry, const std::string& name, bool markdown) {
   if (markdown) {
-    std::cout << recipe::reference_markdown();
+    std::cout << recipe::reference_markdown(registry);
     return;
   }
-  if (const auto* op = recipe::operators().find(name)) {
+  if (const auto* op = registry.find_operator(name)) {
     std::cout << recipe::describe_operator(*op);
-  } else if (const auto* format = recipe::find_output_format(name)) {
+  } else if (const auto* format = registry.find_format(name)) {
     std::cout << recipe::describe_format(*format);
+  } else if (const auto* kind = registry.find_kind(name)) {
+    std::cout << recipe::describe_kind(*kind, registry);
   } else {
-    std::vector<std::string> names = recipe::operators().names();
-    for (const auto& row : recipe::output_formats()) names.push_back(row.name);
-    throw InvalidArgument(name, "is no operator or output format" + suggestion(name, names));
+    std::vector<std::string> names = registry.operator_names();
+    for (const auto& row : registry.formats()) names.push_back(row->name);
+    for (const recipe::Kind* row : registry.kinds()) names.push_back(row->name);
+    throw InvalidArgument(name, "is no operator, output format or kind of value" + suggestion(name, names));
   }
 }
 
@@ -88,7 +96,7 @@ void make_new(const std::string& name, const std::string& folder) {
 
 }  // namespace
 
-void add_discover_commands(CLI::App& program, Work& work) {
+void add_discover_commands(CLI::App& program, const recipe::Registry& registry, Work& work) {
   const auto name = std::make_shared<std::string>();
   const auto folder = std::make_shared<std::string>(".");
   const auto json = std::make_shared<bool>(false);
@@ -96,20 +104,21 @@ void add_discover_commands(CLI::App& program, Work& work) {
 
   CLI::App* list_command = program.add_subcommand("list", "List operators and output formats");
   list_command->add_flag("--json", *json, "as JSON");
-  list_command->callback([=, &work] { work = [=] { list(*json); }; });
+  list_command->callback([=, &registry, &work] { work = [=, &registry] { list(registry, *json); }; });
 
   CLI::App* describe_command = program.add_subcommand("describe", "Describe an operator or an output format");
   describe_command->add_option("name", *name, "its name");
   describe_command->add_flag("--markdown", *markdown, "the whole reference, as docs/operators.md");
-  describe_command->callback([=, &work] {
-    work = [=] {
+  describe_command->callback([=, &registry, &work] {
+    work = [=, &registry] {
       if (name->empty() && !*markdown) throw InvalidArgument("describe", "which one? 'seamount list' shows them");
-      describe(*name, *markdown);
+      describe(registry, *name, *markdown);
     };
   });
 
   CLI::App* schema_command = program.add_subcommand("schema", "Print the JSON Schema of recipes");
-  schema_command->callback([&work] { work = [] { std::cout << recipe::recipe_schema().dump(2) << "\n"; }; });
+  schema_command->callback(
+      [&registry, &work] { work = [&registry] { std::cout << recipe::recipe_schema(registry).dump(2) << "\n"; }; });
 
   CLI::App* new_command = program.add_subcommand("new", "Write an example recipe to start from");
   new_command->add_option("example", *name, fmt::format("one of {}", fmt::join(example_names(), ", ")))->required();

@@ -60,17 +60,17 @@ int report_usage(const CLI::App& program, const CLI::ParseError& error, int argc
   return kWrongInput;
 }
 
-int run_program(int argc, char** argv) {
+int run_program(int argc, char** argv, const recipe::Registry& registry) {
   CLI::App program("Seamount: terrain authoring, from ridgeline to reef", "seamount");
   program.set_version_flag("--version", std::string("seamount ") + kVersion);
   program.require_subcommand(1);
   program.get_formatter()->column_width(34);
   Work work;
-  add_run_command(program, work);
-  add_discover_commands(program, work);
+  add_run_command(program, registry, work);
+  add_discover_commands(program, registry, work);
   add_chore_commands(program, work);
   add_dataset_command(program, work);
-  add_operator_commands(program, work);
+  add_operator_commands(program, registry, work);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
     return static_cast<int>(code);
   };
   try {
-    return app::run_program(argc, argv);
+    return app::run_program(argc, argv, recipe::standard_registry());
   } catch (const recipe::RecipeError& error) {
     return fail(error.what(), app::kWrongInput);
   } catch (const InvalidArgument& error) {

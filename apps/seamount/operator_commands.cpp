@@ -41,24 +41,6 @@ void set_domain(Json& domain, const std::string& text) {
   domain["height_m"] = cross == std::string::npos ? domain["width_m"] : Json(number(text.substr(cross + 1)));
 }
 
-std::string file_for(const recipe::Port& port) {
-  switch (port.kind) {
-    case recipe::ValueKind::terrain:
-    case recipe::ValueKind::field:
-      return port.name + ".tif";
-    case recipe::ValueKind::drawing:
-      return port.name + ".geojson";
-    case recipe::ValueKind::contours:
-      return port.name + ".gpkg";
-    case recipe::ValueKind::tin:
-      return port.name + ".ply";
-    case recipe::ValueKind::report:
-      return port.name + ".html";
-    default:
-      return port.name + ".png";
-  }
-}
-
 /// The document that the flags stand for. File names in it are absolute: there is no recipe file that they could be
 /// relative to.
 Json make_document(const Operator& op, const OperatorFlags& flags) {
@@ -85,14 +67,13 @@ Json make_document(const Operator& op, const OperatorFlags& flags) {
   if (!flags.domain.empty()) set_domain(document["domain"], flags.domain);
   if (flags.cell_m) document["domain"]["cell_m"] = *flags.cell_m;
   for (const recipe::Port& port : op.out) {
-    document["outputs"].push_back({{"from", id + "." + port.name}, {"path", file_for(port)}});
-    if (port.kind == recipe::ValueKind::report)
-      document["outputs"].push_back({{"from", id + "." + port.name}, {"path", port.name + ".json"}});
+    for (const std::string& extension : port.kind->files)
+      document["outputs"].push_back({{"from", id + "." + port.name}, {"path", port.name + extension}});
   }
   return document;
 }
 
-void add_operator_command(CLI::App& program, const Operator& op, Work& work) {
+void add_operator_command(CLI::App& program, const recipe::Registry& registry, const Operator& op, Work& work) {
   const auto flags = std::make_shared<OperatorFlags>();
   CLI::App* command = program.add_subcommand(op.name, op.summary)->group("Operators");
   command->add_option("--out", flags->out, "folder for the results")->required();
@@ -124,13 +105,13 @@ void add_operator_command(CLI::App& program, const Operator& op, Work& work) {
         ->type_name("FILE")
         ->group("Inputs");
   }
-  command->callback([flags, &op, &work] {
-    work = [flags, &op] {
+  command->callback([flags, &registry, &op, &work] {
+    work = [flags, &registry, &op] {
       const Json document = make_document(op, *flags);
       static const FlagNames kFlags = {{"/steps/0/params/", "--"}, {"/steps/0/in/", "--in "},
                                        {"/steps/0/in", "--in"},    {"/domain/cell_m", "--cell"},
                                        {"/domain/", "--domain "},  {"/domain", "--domain"}};
-      const recipe::Recipe recipe = parse_made_recipe(document, op.name, kFlags, {.size = flags->size});
+      const recipe::Recipe recipe = parse_made_recipe(document, op.name, kFlags, {.size = flags->size}, registry);
       run_and_report(recipe, flags->out, *flags);
     };
   });
@@ -138,8 +119,8 @@ void add_operator_command(CLI::App& program, const Operator& op, Work& work) {
 
 }  // namespace
 
-void add_operator_commands(CLI::App& program, Work& work) {
-  for (const Operator& op : recipe::operators().all()) add_operator_command(program, op, work);
+void add_operator_commands(CLI::App& program, const recipe::Registry& registry, Work& work) {
+  for (const auto& op : registry.operators()) add_operator_command(program, registry, *op, work);
 }
 
 }  // namespace seamount::app

@@ -52,7 +52,7 @@ Sweep parse_sweep(const std::string& text) {
 
 }  // namespace
 
-void add_run_command(CLI::App& program, Work& work) {
+void add_run_command(CLI::App& program, const recipe::Registry& registry, Work& work) {
   struct Flags : RunFlags {
     std::string file;
     std::string out = "out";
@@ -73,10 +73,10 @@ void add_run_command(CLI::App& program, Work& work) {
   command->add_option("--size", flags->size, "cells along the longer side: a quick preview, or more detail")
       ->check(CLI::Range(1, 65536));
   add_run_flags(*command, *flags);
-  command->callback([flags, &work] {
-    work = [flags] {
+  command->callback([flags, &registry, &work] {
+    work = [flags, &registry] {
       const auto read = [&](const std::vector<std::string>& sets) {
-        return recipe::read_recipe(flags->file, {.sets = sets, .seed = flags->seed, .size = flags->size});
+        return recipe::read_recipe(flags->file, {.sets = sets, .seed = flags->seed, .size = flags->size}, registry);
       };
       if (flags->sweep.empty()) return run_and_report(read(flags->sets), flags->out, *flags);
       if (flags->out.empty()) throw InvalidArgument("--out", "a folder name is needed");

@@ -121,10 +121,10 @@ void throw_as_flag(const recipe::Diagnostic& defect, const std::string& command,
 }
 
 recipe::Recipe parse_made_recipe(const recipe::Json& document, const std::string& command, const FlagNames& flags,
-                                 const recipe::RecipeChanges& changes) {
+                                 const recipe::RecipeChanges& changes, const recipe::Registry& registry) {
   const std::string text = document.dump(-1, ' ', false, recipe::Json::error_handler_t::replace);
   try {
-    return recipe::parse_recipe(text, command, "", changes);
+    return recipe::parse_recipe(text, command, "", changes, registry);
   } catch (const recipe::RecipeError& error) {
     // What was written wrongly says more than what is therefore missing.
     const auto& defects = error.diagnostics();

@@ -130,18 +130,6 @@ const std::vector<int>& engine_sizes(Engine engine) {
   return engine == Engine::unreal ? kUnreal : engine == Engine::unity ? kUnity : kAny;
 }
 
-GridFrame engine_frame(const GridFrame& source, int size) {
-  const int side = std::min(source.width, source.height);
-  if (size < 2 || side < 2) throw InvalidArgument("size", "at least two samples a side are needed");
-  GridFrame frame = source;
-  frame.width = frame.height = size;
-  frame.cell_m = source.cell_m * (side - 1) / (size - 1);
-  const double west = source.x(0.5 * (source.width - side)), north = source.y(0.5 * (source.height - side));
-  frame.west_m = west - 0.5 * frame.cell_m;
-  frame.north_m = north + 0.5 * frame.cell_m;
-  return frame;
-}
-
 void write_for_engine(const HeightField& heights, Engine engine, const std::string& path,
                       const EngineOptions& options) {
   check_extension(path, engine);

@@ -1,7 +1,7 @@
 // Terrain for game engines and Blender, with the exact numbers to type in there.
 //
-// Engines put the outer samples ON the terrain's edge, so a terrain of n samples is (n - 1) cells wide. engine_frame()
-// gives the frame to resample to (geom/grid/resample.h); write_for_engine() only accepts a grid of a right size.
+// Engines put the outer samples ON the terrain's edge, so a terrain of n samples is (n - 1) cells wide. terrain.samples
+// brings a terrain there; write_for_engine() only accepts a grid of a right size.
 #pragma once
 
 #include <array>
@@ -32,10 +32,6 @@ struct EngineOptions {
 
 /// Sizes that an engine accepts, ascending; empty: any.
 const std::vector<int>& engine_sizes(Engine engine);
-
-/// The frame of size x size samples whose outer samples are the outer samples of the largest centred square of
-/// `source`.
-GridFrame engine_frame(const GridFrame& source, int size);
 
 /// Writes the raster and its side-car. Heights come back within half a step of range / 65535 once the numbers are typed
 /// in. Throws InvalidArgument{"size"} (listing the allowed ones) for a wrong size, {"range"} for a range that does not

@@ -36,7 +36,7 @@ TEST(ImageFile, PngComesBackExactly) {
     write_png(image, folder("x.png"));
     EXPECT_EQ(read_image(folder("x.png")), image);
   }
-  EXPECT_THAT(describe_file(folder("x.png")), Contains(Pair("size", "33 x 20")));
+  EXPECT_THAT(*describe_picture(folder("x.png")), Contains(Pair("size", "33 x 20")));
 }
 
 TEST(ImageFile, GreyAlphaAndDeepPngsBecomeRgb) {

@@ -16,11 +16,13 @@
 namespace seamount::io {
 namespace {
 
-/// Six significant digits are enough to read.
-std::string short_number(double value) {
-  if (value == 0 || !std::isfinite(value)) return format_number(value);
-  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5);
-  return format_number(unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value));
+bool has_extension(const std::string& path, const std::vector<std::string>& extensions) {
+  return std::find(extensions.begin(), extensions.end(), extension_of(path)) != extensions.end();
+}
+
+bool is_colour_picture(const std::string& path) {
+  return has_extension(path, {".jpg", ".jpeg"}) ||
+         (extension_of(path) == ".png" && png_header(read_file(path), path).channels > 2);
 }
 
 /// To a hundredth of a millimetre.
@@ -49,7 +51,7 @@ void describe_sidecar(FileInfo& info, const Sidecar& sidecar) {
   if (sidecar.provenance.seed) info.emplace_back("seed", std::to_string(*sidecar.provenance.seed));
 }
 
-void describe_raster(FileInfo& info, const std::string& path) {
+void describe_cells(FileInfo& info, const std::string& path) {
   const RasterInfo raster = raster_info(path);
   info.emplace_back("format", raster.format + ", " + raster.type);
   info.emplace_back("size", std::to_string(raster.width) + " x " + std::to_string(raster.height));
@@ -69,46 +71,35 @@ void describe_raster(FileInfo& info, const std::string& path) {
   if (raster.void_cells > 0) info.emplace_back("cells without value", std::to_string(raster.void_cells));
 }
 
-void describe_picture(FileInfo& info, const std::string& path) {
-  const Image image = read_image(path);
-  info.emplace_back("format", "picture");
-  info.emplace_back("size", std::to_string(image.width) + " x " + std::to_string(image.height));
+}  // namespace
+
+std::string short_number(double value) {
+  if (value == 0 || !std::isfinite(value)) return format_number(value);
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5);
+  return format_number(unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value));
 }
 
-void describe_vector(FileInfo& info, const std::string& path) {
+std::optional<FileInfo> describe_raster(const std::string& path) {
+  if (!has_extension(path, readable_raster_extensions()) || is_colour_picture(path)) return std::nullopt;
+  FileInfo info;
+  describe_cells(info, path);
+  return info;
+}
+
+std::optional<FileInfo> describe_picture(const std::string& path) {
+  if (!has_extension(path, {".jpg", ".jpeg", ".png"}) || !is_colour_picture(path)) return std::nullopt;
+  const Image image = read_image(path);
+  return FileInfo{{"format", "picture"}, {"size", std::to_string(image.width) + " x " + std::to_string(image.height)}};
+}
+
+std::optional<FileInfo> describe_vector(const std::string& path) {
+  if (!has_extension(path, {".geojson", ".json", ".gpkg", ".shp"})) return std::nullopt;
   const std::vector<std::string> names = feature_names(path);
-  info.emplace_back("format", "areas and lines");
   std::string list;
   constexpr size_t kMostNames = 20;
   for (size_t i = 0; i < std::min(kMostNames, names.size()); ++i) list += (i == 0 ? "" : ", ") + names[i];
   if (names.size() > kMostNames) list += ", ...";
-  info.emplace_back("features", names.empty() ? "without names" : list);
-}
-
-}  // namespace
-
-FileInfo describe_file(const std::string& path) {
-  check_readable(path);
-  const std::string extension = extension_of(path);
-  FileInfo info{{"file", path}};
-  const std::vector<std::string> vectors = {".geojson", ".json", ".gpkg", ".shp"};
-  const auto& rasters = readable_raster_extensions();
-  const auto is_in = [&](const std::vector<std::string>& list) {
-    return std::find(list.begin(), list.end(), extension) != list.end();
-  };
-  if (is_in(vectors)) {
-    describe_vector(info, path);
-  } else if (extension == ".jpg" || extension == ".jpeg" ||
-             (extension == ".png" && png_header(read_file(path), path).channels > 2)) {
-    describe_picture(info, path);
-  } else if (is_in(rasters)) {
-    describe_raster(info, path);
-  } else {
-    std::vector<std::string> known = rasters;
-    known.insert(known.end(), vectors.begin(), vectors.end());
-    throw IoError(path, "'" + extension + "' is not a format that can be described" + suggestion(extension, known));
-  }
-  return info;
+  return FileInfo{{"format", "areas and lines"}, {"features", names.empty() ? "without names" : list}};
 }
 
 }  // namespace seamount::io

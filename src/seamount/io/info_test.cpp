@@ -22,7 +22,7 @@ TEST(DescribeFile, TellsWhatToTypeIn) {
   const HeightField heights = test_terrain(GridFrame::centred(127, 127, 12.5));
   const EngineOptions options{.provenance = {"Seamount 9", "isle.json", 42}};
   write_for_engine(heights, Engine::unreal, folder("land.r16"), options);
-  const FileInfo info = describe_file(folder("land.r16"));
+  const FileInfo info = *describe_raster(folder("land.r16"));
   EXPECT_THAT(info, Contains(Pair("size", "127 x 127")));
   EXPECT_THAT(info, Contains(Pair("cell", "12.5 m")));
   EXPECT_THAT(info, Contains(Pair("made for", "unreal")));
@@ -35,20 +35,21 @@ TEST(DescribeFile, TellsWhatToTypeIn) {
 TEST(DescribeFile, KnowsGisFiles) {
   const TestFolder folder;
   write_heights(test_terrain({20, 10, 30, 400000, 2400000, "EPSG:32604"}), folder("height.tif"));
-  const FileInfo info = describe_file(folder("height.tif"));
+  const FileInfo info = *describe_raster(folder("height.tif"));
   EXPECT_THAT(info, Contains(Pair("format", "GeoTIFF, float32")));
   EXPECT_THAT(info, Contains(Pair("extent", "600 m x 300 m")));
   EXPECT_THAT(info, Contains(Pair("coordinate system", "WGS 84 / UTM zone 4N")));
   EXPECT_THAT(info, Not(Contains(Key("cells without value"))));
   write_drawing({{{"kauai", {{{{0, 0}, {1, 0}, {0, 1}}, {}}}}}, {}, "EPSG:32604"}, folder("x.gpkg"));
-  EXPECT_THAT(describe_file(folder("x.gpkg")), Contains(Pair("features", "kauai")));
+  EXPECT_THAT(*describe_vector(folder("x.gpkg")), Contains(Pair("features", "kauai")));
 }
 
-TEST(DescribeFile, SaysWhatIsWrong) {
+TEST(DescribeFile, SaysNothingOfOtherFiles) {
   const TestFolder folder;
-  write_text(folder("x.doc"), "?");
-  EXPECT_THAT(error_of([&] { describe_file(folder("x.doc")); }), HasSubstr("not a format that can be described"));
-  EXPECT_THAT(error_of([&] { describe_file(folder("missing.tif")); }), HasSubstr("no such file"));
+  EXPECT_FALSE(describe_raster(folder("x.doc")));
+  EXPECT_FALSE(describe_picture(folder("x.doc")));
+  EXPECT_FALSE(describe_vector(folder("x.doc")));
+  EXPECT_THAT(error_of([&] { describe_raster(folder("missing.tif")); }), HasSubstr("no such file"));
 }
 
 }  // namespace

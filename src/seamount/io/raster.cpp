@@ -212,6 +212,13 @@ const std::vector<std::string>& writable_raster_extensions() {
   return kExtensions;
 }
 
+std::vector<std::string> written_files(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".tif" || extension == ".tiff") return {path};
+  if (extension == ".asc") return {path, path.substr(0, path.size() - extension.size()) + ".prj"};
+  return {path, sidecar_path(path)};
+}
+
 void count_values(const Grid<float>& grid, RasterInfo& info) {
   bool any = false;
   for (const float z : grid.cells()) {

@@ -93,6 +93,9 @@ void write_mask(const Mask& mask, const std::string& path, const WriteOptions& o
 /// .tif: 8 bit, palette and category names; .png: the colours of label_image.h.
 void write_labels(const LabelMap& labels, const std::string& path, const WriteOptions& options = {});
 
+/// All files that writing a raster to `path` makes: itself, and a side-car where the format cannot say its own scale.
+std::vector<std::string> written_files(const std::string& path);
+
 /// Extensions that read_heights() and write_heights() know, with their dots.
 const std::vector<std::string>& readable_raster_extensions();
 const std::vector<std::string>& writable_raster_extensions();

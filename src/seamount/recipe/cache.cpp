@@ -16,16 +16,16 @@ Cache::Cache(std::string folder, uint64_t limit_bytes) : folder_(std::move(folde
 
 std::string Cache::path_of(const Digest& key) const { return (fs::path(folder_) / (key.hex() + ".step")).string(); }
 
-std::optional<Values> Cache::load(const Digest& key, const std::vector<Port>& ports) const {
+std::optional<Values> Cache::load(const Digest& key, const std::vector<Port>& ports, const Registry& registry) const {
   if (folder_.empty()) return std::nullopt;
   const std::string path = path_of(key);
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
-  auto values = read_values(file);
+  auto values = read_values(file, registry);
   if (!values) return std::nullopt;
   for (const Port& port : ports) {
     const auto found = values->find(port.name);
-    if (found == values->end() || found->second.kind() != port.kind) return std::nullopt;
+    if (found == values->end() || &found->second.kind() != port.kind) return std::nullopt;
   }
   std::error_code ignored;
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);

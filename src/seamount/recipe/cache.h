@@ -19,7 +19,8 @@ class Cache {
   explicit Cache(std::string folder, uint64_t limit_bytes = uint64_t{4} << 30);
 
   /// The outputs stored under a key, or nothing if there are none, they are damaged or they lack one of `ports`.
-  std::optional<Values> load(const Digest& key, const std::vector<Port>& ports) const;
+  std::optional<Values> load(const Digest& key, const std::vector<Port>& ports,
+                             const Registry& registry = standard_registry()) const;
 
   /// Stores outputs. A failure to write (a full disk) is not an error of the run: it returns false.
   bool store(const Digest& key, const Values& values);

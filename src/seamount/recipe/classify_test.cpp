@@ -4,6 +4,7 @@
 #include <array>
 
 #include "seamount/recipe/executor.h"
+#include "seamount/recipe/kinds.h"
 #include "seamount/recipe/recipe.h"
 
 namespace seamount::recipe {
@@ -25,7 +26,7 @@ Agreement agreement(const std::string& seed, const std::string& subsidence) {
                                      "agreement", "");
   const std::vector<Source> wanted = {{"reef", "labels", ""}, {"found", "labels", ""}};
   const std::vector<Value> made = evaluate(recipe, wanted, {"", ""}, {});
-  const LabelMap &truth = made[0].regions(), &found = made[1].regions();
+  const LabelMap &truth = made[0].get<kinds::Labels>(), &found = made[1].get<kinds::Labels>();
   int64_t same = 0, island = 0, same_island = 0;
   for (size_t i = 0; i < truth.size(); ++i) {
     const bool agrees = truth.cells()[i] == found.cells()[i];

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "seamount/recipe/executor.h"
+#include "seamount/recipe/kinds.h"
 #include "seamount/recipe/reference.h"
 #include "seamount/recipe/value_bytes.h"
 
@@ -50,8 +51,8 @@ const Values& example_values() {
                   {"field", made[2]},
                   {"drawing", made[3]},
                   {"tin", made[4]},
-                  {"image", Value::image(Image(8, 8))},
-                  {"contours", Value::contours(example_contours())}};
+                  {"image", Value::of<kinds::Image>(Image(8, 8))},
+                  {"contours", Value::of<kinds::Contours>(example_contours())}};
   }();
   return values;
 }
@@ -72,7 +73,7 @@ class ExampleCall {
     for (const Port& port : op.in) {
       const auto needed = needed_inputs().find(op.name);
       const bool given = port.required || (needed != needed_inputs().end() && needed->second == port.name);
-      if (given) in_[port.name] = example_values().at(std::string(kind_name(port.kind)));
+      if (given) in_[port.name] = example_values().at(port.kind->name);
     }
     params_ = op.complete(Json::object(), {"", diagnostics_});
     if (op.name == "terrain.import") params_["file"] = file();
@@ -81,7 +82,7 @@ class ExampleCall {
     }
   }
   Values run(const Operator& op, Seed seed, const RunContext& context) const {
-    return op.run(params_, {domain_, seed, in_, folder_, context});
+    return op.run(params_, in_, {domain_, seed, folder_, context});
   }
   Json& params() { return params_; }
 
@@ -106,7 +107,7 @@ std::string bytes_of(const Values& values) {
 
 class Contract : public ::testing::TestWithParam<std::string> {
  protected:
-  const Operator& op() const { return *operators().find(GetParam()); }
+  const Operator& op() const { return *standard_registry().find_operator(GetParam()); }
 };
 
 TEST_P(Contract, IsDescribed) {
@@ -191,9 +192,12 @@ TEST_P(Contract, MakesFiniteValuesOfTheKindsItDeclares) {
   for (const Port& port : op().out) {
     ASSERT_TRUE(out.contains(port.name)) << port.name;
     const Value& value = out.at(port.name);
-    EXPECT_EQ(value.kind(), port.kind) << port.name;
-    if (port.kind != ValueKind::terrain && port.kind != ValueKind::field) continue;
-    for (const float z : value.heights().cells()) ASSERT_TRUE(std::isfinite(z)) << port.name;
+    EXPECT_EQ(&value.kind(), port.kind) << port.name;
+    const ScalarField* cells = value.is<kinds::Terrain>() ? &value.get<kinds::Terrain>()
+                               : value.is<kinds::Field>() ? &value.get<kinds::Field>()
+                                                          : nullptr;
+    if (cells == nullptr) continue;
+    for (const float z : cells->cells()) ASSERT_TRUE(std::isfinite(z)) << port.name;
   }
 }
 
@@ -209,7 +213,7 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Operators, Contract, ::testing::ValuesIn(operators().names()), test_name);
+INSTANTIATE_TEST_SUITE_P(Operators, Contract, ::testing::ValuesIn(standard_registry().operator_names()), test_name);
 
 TEST(Reference, OperatorsPageIsFresh) {
   std::ifstream file(std::string(SEAMOUNT_SOURCE_DIR) + "/docs/operators.md");

@@ -15,6 +15,8 @@
 #include "seamount/base/parallel.h"
 #include "seamount/base/version.h"
 #include "seamount/recipe/file_values.h"
+#include "seamount/recipe/kinds.h"
+#include "seamount/recipe/output_files.h"
 
 namespace seamount::recipe {
 namespace {
@@ -27,7 +29,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 /// "step 'reef' (island.coral): " before a message; the kind of error stays.
 [[noreturn]] void rethrow_with_step(const Step& step) {
-  const std::string prefix = fmt::format("step '{}' ({}): ", step.id, step.op->name);
+  const std::string place = step.output.empty() ? fmt::format("step '{}' ({})", step.id, step.op->name)
+                                                : fmt::format("output '{}' ({})", step.output, step.op->name);
+  const std::string prefix = place + ": ";
   try {
     throw;
   } catch (const Cancelled&) {
@@ -35,7 +39,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   } catch (const IoError&) {
     throw;  // it names its file
   } catch (const InvalidArgument& error) {
-    throw InvalidArgument(fmt::format("step '{}' ({})", step.id, step.op->name), error.what());
+    throw InvalidArgument(place, error.what());
   } catch (const IncompatibleInputs& error) {
     throw IncompatibleInputs(prefix + error.what());
   } catch (const std::bad_alloc&) {
@@ -180,12 +184,13 @@ class StepRunner {
     }
     state.key = hasher.digest();
     state.report = {step.id, step.op->name, 0.0, false};
-    if (auto stored = cache_.load(state.key, step.op->out)) {
+    auto stored = step.op->cached ? cache_.load(state.key, step.op->out, *recipe_.registry) : std::nullopt;
+    if (stored) {
       state.values = std::move(*stored);
       state.report.cached = true;
     } else {
       state.values = run_operator(step, run);
-      cache_.store(state.key, state.values);
+      if (step.op->cached) cache_.store(state.key, state.values);
     }
     std::erase_if(state.values, [&](const auto& item) { return !state.wanted.contains(item.first); });
     state.report.seconds = seconds_since(start);
@@ -198,12 +203,18 @@ class StepRunner {
       const auto connected = step.in.find(port.name);
       if (connected == step.in.end()) continue;
       const Source& source = connected->second;
-      in[port.name] = source.from_file() ? read_value_file(resolve(source.file), port.kind, frame, run) : value(source);
-      if (port.kind == ValueKind::terrain) frame = *in[port.name].frame();
+      in[port.name] = source.from_file() ? read_file(port, resolve(source.file), frame, run) : value(source);
+      if (port.kind == &kinds::Terrain::kind()) frame = *in[port.name].frame();
     }
     RunContext named = run;
     if (run.note) named.note = [&run, &step](const std::string& line) { run.note("step '" + step.id + "': " + line); };
-    return step.op->run(step.params, {recipe_.domain, step.seed, in, recipe_.folder, named});
+    return step.op->run(step.params, in, {recipe_.domain, step.seed, recipe_.folder, named});
+  }
+
+  static Value read_file(const Port& port, const std::string& path, const GridFrame& frame, const RunContext& run) {
+    run.check_cancelled();
+    if (!port.kind->read_file) throw IoError(path, "a " + port.kind->name + " is written, never read");
+    return {*port.kind, port.kind->read_file({path, frame, run})};
   }
 
   void hash_domain(Hasher& hasher) const {
@@ -241,32 +252,11 @@ void in_arena(const RunContext& run, Function function) {
   arena.execute([&] { function(inner); });
 }
 
-void write_output(const Recipe& recipe, const Output& output, const std::string& folder, const StepRunner& runner,
-                  const RunContext& run, OutputReport& report) {
-  const auto start = std::chrono::steady_clock::now();
-  report = {(fs::path(folder) / output.path).string(), output.format->name, 0.0};
-  const LabelMap* labels = output.labels ? &runner.value(*output.labels).regions() : nullptr;
-  const io::Provenance provenance{std::string("Seamount ") + kVersion, fs::path(recipe.file).filename().string(),
-                                  recipe.seed.value};
-  try {
-    output.format->write(output.params, {runner.value(output.from), labels, report.path, provenance, run});
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const IoError& error) {
-    throw Error(error.what());  // a failure of the work, not of its input
-  } catch (const InvalidArgument& error) {
-    throw InvalidArgument(fmt::format("output '{}'", output.path), error.what());
-  } catch (const std::exception& error) {
-    throw Error(fmt::format("output '{}': {}", output.path, error.what()));
-  }
-  report.seconds = seconds_since(start);
-}
-
 std::vector<Source> output_sources(const Recipe& recipe) {
   std::vector<Source> wanted;
   for (const Output& output : recipe.outputs) {
     wanted.push_back(output.from);
-    if (output.labels) wanted.push_back(*output.labels);
+    for (const auto& [name, source] : output.prepared) wanted.push_back(source);
   }
   return wanted;
 }
@@ -274,6 +264,7 @@ std::vector<Source> output_sources(const Recipe& recipe) {
 }  // namespace
 
 ExecuteReport execute(const Recipe& recipe, const ExecuteOptions& options, const RunContext& run) {
+  check_nothing_overwritten(recipe, options.out_folder);
   ExecuteReport report;
   Cache cache(options.cache_folder);
   Progress progress(run, recipe.steps.size() + recipe.outputs.size());
@@ -281,25 +272,9 @@ ExecuteReport execute(const Recipe& recipe, const ExecuteOptions& options, const
     StepRunner runner(recipe, output_sources(recipe), cache, inner, progress);
     runner.run_all();
     report.steps = runner.reports();
-    report.outputs.resize(recipe.outputs.size());
-    tbb::task_group group;
-    std::vector<std::exception_ptr> failures(recipe.outputs.size());
-    for (size_t i = 0; i < recipe.outputs.size(); ++i) {
-      group.run([&, i] {
-        try {
-          inner.check_cancelled();
-          write_output(recipe, recipe.outputs[i], options.out_folder, runner, progress.part(recipe.steps.size() + i),
-                       report.outputs[i]);
-          progress.set(recipe.steps.size() + i, 1.0);
-        } catch (...) {
-          failures[i] = std::current_exception();
-        }
-      });
-    }
-    group.wait();
-    for (const std::exception_ptr& failure : failures) {
-      if (failure) std::rethrow_exception(failure);
-    }
+    report.outputs = write_outputs(
+        recipe, options.out_folder, [&](const Source& source) -> const Value& { return runner.value(source); },
+        [&](size_t i) { return progress.part(recipe.steps.size() + i); }, inner);
   });
   return report;
 }

@@ -8,6 +8,7 @@
 
 #include "seamount/recipe/cache.h"
 #include "seamount/recipe/recipe.h"
+#include "seamount/recipe/run_outputs.h"
 
 namespace seamount::recipe {
 
@@ -21,12 +22,6 @@ struct StepReport {
   std::string op;
   double seconds = 0.0;
   bool cached = false;
-};
-
-struct OutputReport {
-  std::string path;  ///< as opened: output folder and relative path
-  std::string format;
-  double seconds = 0.0;
 };
 
 struct ExecuteReport {

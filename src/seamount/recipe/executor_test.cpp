@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "seamount/recipe/kinds.h"
 #include "seamount/recipe/value_bytes.h"
 
 namespace seamount::recipe {
@@ -148,12 +149,12 @@ TEST_F(Execute, CacheStaysBelowItsLimit) {
   const std::string cache_folder = (folder_ / "cache").string();
   Cache cache(cache_folder, 300000);
   const HeightField grid(GridFrame::centred(100, 100, 1), 1.0F);  // 40 kB
-  for (uint64_t i = 0; i < 20; ++i) EXPECT_TRUE(cache.store({i, i}, {{"terrain", Value::terrain(grid)}}));
+  for (uint64_t i = 0; i < 20; ++i) EXPECT_TRUE(cache.store({i, i}, {{"terrain", Value::of<kinds::Terrain>(grid)}}));
   uint64_t bytes = 0;
   for (const auto& entry : fs::directory_iterator(cache_folder)) bytes += entry.file_size();
   EXPECT_LE(bytes, 300000U);
-  EXPECT_TRUE(cache.load({19, 19}, {{"terrain", ValueKind::terrain, ""}}).has_value());
-  EXPECT_FALSE(cache.load({19, 19}, {{"labels", ValueKind::labels, ""}}).has_value());
+  EXPECT_TRUE(cache.load({19, 19}, {{"terrain", &kinds::Terrain::kind(), ""}}).has_value());
+  EXPECT_FALSE(cache.load({19, 19}, {{"labels", &kinds::Labels::kind(), ""}}).has_value());
   EXPECT_FALSE(Cache("").store({1, 1}, {}));
 }
 
@@ -165,24 +166,24 @@ Values every_kind() {
   const Drawing drawing{{{"kauai", {{{{0, 0}, {1, 0}, {1, 1}}, {{{0.2, 0.1}, {0.4, 0.1}, {0.3, 0.2}}}}}}},
                         {{{{0, 0}, {5, 5}}, 100, true}},
                         "EPSG:4326"};
-  return {{"terrain", Value::terrain(heights)},
-          {"coordinate", Value::field(heights)},
-          {"labels", Value::labels(LabelMap(frame, Region::lagoon))},
-          {"image", Value::image(Image(3, 2, {1, 2, 3}))},
-          {"outlines", Value::drawing(drawing)}};
+  return {{"terrain", Value::of<kinds::Terrain>(heights)},
+          {"coordinate", Value::of<kinds::Field>(heights)},
+          {"labels", Value::of<kinds::Labels>(LabelMap(frame, Region::lagoon))},
+          {"image", Value::of<kinds::Image>(Image(3, 2, {1, 2, 3}))},
+          {"outlines", Value::of<kinds::Drawing>(drawing)}};
 }
 
 TEST(ValueBytes, RoundTripIsExact) {
   std::stringstream bytes;
   write_values(bytes, every_kind());
-  const auto read = read_values(bytes);
+  const auto read = read_values(bytes, standard_registry());
   ASSERT_TRUE(read.has_value());
   const Values given = every_kind();
-  EXPECT_EQ(read->at("terrain").heights(), given.at("terrain").heights());
-  EXPECT_EQ(read->at("coordinate").kind(), ValueKind::field);
-  EXPECT_EQ(read->at("labels").regions(), given.at("labels").regions());
-  EXPECT_EQ(read->at("image").picture(), given.at("image").picture());
-  EXPECT_EQ(read->at("outlines").shapes(), given.at("outlines").shapes());
+  EXPECT_EQ(read->at("terrain").get<kinds::Terrain>(), given.at("terrain").get<kinds::Terrain>());
+  EXPECT_EQ(read->at("coordinate").kind().name, "field");
+  EXPECT_EQ(read->at("labels").get<kinds::Labels>(), given.at("labels").get<kinds::Labels>());
+  EXPECT_EQ(read->at("image").get<kinds::Image>(), given.at("image").get<kinds::Image>());
+  EXPECT_EQ(read->at("outlines").get<kinds::Drawing>(), given.at("outlines").get<kinds::Drawing>());
 }
 
 TEST(ValueBytes, TruncatedOrChangedBytesAreRefused) {
@@ -191,11 +192,11 @@ TEST(ValueBytes, TruncatedOrChangedBytesAreRefused) {
   const std::string bytes = stream.str();
   for (size_t n = 0; n < bytes.size(); ++n) {
     std::stringstream cut(bytes.substr(0, n));
-    EXPECT_FALSE(read_values(cut).has_value()) << n;
+    EXPECT_FALSE(read_values(cut, standard_registry()).has_value()) << n;
     std::string changed = bytes;
     changed[n] = static_cast<char>(changed[n] ^ 0x5a);
     std::stringstream other(changed);
-    EXPECT_FALSE(read_values(other).has_value()) << n;
+    EXPECT_FALSE(read_values(other, standard_registry()).has_value()) << n;
   }
 }
 

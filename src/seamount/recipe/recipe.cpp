@@ -9,6 +9,8 @@
 #include <set>
 
 #include "seamount/recipe/domain.h"
+#include "seamount/recipe/kinds.h"
+#include "seamount/recipe/output_files.h"
 
 namespace seamount::recipe {
 namespace {
@@ -57,7 +59,7 @@ bool good_id(const std::string& id) {
 class RecipeReader {
  public:
   RecipeReader(const Json& root, Recipe& recipe, Diagnostics& diagnostics)
-      : root_(root), recipe_(recipe), top_{"", diagnostics} {}
+      : root_(root), recipe_(recipe), registry_(*recipe.registry), top_{"", diagnostics} {}
 
   void read() {
     if (!root_.is_object()) return top_.expected("a recipe: an object", root_);
@@ -123,9 +125,9 @@ class RecipeReader {
       draft.step.seed = read_seed(*seed, place.at("seed")).value_or(Seed{});
     }
     if (const auto name = text_member(json, "op", place, true)) {
-      draft.step.op = operators().find(*name);
+      draft.step.op = registry_.find_operator(*name);
       if (draft.step.op == nullptr)
-        place.at("op").fail("unknown operator '" + *name + "'" + suggestion(*name, operators().names()));
+        place.at("op").fail("unknown operator '" + *name + "'" + suggestion(*name, registry_.operator_names()));
     }
     if (draft.step.op != nullptr) {
       draft.step.params = draft.step.op->complete(json.value("params", Json::object()), place.at("params"));
@@ -155,7 +157,7 @@ class RecipeReader {
   }
 
   /// "step.port", or {"file": name}. Checks that it exists and fits one of `kinds` (none: anything).
-  std::optional<Source> read_source(const Json& json, const ReadPlace& place, const std::vector<ValueKind>& kinds) {
+  std::optional<Source> read_source(const Json& json, const ReadPlace& place, const std::vector<const Kind*>& kinds) {
     if (json.is_object() && json.contains("file")) {
       refuse_unknown_keys(json, {"file"}, "member", place);
       const auto file = text_member(json, "file", place, true);
@@ -185,8 +187,8 @@ class RecipeReader {
     }
     if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), port->kind) == kinds.end()) {
       std::string wanted;
-      for (const ValueKind kind : kinds) wanted += (wanted.empty() ? "" : " or ") + std::string(kind_name(kind));
-      place.fail(fmt::format("'{}' is {}; {} is needed here", text, kind_name(port->kind), wanted));
+      for (const Kind* kind : kinds) wanted += (wanted.empty() ? "" : " or ") + kind->name;
+      place.fail(fmt::format("'{}' is {}; {} is needed here", text, port->kind->name, wanted));
       return std::nullopt;
     }
     return source;
@@ -244,16 +246,11 @@ class RecipeReader {
     const auto outputs = root_.find("outputs");
     if (outputs == root_.end()) return;
     if (!outputs->is_array()) return top_.at("outputs").expected("a list of outputs", *outputs);
-    std::map<std::string, size_t> first_use;
     for (size_t i = 0; i < outputs->size(); ++i) {
-      const ReadPlace place = top_.at("outputs").at(i);
       Output output;
-      if (!read_output((*outputs)[i], place, output)) continue;
-      if (!first_use.emplace(output.path, i).second) {
-        place.at("path").fail(fmt::format("output {} already writes '{}'", first_use[output.path], output.path));
-      }
-      recipe_.outputs.push_back(std::move(output));
+      if (read_output((*outputs)[i], top_.at("outputs").at(i), output)) recipe_.outputs.push_back(std::move(output));
     }
+    if (recipe_.outputs.size() == outputs->size()) check_outputs_apart(recipe_.outputs, top_.at("outputs"));
   }
 
   bool read_output(const Json& json, const ReadPlace& place, Output& output) {
@@ -281,32 +278,66 @@ class RecipeReader {
     }
     output.from = *source;
     output.path = relative.string();
-    const ValueKind kind = find_draft(source->step)->step.op->find_out(source->port)->kind;
+    const Kind& kind = *find_draft(source->step)->step.op->find_out(source->port)->kind;
     if (!choose_format(kind, as, output, place)) return false;
-    output.labels = labels_for(json, *source, place);
+    const std::optional<Source> labels = labels_for(json, *source, place);
     Json params = json;
     for (const char* key : {"from", "path", "as", "labels", "about"}) params.erase(key);
+    const size_t before = place.diagnostics.items().size();
     output.params = output.format->complete(params, place);
+    if (place.diagnostics.items().size() > before) return true;
+    output.files = {output.path};
+    if (output.format->files) output.files = output.format->files(output.params, kind, output.path);
+    if (output.format->prepare) {
+      for (const Preparation& wanted : output.format->prepare(output.params, kind, output.path))
+        prepare(wanted, kind, labels, output);
+    }
     return true;
   }
 
-  static bool choose_format(ValueKind kind, const std::optional<std::string>& as, Output& output,
-                            const ReadPlace& place) {
+  /// Adds the step that makes something of an output's value, unless there is one already that makes the same.
+  void prepare(const Preparation& wanted, const Kind& kind, const std::optional<Source>& labels, Output& output) {
+    Step step;
+    step.id = output.path + (wanted.name.empty() ? "" : " " + wanted.name);
+    step.output = output.path;
+    step.op = registry_.find_operator(wanted.op);
+    const ReadPlace nowhere{"", top_.diagnostics};
+    step.params = step.op->complete(wanted.params, nowhere);
+    step.seed = recipe_.seed;
+    for (const Port& port : step.op->in) {
+      if (port.kind == &kind && step.in.empty()) step.in[port.name] = output.from;
+      if (port.kind == &kinds::Labels::kind() && labels) step.in[port.name] = *labels;
+    }
+    const auto same = std::find_if(recipe_.steps.begin(), recipe_.steps.end(), [&](const Step& other) {
+      return other.op == step.op && !step.op->stochastic && other.in == step.in && other.params == step.params;
+    });
+    const Source made{same == recipe_.steps.end() ? step.id : same->id, wanted.port, ""};
+    if (same == recipe_.steps.end()) recipe_.steps.push_back(std::move(step));
+    if (wanted.name.empty()) {
+      output.from = made;
+    } else {
+      output.prepared[wanted.name] = made;
+    }
+  }
+
+  bool choose_format(const Kind& kind, const std::optional<std::string>& as, Output& output,
+                     const ReadPlace& place) const {
     std::vector<std::string> names;
-    for (const OutputFormat& format : output_formats()) {
-      if (format.takes(kind)) names.push_back(format.name);
+    for (const auto& format : registry_.formats()) {
+      if (format->takes(kind)) names.push_back(format->name);
     }
     const std::string extension = std::filesystem::path(output.path).extension().string();
-    output.format = as ? find_output_format(*as) : output_format_for(output.path, kind);
+    output.format = as ? registry_.find_format(*as) : registry_.format_for(output.path, kind);
     if (output.format == nullptr || !output.format->takes(kind)) {
       if (as) {
-        place.at("as").fail(fmt::format("'{}' is no way to write {}{}", *as, kind_name(kind), suggestion(*as, names)));
+        place.at("as").fail(fmt::format("'{}' is no way to write {}{}", *as, kind.name, suggestion(*as, names)));
       } else if (names.size() == 1) {
         place.at("path").fail(fmt::format("'{}' is written to {}, not to '{}'", names.front(),
-                                          fmt::join(find_output_format(names.front())->extensions, ", "), output.path));
+                                          fmt::join(registry_.find_format(names.front())->extensions, ", "),
+                                          output.path));
       } else {
         place.at("path").fail(fmt::format("'{}' does not say how to write {}; add \"as\": one of {}", output.path,
-                                          kind_name(kind), fmt::join(names, ", ")));
+                                          kind.name, fmt::join(names, ", ")));
       }
       return false;
     }
@@ -322,16 +353,17 @@ class RecipeReader {
   /// "labels" as given, or the labels output of the same step.
   std::optional<Source> labels_for(const Json& json, const Source& from, const ReadPlace& place) {
     if (const auto given = json.find("labels"); given != json.end()) {
-      return read_source(*given, place.at("labels"), {ValueKind::labels});
+      return read_source(*given, place.at("labels"), {&kinds::Labels::kind()});
     }
     for (const Port& port : find_draft(from.step)->step.op->out) {
-      if (port.kind == ValueKind::labels) return Source{from.step, port.name, ""};
+      if (port.kind == &kinds::Labels::kind()) return Source{from.step, port.name, ""};
     }
     return std::nullopt;
   }
 
   const Json& root_;
   Recipe& recipe_;
+  const Registry& registry_;
   ReadPlace top_;
   std::vector<DraftStep> drafts_;
 };
@@ -339,12 +371,13 @@ class RecipeReader {
 }  // namespace
 
 Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
-                    const RecipeChanges& changes) {
+                    const RecipeChanges& changes, const Registry& registry) {
   JsonDocument document = parse_json(text, file);
   apply_changes(document.root, changes);
   Recipe recipe;
   recipe.file = file;
   recipe.folder = folder;
+  recipe.registry = &registry;
   Diagnostics diagnostics;
   RecipeReader(document.root, recipe, diagnostics).read();
   if (!diagnostics.empty()) {
@@ -354,7 +387,7 @@ Recipe parse_recipe(const std::string& text, const std::string& file, const std:
   return recipe;
 }
 
-Recipe read_recipe(const std::string& path, const RecipeChanges& changes) {
+Recipe read_recipe(const std::string& path, const RecipeChanges& changes, const Registry& registry) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw IoError(path, "is a folder, not a recipe");
   std::ifstream file(path, std::ios::binary);
@@ -365,7 +398,7 @@ Recipe read_recipe(const std::string& path, const RecipeChanges& changes) {
     file.read(block.data(), block.size());
     text.append(block.data(), static_cast<size_t>(file.gcount()));
   }
-  return parse_recipe(text, path, std::filesystem::path(path).parent_path().string(), changes);
+  return parse_recipe(text, path, std::filesystem::path(path).parent_path().string(), changes, registry);
 }
 
 }  // namespace seamount::recipe

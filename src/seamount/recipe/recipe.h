@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "seamount/recipe/outputs.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
@@ -18,10 +17,12 @@ struct Source {
   std::string port;
   std::string file;  ///< non-empty: a file, and step and port are empty
   bool from_file() const { return !file.empty(); }
+  bool operator==(const Source&) const = default;
 };
 
 struct Step {
   std::string id;
+  std::string output;  ///< of a step that only prepares an output, such as a picture of a terrain: its path
   const Operator* op = nullptr;
   std::map<std::string, Source> in;  ///< by input port
   Json params;                       ///< complete: every parameter, defaults filled in
@@ -29,9 +30,10 @@ struct Step {
 };
 
 struct Output {
-  Source from;
-  std::optional<Source> labels;  ///< the labels that go with it, if there are any
-  std::string path;              ///< relative to the output folder
+  Source from;                             ///< the value, or what a step that was added for the output makes of it
+  std::map<std::string, Source> prepared;  ///< what other added steps make, by OutputFormat::prepare's names
+  std::string path;                        ///< relative to the output folder
+  std::vector<std::string> files;          ///< all that is written, path among them; '*' stands for digits
   const OutputFormat* format = nullptr;
   Json params;  ///< complete
 };
@@ -39,9 +41,10 @@ struct Output {
 struct Recipe {
   std::string file;    ///< for messages
   std::string folder;  ///< relative file names are relative to it
+  const Registry* registry = nullptr;
   GridFrame domain;
   Seed seed;
-  std::vector<Step> steps;  ///< every step after those that it needs
+  std::vector<Step> steps;  ///< every step after those that it needs; those that prepare outputs last
   std::vector<Output> outputs;
 };
 
@@ -54,13 +57,15 @@ struct RecipeChanges {
 };
 
 /// Reads recipe text. Throws RecipeError with every defect found. `folder`: where its relative file names start.
+/// `registry` must outlive the recipe.
 Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
-                    const RecipeChanges& changes = {});
+                    const RecipeChanges& changes = {}, const Registry& registry = standard_registry());
 
 /// Reads a recipe file; its relative file names are relative to it. Throws IoError or RecipeError.
-Recipe read_recipe(const std::string& path, const RecipeChanges& changes = {});
+Recipe read_recipe(const std::string& path, const RecipeChanges& changes = {},
+                   const Registry& registry = standard_registry());
 
 /// JSON Schema (2020-12) of recipes with every operator and output format.
-Json recipe_schema();
+Json recipe_schema(const Registry& registry = standard_registry());
 
 }  // namespace seamount::recipe

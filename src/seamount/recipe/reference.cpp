@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "seamount/base/text.h"
 
 namespace seamount::recipe {
@@ -46,7 +48,7 @@ std::string ports_text(const std::string& title, const std::vector<Port>& ports)
   if (ports.empty()) return "";
   std::string text = title + "\n";
   for (const Port& port : ports) {
-    text += fmt::format("  {} ({}{})\n      {}\n", port.name, kind_name(port.kind), port.required ? "" : ", optional",
+    text += fmt::format("  {} ({}{})\n      {}\n", port.name, port.kind->name, port.required ? "" : ", optional",
                         port.help);
   }
   return text + "\n";
@@ -87,8 +89,8 @@ std::string ports_list(const std::string& title, const std::vector<Port>& ports)
   if (ports.empty()) return "";
   std::string text = title + "\n\n";
   for (const Port& port : ports) {
-    text += fmt::format("- `{}` ({}{}): {}\n", port.name, kind_name(port.kind), port.required ? "" : ", optional",
-                        port.help);
+    text +=
+        fmt::format("- `{}` ({}{}): {}\n", port.name, port.kind->name, port.required ? "" : ", optional", port.help);
   }
   return text + "\n";
 }
@@ -105,12 +107,26 @@ std::string describe_operator(const Operator& op) {
 
 std::string describe_format(const OutputFormat& format) {
   std::vector<std::string> kinds;
-  for (const ValueKind kind : format.accepts) kinds.emplace_back(kind_name(kind));
+  for (const Kind* kind : format.accepts) kinds.push_back(kind->name);
   return fmt::format("{}  -  {}\nwrites {} to {}\n\nparameters\n{}", format.name, format.summary,
                      fmt::join(kinds, ", "), fmt::join(format.extensions, ", "), params_text(format.params));
 }
 
-std::string reference_markdown() {
+std::string describe_kind(const Kind& kind, const Registry& registry) {
+  std::vector<std::string> makers, takers;
+  const auto has = [&](const std::vector<Port>& ports) {
+    return std::any_of(ports.begin(), ports.end(), [&](const Port& port) { return port.kind == &kind; });
+  };
+  for (const auto& op : registry.operators()) {
+    if (has(op->out)) makers.push_back(op->name);
+    if (has(op->in)) takers.push_back(op->name);
+  }
+  return fmt::format("{}  -  {}\nread from {}\nmade by {}\ntaken by {}\n", kind.name, kind.about,
+                     kind.reads.empty() ? "no file" : fmt::format("{}", fmt::join(kind.reads, ", ")),
+                     fmt::join(makers, ", "), fmt::join(takers, ", "));
+}
+
+std::string reference_markdown(const Registry& registry) {
   std::string text =
       "# Operators and output formats\n\n"
       "Made by `seamount describe --markdown` from the tables that the program itself reads; do not edit.\n\n"
@@ -125,19 +141,24 @@ std::string reference_markdown() {
       "defaults "
       "follow from the\ninput.\n\n"
       "P0: *Automatic generation of coral reef islands* (sections and equations as printed there).\n\n";
-  for (const Operator& op : operators().all()) {
+  for (const auto& row : registry.operators()) {
+    const Operator& op = *row;
     text += fmt::format("## {}\n\n{}.\n\n", op.name, op.summary);
     if (!op.source.empty())
       text += fmt::format("Source: {}.{}\n\n", op.source, op.stochastic ? " Depends on the seed." : "");
     text += ports_list("Inputs", op.in) + ports_list("Outputs", op.out) + params_table(op.params);
   }
   text += "# Output formats\n\nChosen by `\"as\"` in a recipe's output, or by the file's extension.\n\n";
-  for (const OutputFormat& format : output_formats()) {
+  for (const auto& row : registry.formats()) {
+    const OutputFormat& format = *row;
     std::vector<std::string> kinds;
-    for (const ValueKind kind : format.accepts) kinds.emplace_back(kind_name(kind));
+    for (const Kind* kind : format.accepts) kinds.push_back(kind->name);
     text += fmt::format("## as {}\n\n{} ({} to {}).\n\n{}", format.name, format.summary, fmt::join(kinds, ", "),
                         fmt::join(format.extensions, ", "), params_table(format.params));
   }
+  text += "# Kinds of values\n\n| kind | | read from |\n|---|---|---|\n";
+  for (const Kind* kind : registry.kinds())
+    text += fmt::format("| {} | {} | {} |\n", kind->name, kind->about, fmt::join(kind->reads, ", "));
   return text;
 }
 

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "seamount/recipe/outputs.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
@@ -14,7 +13,10 @@ std::string describe_operator(const Operator& op);
 /// One output format for a terminal.
 std::string describe_format(const OutputFormat& format);
 
-/// docs/operators.md: every operator and output format.
-std::string reference_markdown();
+/// One kind of value for a terminal, with the operators that take or make it.
+std::string describe_kind(const Kind& kind, const Registry& registry = standard_registry());
+
+/// docs/operators.md: every operator, output format and kind of value.
+std::string reference_markdown(const Registry& registry = standard_registry());
 
 }  // namespace seamount::recipe

@@ -1,104 +1,133 @@
-// Operators by name. One registration (recipe/operators/*.cpp) gives an operator its command, recipe step, schema,
-// reference page, cache entry and contract test.
+// Kinds of values, operators and output formats by name. One registration (operators/*.cpp, kinds/*.cpp, formats/*.cpp)
+// gives an operator its command, recipe step, schema, reference page, cache entry and contract test.
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
+#include "seamount/io/provenance.h"
 #include "seamount/recipe/param_json.h"
 #include "seamount/recipe/value.h"
 
 namespace seamount::recipe {
 
-/// A named input or output of an operator.
+/// A named input or output of an operator. Made by ports.h.
 struct Port {
   std::string name;
-  ValueKind kind;
+  const Kind* kind = nullptr;
   std::string help;
   bool required = true;  ///< inputs only: optional inputs may be left open
 };
 
-/// Names of ports of one kind: "terrain", "terrain_2", "terrain_3".
-std::string numbered(const std::string& name, int i);
-
-/// What a running operator is given besides its parameters.
+/// What a running operator is given besides its inputs and parameters.
 struct Call {
   const GridFrame& domain;    ///< the document's frame, for operators that make a raster from nothing
   Seed seed;                  ///< for stochastic operators
-  const Values& in;           ///< connected inputs by port name
   const std::string& folder;  ///< relative file names are relative to it
   const RunContext& run;
 
-  /// The input, or nullptr where an optional one is open.
-  const Value* input(std::string_view port) const {
-    const auto found = in.find(port);
-    return found == in.end() ? nullptr : &found->second;
-  }
-  const LabelMap* labels(std::string_view port) const {
-    const Value* value = input(port);
-    return value == nullptr ? nullptr : &value->regions();
-  }
-  const Drawing* shapes(std::string_view port) const {
-    const Value* value = input(port);
-    return value == nullptr ? nullptr : &value->shapes();
-  }
-  const ScalarField* scalars(std::string_view port) const {
-    const Value* value = input(port);
-    return value == nullptr ? nullptr : &value->scalars();
-  }
   /// A file parameter as a path that can be opened.
   std::string resolve(const FilePath& file) const;
 };
 
-/// One row of the registry.
+/// One operator.
 struct Operator {
   std::string name;     ///< "island.coral": the contract
   int revision = 1;     ///< raised when the same inputs give another result; part of the cache key
   std::string summary;  ///< one line: what it makes
   std::string source;   ///< paper and section
   bool stochastic = false;
+  bool cached = true;  ///< false: made faster than read back
+
+  // Filled in by Registry::add from the typed ports and the field table.
   std::vector<Port> in;
   std::vector<Port> out;
-
-  // Filled in from the field table by Registry::add.
   std::vector<ParamInfo> params;
   std::function<Json(const Json& given, const ReadPlace&)> complete;  ///< checks, fills in defaults
-  std::function<Values(const Json& complete_params, const Call&)> run;
+  std::function<Values(const Json& complete_params, const Values& in, const Call&)> run;
 
   const Port* find_in(std::string_view port) const;
   const Port* find_out(std::string_view port) const;
 };
 
-class Registry {
- public:
-  template <class Params, class Function>
-  void add(Operator op, Function function) {
-    op.params = describe_params<Params>();
-    op.complete = [](const Json& given, const ReadPlace& place) {
-      return write_params(read_params<Params>(given, place));
-    };
-    op.run = [function](const Json& complete_params, const Call& call) {
-      Diagnostics diagnostics;
-      const auto params = read_params<Params>(complete_params, {"", diagnostics});
-      if (!diagnostics.empty()) throw RecipeError("parameters", diagnostics.items());
-      return function(params, call);
-    };
-    operators_.push_back(std::move(op));
-  }
-
-  const std::vector<Operator>& all() const { return operators_; }
-  const Operator* find(std::string_view name) const;
-  std::vector<std::string> names() const;
-
- private:
-  std::vector<Operator> operators_;
+/// What a writer is told besides its parameters.
+struct OutputCall {
+  const Value& value;      ///< what to write, or what an operator made of it (OutputFormat::prepare)
+  const Values& prepared;  ///< results of the other operators that prepare() named
+  std::string path;        ///< where to write, with folder
+  io::Provenance provenance;
+  const RunContext& run;
 };
 
-/// Every operator of Seamount, in the order of families. Built on first use.
-const Registry& operators();
+/// An operator that runs before an output is written, like any step of the recipe: its inputs "terrain", "contours" ...
+/// are the value that is written, "labels" what goes with it.
+struct Preparation {
+  std::string name;  ///< for the writer; empty: the result is written in the value's place
+  std::string op;
+  std::string port;  ///< the output that is wanted
+  Json params;
+};
+
+/// A way to write a value, by name ("as") or by file extension.
+struct OutputFormat {
+  std::string name;                     ///< "as" in a recipe
+  std::string summary;                  ///< one line
+  std::vector<std::string> extensions;  ///< ".tif": the file names it can write; the first is the default
+  std::vector<std::string> claims;      ///< extensions for which it is chosen when "as" is absent
+  std::vector<const Kind*> accepts;
+
+  // Filled in from the field table by make_format().
+  std::vector<ParamInfo> params;
+  std::function<Json(const Json& given, const ReadPlace&)> complete;
+  std::function<void(const Json& complete_params, const OutputCall&)> write;
+
+  /// What must be made of a value before it can be written; empty: nothing.
+  std::function<std::vector<Preparation>(const Json& complete_params, const Kind& kind, const std::string& path)>
+      prepare;
+  /// Names of all files that a value is written to; '*' stands for digits. Empty: the path alone.
+  std::function<std::vector<std::string>(const Json& complete_params, const Kind& kind, const std::string& path)> files;
+
+  bool takes(const Kind& kind) const;
+};
+
+class Registry {
+ public:
+  /// A kind, and the formats that it is written to.
+  template <class K>
+  void add_kind() {
+    kinds_.push_back(&K::kind());
+    K::add_formats(*this);
+  }
+  void add(Operator op) { operators_.push_back(std::make_shared<const Operator>(std::move(op))); }
+  void add(OutputFormat format) { formats_.push_back(std::make_shared<const OutputFormat>(std::move(format))); }
+
+  // Pointers stay valid as long as a copy of the registry that they were found in.
+  const std::vector<const Kind*>& kinds() const { return kinds_; }
+  const std::vector<std::shared_ptr<const Operator>>& operators() const { return operators_; }
+  const std::vector<std::shared_ptr<const OutputFormat>>& formats() const { return formats_; }
+
+  const Kind* find_kind(std::string_view name) const;
+  const Operator* find_operator(std::string_view name) const;
+  const OutputFormat* find_format(std::string_view name) const;
+  /// The format that a file name asks for by its extension, for a value of this kind; nullptr if there is none.
+  const OutputFormat* format_for(const std::string& path, const Kind& kind) const;
+
+  std::vector<std::string> operator_names() const;
+
+ private:
+  std::vector<const Kind*> kinds_;
+  std::vector<std::shared_ptr<const Operator>> operators_;
+  std::vector<std::shared_ptr<const OutputFormat>> formats_;
+};
+
+/// Everything that Seamount has: operators in the order of families. Built on first use. A program with kinds or
+/// operators of its own copies it, adds to the copy and hands that to parse_recipe().
+const Registry& standard_registry();
 
 // One function per family, each in operators/<family>.cpp; contours out of terrains and back stand apart.
 void add_terrain_operators(Registry& registry);

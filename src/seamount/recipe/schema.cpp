@@ -25,7 +25,7 @@ Json step_schema(const Operator& op) {
   for (const Port& port : op.in) {
     in[port.name] = source_schema();
     in[port.name]["description"] = port.help;
-    in[port.name]["x-kind"] = std::string(kind_name(port.kind));
+    in[port.name]["x-kind"] = port.kind->name;
     if (port.required) required.push_back(port.name);
   }
   Json schema = {
@@ -59,11 +59,11 @@ Json output_schema(const OutputFormat& format) {
 
 }  // namespace
 
-Json recipe_schema() {
+Json recipe_schema(const Registry& registry) {
   Json steps = Json::array();
-  for (const Operator& op : operators().all()) steps.push_back(step_schema(op));
+  for (const auto& op : registry.operators()) steps.push_back(step_schema(*op));
   Json outputs = Json::array();
-  for (const OutputFormat& format : output_formats()) outputs.push_back(output_schema(format));
+  for (const auto& format : registry.formats()) outputs.push_back(output_schema(*format));
   return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
           {"title", "Seamount recipe"},
           {"type", "object"},

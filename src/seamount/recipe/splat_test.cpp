@@ -1,28 +1,27 @@
-// The splat output of a terrain: the layers of terrain.layers, in 8 bits that still sum to all.
+// The splat output of a terrain: the layers of its style, in 8 bits that still sum to all.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <fstream>
-#include <iterator>
-
+#include "seamount/io/atomic_file.h"
 #include "seamount/io/png_codec.h"
+#include "seamount/io/raster.h"
 #include "seamount/ops/terrain/layers.h"
-#include "seamount/recipe/outputs.h"
+#include "seamount/recipe/executor.h"
 
 namespace seamount::recipe {
 namespace {
 
-io::PngSamples written(const HeightField& terrain, const Json& params) {
-  const OutputFormat& format = *find_output_format("splat");
-  const std::string path = ::testing::TempDir() + "seamount_layers.png";
-  Diagnostics diagnostics;
-  const Json complete = format.complete(params, {"", diagnostics});
-  EXPECT_TRUE(diagnostics.empty());
-  const Value value = Value::terrain(terrain);
-  format.write(complete, {.value = value, .path = path, .provenance = {}, .run = {}});
-  std::ifstream file(path, std::ios::binary);
-  const std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  return io::decode_png_samples(bytes, path, 1 << 20);
+/// A terrain written by a recipe with these members of its output.
+io::PngSamples written(const HeightField& terrain, Json output) {
+  const std::string folder = ::testing::TempDir() + "seamount_splat";
+  io::write_heights(terrain, folder + "/in.tif");
+  output["from"] = "t.terrain";
+  output["path"] = "layers.png";
+  output["as"] = "splat";
+  const Json document = {{"seamount", 1},
+                         {"steps", {{{"id", "t"}, {"op", "terrain.import"}, {"params", {{"file", "in.tif"}}}}}},
+                         {"outputs", {output}}};
+  execute(parse_recipe(document.dump(), "splat.json", folder), {folder, ""}, {});
+  return io::decode_png_samples(io::read_file(folder + "/layers.png"), "layers.png", 1 << 20);
 }
 
 TEST(SplatOfTerrain, IsItsLayersInBytesThatSumToAll) {

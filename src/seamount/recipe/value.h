@@ -1,89 +1,51 @@
-// What flows along the edges of a recipe: immutable values, shared and never copied.
+// What flows along the edges of a recipe: immutable values, shared and never copied, each of a kind (kind.h).
 #pragma once
 
 #include <map>
 #include <memory>
 #include <string>
-#include <string_view>
-#include <variant>
+#include <utility>
 
-#include "seamount/base/fields.h"
-#include "seamount/model/areas.h"
-#include "seamount/model/contour_set.h"
-#include "seamount/model/grid.h"
-#include "seamount/model/image.h"
-#include "seamount/model/label_map.h"
-#include "seamount/model/report.h"
-#include "seamount/model/tin.h"
+#include "seamount/recipe/kind.h"
 
 namespace seamount::recipe {
 
-/// terrain: heights in metres; labels: regions; field: any other scalar per cell; image: a picture; drawing: areas and
-/// lines; tin: a triangulated network; contours: nested closed contours; report: measured numbers and plots.
-enum class ValueKind { terrain, labels, field, image, drawing, tin, contours, report };
-
-/// A value and its kind. terrain and field are both rasters of float and differ in what they may be connected to.
+/// A value and its kind. K is a kind (kinds.h); its Type is what the value holds.
 class Value {
  public:
   Value() = default;
-  static Value terrain(HeightField grid) {
-    return {ValueKind::terrain, std::make_shared<const HeightField>(std::move(grid))};
-  }
-  static Value field(ScalarField grid) {
-    return {ValueKind::field, std::make_shared<const ScalarField>(std::move(grid))};
-  }
-  static Value labels(LabelMap grid) { return {ValueKind::labels, std::make_shared<const LabelMap>(std::move(grid))}; }
-  static Value image(Image picture) { return {ValueKind::image, std::make_shared<const Image>(std::move(picture))}; }
-  static Value drawing(Drawing shapes) {
-    return {ValueKind::drawing, std::make_shared<const Drawing>(std::move(shapes))};
-  }
-  static Value tin(Tin network) { return {ValueKind::tin, std::make_shared<const Tin>(std::move(network))}; }
-  static Value contours(ContourSet set) {
-    return {ValueKind::contours, std::make_shared<const ContourSet>(std::move(set))};
+  Value(const Kind& kind, std::shared_ptr<const void> data) : kind_(&kind), data_(std::move(data)) {}
+
+  template <class K>
+  static Value of(typename K::Type value) {
+    return {K::kind(), std::make_shared<const typename K::Type>(std::move(value))};
   }
 
-  static Value report(Report measured) {
-    return {ValueKind::report, std::make_shared<const Report>(std::move(measured))};
+  bool empty() const { return kind_ == nullptr; }
+  /// REQUIRES: not empty.
+  const Kind& kind() const { return *kind_; }
+
+  template <class K>
+  bool is() const {
+    return kind_ == &K::kind();
+  }
+  /// REQUIRES: is<K>().
+  template <class K>
+  const typename K::Type& get() const {
+    return *static_cast<const typename K::Type*>(data_.get());
   }
 
-  ValueKind kind() const { return kind_; }
-  /// REQUIRES: kind() holds that type.
-  const HeightField& heights() const { return get<HeightField>(); }
-  const ScalarField& scalars() const { return get<ScalarField>(); }
-  const LabelMap& regions() const { return get<LabelMap>(); }
-  const Image& picture() const { return get<Image>(); }
-  const Drawing& shapes() const { return get<Drawing>(); }
-  const Tin& network() const { return get<Tin>(); }
-  const ContourSet& contour_set() const { return get<ContourSet>(); }
-  const Report& measured() const { return get<Report>(); }
-
-  /// Where the value lies; nullptr for pictures, drawings and reports.
-  const GridFrame* frame() const;
-  /// Bytes of the payload.
-  size_t bytes() const;
+  /// Where the value lies; nullptr for what lies nowhere in particular: pictures, drawings, reports.
+  const GridFrame* frame() const { return kind_->frame(data_.get()); }
+  /// Bytes of the payload, about.
+  size_t bytes() const { return kind_->bytes(data_.get()); }
+  void write(Writer& writer) const { kind_->write(writer, data_.get()); }
 
  private:
-  using Data = std::variant<std::shared_ptr<const Grid<float>>, std::shared_ptr<const LabelMap>,
-                            std::shared_ptr<const Image>, std::shared_ptr<const Drawing>, std::shared_ptr<const Tin>,
-                            std::shared_ptr<const ContourSet>, std::shared_ptr<const Report>>;
-  Value(ValueKind kind, Data data) : kind_(kind), data_(std::move(data)) {}
-  template <class T>
-  const T& get() const {
-    return *std::get<std::shared_ptr<const T>>(data_);
-  }
-
-  ValueKind kind_ = ValueKind::terrain;
-  Data data_;
+  const Kind* kind_ = nullptr;
+  std::shared_ptr<const void> data_;
 };
 
 using Values = std::map<std::string, Value, std::less<>>;
 
-std::string_view kind_name(ValueKind kind);
-
 }  // namespace seamount::recipe
-
-template <>
-struct seamount::Choices<seamount::recipe::ValueKind> {
-  static constexpr std::array<std::string_view, 8> names = {"terrain", "labels", "field",    "image",
-                                                            "drawing", "tin",    "contours", "report"};
-};

@@ -74,6 +74,11 @@ Borders resolve_borders(const LayerBorders& borders, double bottom_m, double top
   return out;
 }
 
+Borders relief_borders(const LayerBorders& borders, const HeightField& terrain) {
+  const auto [bottom, top] = std::minmax_element(terrain.cells().begin(), terrain.cells().end());
+  return resolve_borders(borders, static_cast<double>(*bottom), static_cast<double>(*top));
+}
+
 double error_pass(double distance, double error) { return distance < error ? 1.0 - distance / error : 0.0; }
 
 double low_pass(double height, double border, double error) {

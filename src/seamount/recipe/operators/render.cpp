@@ -1,67 +1,82 @@
 // Registration of the render family.
 #include "seamount/ops/render/contours.h"
+#include "seamount/ops/render/layers.h"
 #include "seamount/ops/render/map.h"
 #include "seamount/ops/render/perspective.h"
 #include "seamount/ops/render/relief.h"
 #include "seamount/ops/render/texture.h"
-#include "seamount/recipe/registry.h"
+#include "seamount/recipe/ports.h"
 
 namespace seamount::recipe {
 namespace {
 
-template <class Params, Image (*draw)(const HeightField&, const LabelMap*, const Params&, const RunContext&)>
-Values picture(const Params& params, const Call& call) {
-  return {{"image", Value::image(draw(call.in.at("terrain").heights(), call.labels("labels"), params, call.run))}};
+using kinds::Drawing, kinds::Labels, kinds::Terrain;
+using Lines = const seamount::Drawing*;
+
+In<Terrain> terrain_in() { return in<Terrain>("terrain", "heights in metres"); }
+OptionalIn<Labels> labels_in() {
+  return optional_in<Labels>("labels", "its regions: where beach, lagoon and reef are");
+}
+auto picture_out() { return outputs(out<kinds::Image>("image", "the picture")); }
+
+Image map(const render::MapParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
+          Lines lakes, Lines rivers, Lines ridges, Lines peaks) {
+  return render::map(terrain, labels, {lakes, rivers, ridges, peaks}, params, call.run);
+}
+
+std::tuple<ScalarField, ScalarField, ScalarField> layers(const render::LayersParams& params, const Call& call,
+                                                         const HeightField& terrain) {
+  geom::Layers made = render::layers(terrain, params, call.run);
+  return {std::move(made.low), std::move(made.middle), std::move(made.high)};
+}
+
+void add_views(Registry& registry) {
+  registry.add(make_operator<render::ReliefParams>(
+      {.name = "render.relief", .summary = "Shaded relief with light from several directions"}, inputs(terrain_in()),
+      picture_out(), [](const render::ReliefParams& params, const Call& call, const HeightField& terrain) {
+        return render::relief(terrain, params, call.run);
+      }));
+  registry.add(make_operator<render::PerspectiveParams>(
+      {.name = "render.perspective", .summary = "A picture from a point of view, with sun, shadows, sky and water"},
+      inputs(terrain_in(), labels_in()), picture_out(),
+      [](const render::PerspectiveParams& params, const Call& call, const HeightField& terrain,
+         const LabelMap* labels) { return render::perspective(terrain, labels, params, call.run); }));
+  registry.add(make_operator<render::TextureParams>(
+      {.name = "render.texture", .summary = "The ground from above, as a texture for meshes"},
+      inputs(terrain_in(), labels_in()), picture_out(),
+      [](const render::TextureParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels) {
+        return render::texture(terrain, labels, params, call.run);
+      }));
 }
 
 }  // namespace
 
 void add_render_operators(Registry& registry) {
-  const std::vector<Port> in = {{"terrain", ValueKind::terrain, "heights in metres"},
-                                {"labels", ValueKind::labels, "its regions: where beach, lagoon and reef are", false}};
-  const std::vector<Port> out = {{"image", ValueKind::image, "the picture"}};
-  registry.add<render::MapParams>(
+  registry.add(make_operator<render::MapParams>(
       {.name = "render.map",
        .summary = "A map with tints by height and depth, relief, contours, legend and scale bar; rivers, lakes, ridges "
-                  "and peaks over it",
-       .in = {in[0],
-              in[1],
-              {"lakes", ValueKind::drawing, "areas to fill as water", false},
-              {"rivers", ValueKind::drawing, "lines of water, as wide as their order", false},
-              {"ridges", ValueKind::drawing, "lines of ridges", false},
-              {"peaks", ValueKind::drawing, "points with heights", false}},
-       .out = out},
-      [](const render::MapParams& params, const Call& call) -> Values {
-        const render::MapDrawings drawings{call.shapes("lakes"), call.shapes("rivers"), call.shapes("ridges"),
-                                           call.shapes("peaks")};
-        return {{"image", Value::image(render::map(call.in.at("terrain").heights(), call.labels("labels"), drawings,
-                                                   params, call.run))}};
-      });
-  registry.add<render::ReliefParams>(
-      {.name = "render.relief",
-       .summary = "Shaded relief with light from several directions",
-       .in = {in[0]},
-       .out = out},
-      [](const render::ReliefParams& params, const Call& call) -> Values {
-        return {{"image", Value::image(render::relief(call.in.at("terrain").heights(), params, call.run))}};
-      });
-  registry.add<render::PerspectiveParams>(
-      {.name = "render.perspective",
-       .summary = "A picture from a point of view, with sun, shadows, sky and water",
-       .in = in,
-       .out = out},
-      picture<render::PerspectiveParams, render::perspective>);
-  registry.add<render::TextureParams>(
-      {.name = "render.texture", .summary = "The ground from above, as a texture for meshes", .in = in, .out = out},
-      picture<render::TextureParams, render::texture>);
-  registry.add<render::ContoursParams>(
+                  "and peaks over it"},
+      inputs(terrain_in(), labels_in(), optional_in<Drawing>("lakes", "areas to fill as water"),
+             optional_in<Drawing>("rivers", "lines of water, as wide as their order"),
+             optional_in<Drawing>("ridges", "lines of ridges"), optional_in<Drawing>("peaks", "points with heights")),
+      picture_out(), map));
+  add_views(registry);
+  registry.add(make_operator<render::ContoursParams>(
       {.name = "render.contours",
-       .summary = "Contours as a topographic map: lines with their heights, water, scale bar",
-       .in = {{"contours", ValueKind::contours, "nested closed contours"}},
-       .out = out},
-      [](const render::ContoursParams& params, const Call& call) -> Values {
-        return {{"image", Value::image(render::contours(call.in.at("contours").contour_set(), params, call.run))}};
-      });
+       .summary = "Contours as a topographic map: lines with their heights, water, scale bar"},
+      inputs(in<kinds::Contours>("contours", "nested closed contours")), picture_out(),
+      [](const render::ContoursParams& params, const Call& call, const ContourSet& contours) {
+        return render::contours(contours, params, call.run);
+      }));
+  registry.add(make_operator<render::LayersParams>(
+      {.name = "render.layers",
+       .summary = "The layers of ground that a style's pictures show: three masks that sum to one, for splat maps",
+       .source = "P4 sec. 3.4, eq. 3-6"},
+      inputs(terrain_in()),
+      outputs(out<kinds::Field>("low", "share of the low layer"),
+              out<kinds::Field>("middle", "share of the middle layer"),
+              out<kinds::Field>("high", "share of the high layer")),
+      layers));
 }
 
 }  // namespace seamount::recipe

@@ -6,10 +6,15 @@
 #include "seamount/ops/terrain/mask.h"
 #include "seamount/ops/terrain/noise.h"
 #include "seamount/ops/terrain/resample.h"
-#include "seamount/recipe/registry.h"
+#include "seamount/ops/terrain/samples.h"
+#include "seamount/recipe/ports.h"
 
 namespace seamount::recipe {
 namespace {
+
+using kinds::Field, kinds::Terrain;
+
+const char* const kHeights = "heights in metres";
 
 /// terrain.import has no algorithm of its own: it is the raster reader with its options as parameters.
 struct ImportParams {
@@ -32,7 +37,7 @@ struct ImportParams {
   }
 };
 
-Values import_terrain(const ImportParams& params, const Call& call) {
+HeightField import_terrain(const ImportParams& params, const Call& call) {
   if (params.file.path.empty()) throw InvalidArgument("file", "is missing");
   if (params.low_m.has_value() != params.high_m.has_value())
     throw InvalidArgument("low_m", "low_m and high_m go together");
@@ -45,122 +50,103 @@ Values import_terrain(const ImportParams& params, const Call& call) {
   }
   options.voids = params.fill_voids ? io::Voids::fill : io::Voids::refuse;
   options.band = params.band;
-  return {{"terrain", Value::terrain(io::read_heights(call.resolve(params.file), options))}};
+  return io::read_heights(call.resolve(params.file), options);
 }
 
-Values noise(const terrain::NoiseParams& params, const Call& call) {
-  return {{"terrain", Value::terrain(terrain::noise(params, call.domain, call.seed, call.run))}};
-}
-
-Values blend(const terrain::BlendParams& params, const Call& call) {
-  return {{"terrain", Value::terrain(terrain::blend(call.in.at("terrain").heights(), call.in.at("with").heights(),
-                                                    call.scalars("mask"), params, call.run))}};
-}
-
-Values resample(const terrain::ResampleParams& params, const Call& call) {
-  return {
-      {"terrain", Value::terrain(terrain::resample(call.in.at("terrain").heights(), params, call.domain, call.run))}};
-}
-
-Values mask(const terrain::MaskParams& params, const Call& call) {
-  const terrain::MaskInputs in{.terrain = call.in.at("terrain").heights(),
-                               .labels = call.labels("labels"),
-                               .drawing = call.shapes("drawing"),
-                               .values = call.scalars("values"),
-                               .mask = call.scalars("mask")};
-  return {{"mask", Value::field(terrain::mask(in, params, call.seed, call.run))}};
-}
-
-Values layers(const LayerBorders& params, const Call& call) {
-  geom::Layers made = terrain::layers(call.in.at("terrain").heights(), params, call.run);
-  return {{"low", Value::field(std::move(made.low))},
-          {"middle", Value::field(std::move(made.middle))},
-          {"high", Value::field(std::move(made.high))}};
+std::tuple<ScalarField, ScalarField, ScalarField> layers(const LayerBorders& params, const Call& call,
+                                                         const HeightField& terrain) {
+  geom::Layers made = terrain::layers(terrain, params, call.run);
+  return {std::move(made.low), std::move(made.middle), std::move(made.high)};
 }
 
 constexpr int kMostTerrains = 8;
 
-Values compose(const terrain::ComposeParams& params, const Call& call) {
+HeightField compose(const terrain::ComposeParams& params, const Call& call,
+                    const std::vector<std::tuple<const HeightField*>>& given) {
   std::vector<const HeightField*> terrains;
-  for (int i = 0; i < kMostTerrains; ++i) {
-    if (const Value* terrain = call.input(numbered("terrain", i))) terrains.push_back(&terrain->heights());
-  }
-  return {{"terrain", Value::terrain(terrain::compose(terrains, params, call.domain, call.run))}};
+  for (const auto& [terrain] : given) terrains.push_back(terrain);
+  return terrain::compose(terrains, params, call.domain, call.run);
 }
 
-std::vector<Port> compose_ports() {
-  std::vector<Port> ports;
-  ports.reserve(kMostTerrains);
-  for (int i = 0; i < kMostTerrains; ++i) {
-    ports.push_back({numbered("terrain", i), ValueKind::terrain,
-                     i == 0 ? "the lowest terrain" : "a terrain over those before it", i == 0});
-  }
-  return ports;
+void add_sources(Registry& registry) {
+  registry.add(make_operator<ImportParams>(
+      {.name = "terrain.import", .summary = "A terrain from a file, in metres and square cells"}, inputs(),
+      outputs(out<Terrain>("terrain", kHeights)), import_terrain));
+  registry.add(make_operator<terrain::NoiseParams>({.name = "terrain.noise",
+                                                    .summary = "Fractal noise, smooth or ridged",
+                                                    .source = "Perlin 2002, Musgrave 1994",
+                                                    .stochastic = true},
+                                                   inputs(), outputs(out<Terrain>("terrain", kHeights)),
+                                                   [](const terrain::NoiseParams& params, const Call& call) {
+                                                     return terrain::noise(params, call.domain, call.seed, call.run);
+                                                   }));
+}
+
+void add_sampling(Registry& registry) {
+  registry.add(make_operator<terrain::ResampleParams>(
+      {.name = "terrain.resample", .summary = "A terrain at another cell size, or on the document's domain"},
+      inputs(in<Terrain>("terrain", kHeights)), outputs(out<Terrain>("terrain", kHeights)),
+      [](const terrain::ResampleParams& params, const Call& call, const HeightField& terrain) {
+        return terrain::resample(terrain, params, call.domain, call.run);
+      }));
+  registry.add(make_operator<terrain::SamplesParams>(
+      {.name = "terrain.samples",
+       .summary = "A terrain as the samples that game engines and tiles want, the outer ones on its edge",
+       .cached = false},
+      inputs(in<Terrain>("terrain", kHeights)), outputs(out<Terrain>("terrain", kHeights)),
+      [](const terrain::SamplesParams& params, const Call& call, const HeightField& terrain) {
+        return terrain::samples(terrain, params, call.run);
+      }));
+}
+
+void add_joining(Registry& registry) {
+  registry.add(make_operator<terrain::BlendParams>(
+      {.name = "terrain.blend",
+       .summary = "Two terrains become one: mixed, the higher, the lower, added or subtracted, all over or by a mask",
+       .source = "P0 sec. 1.4.2, eq. 1.15 for the smooth maximum"},
+      inputs(in<Terrain>("terrain", kHeights), in<Terrain>("with", "the second terrain, of the same size"),
+             optional_in<Field>("mask", "where it is done, 0 to 1; everywhere if open")),
+      outputs(out<Terrain>("terrain", kHeights)),
+      [](const terrain::BlendParams& params, const Call& call, const HeightField& terrain, const HeightField& with,
+         const ScalarField* mask) { return terrain::blend(terrain, with, mask, params, call.run); }));
+  registry.add(make_operator<terrain::ComposeParams>(
+      {.name = "terrain.compose",
+       .summary = "Several terrains in one domain, moved, turned and scaled, with feathered seams",
+       .source = "Porter and Duff 1984"},
+      inputs(in_rows<Terrain>(kMostTerrains, {"terrain"}, {"the lowest terrain"}, {"a terrain over those before it"})),
+      outputs(out<Terrain>("terrain", kHeights)), compose));
 }
 
 }  // namespace
 
 void add_terrain_operators(Registry& registry) {
-  const std::vector<Port> out = {{"terrain", ValueKind::terrain, "heights in metres"}};
-  registry.add<ImportParams>({.name = "terrain.import",
-                              .summary = "A terrain from a file, in metres and square cells",
-                              .source = "",
-                              .in = {},
-                              .out = out},
-                             import_terrain);
-  registry.add<terrain::NoiseParams>({.name = "terrain.noise",
-                                      .summary = "Fractal noise, smooth or ridged",
-                                      .source = "Perlin 2002, Musgrave 1994",
-                                      .stochastic = true,
-                                      .in = {},
-                                      .out = out},
-                                     noise);
-  const Port in{"terrain", ValueKind::terrain, "heights in metres"};
-  registry.add<terrain::ResampleParams>({.name = "terrain.resample",
-                                         .summary = "A terrain at another cell size, or on the document's domain",
-                                         .source = "",
-                                         .in = {in},
-                                         .out = out},
-                                        resample);
-  registry.add<terrain::BlendParams>(
-      {.name = "terrain.blend",
-       .summary = "Two terrains become one: mixed, the higher, the lower, added or subtracted, all over or by a mask",
-       .source = "P0 sec. 1.4.2, eq. 1.15 for the smooth maximum",
-       .in = {in,
-              {"with", ValueKind::terrain, "the second terrain, of the same size"},
-              {"mask", ValueKind::field, "where it is done, 0 to 1; everywhere if open", false}},
-       .out = out},
-      blend);
-  registry.add<terrain::ComposeParams>(
-      {.name = "terrain.compose",
-       .summary = "Several terrains in one domain, moved, turned and scaled, with feathered seams",
-       .source = "Porter and Duff 1984",
-       .in = compose_ports(),
-       .out = out},
-      compose);
-  registry.add<terrain::MaskParams>(
+  add_sources(registry);
+  add_sampling(registry);
+  add_joining(registry);
+  registry.add(make_operator<terrain::MaskParams>(
       {.name = "terrain.mask",
        .summary =
            "A soft selection by height, depth, slope, aspect, curvature, regions, drawn areas and lines, noise or "
            "any field",
-       .source = "",
-       .stochastic = true,
-       .in = {in,
-              {"labels", ValueKind::labels, "its regions, for the criterion region", false},
-              {"drawing", ValueKind::drawing, "areas and lines, for the criteria area and line", false},
-              {"values", ValueKind::field, "any field, for the criterion value", false},
-              {"mask", ValueKind::field, "one more mask, combined like a criterion", false}},
-       .out = {{"mask", ValueKind::field, "0 where nothing is selected, 1 where all is"}}},
-      mask);
-  registry.add<LayerBorders>({.name = "terrain.layers",
-                              .summary = "How much of each place is low, middle and high ground: three masks that sum "
-                                         "to one",
-                              .source = "P4 sec. 3.4, eq. 3-6",
-                              .in = {in},
-                              .out = {{"low", ValueKind::field, "share of the low layer"},
-                                      {"middle", ValueKind::field, "share of the middle layer"},
-                                      {"high", ValueKind::field, "share of the high layer"}}},
-                             layers);
+       .stochastic = true},
+      inputs(in<Terrain>("terrain", kHeights),
+             optional_in<kinds::Labels>("labels", "its regions, for the criterion region"),
+             optional_in<kinds::Drawing>("drawing", "areas and lines, for the criteria area and line"),
+             optional_in<Field>("values", "any field, for the criterion value"),
+             optional_in<Field>("mask", "one more mask, combined like a criterion")),
+      outputs(out<Field>("mask", "0 where nothing is selected, 1 where all is")),
+      [](const terrain::MaskParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
+         const Drawing* drawing, const ScalarField* values, const ScalarField* mask) {
+        return terrain::mask({terrain, labels, drawing, values, mask}, params, call.seed, call.run);
+      }));
+  registry.add(make_operator<LayerBorders>(
+      {.name = "terrain.layers",
+       .summary = "How much of each place is low, middle and high ground: three masks that sum to one",
+       .source = "P4 sec. 3.4, eq. 3-6"},
+      inputs(in<Terrain>("terrain", kHeights)),
+      outputs(out<Field>("low", "share of the low layer"), out<Field>("middle", "share of the middle layer"),
+              out<Field>("high", "share of the high layer")),
+      layers));
 }
 
 }  // namespace seamount::recipe

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "seamount/base/inputs.h"
 #include "seamount/geom/contour/contour.h"
 #include "seamount/geom/contour/marching_triangles.h"
 #include "seamount/geom/contour/nesting.h"
@@ -99,6 +100,11 @@ ContourSet extract(const HeightField& terrain, const ExtractParams& params, cons
   const auto [low, high] = std::minmax_element(cells.begin(), cells.end());
   const std::vector<double> levels = chosen_levels(params, *low, *high);
   return finish(terrain.frame(), geom::trace_contours(terrain, levels), params, run);
+}
+
+ContourSet extract(const Tin* tin, const HeightField* terrain, const ExtractParams& params, const RunContext& run) {
+  require_one("tin", tin != nullptr, "terrain", terrain != nullptr);
+  return tin != nullptr ? extract(*tin, params, run) : extract(*terrain, params, run);
 }
 
 }  // namespace seamount::contour

@@ -51,4 +51,7 @@ ContourSet extract(const Tin& tin, const ExtractParams& params, const RunContext
 /// The same of a terrain. Throws InvalidArgument for heights that are not finite.
 ContourSet extract(const HeightField& terrain, const ExtractParams& params, const RunContext& run);
 
+/// Of the one that is given. Throws IncompatibleInputs for none or both.
+ContourSet extract(const Tin* tin, const HeightField* terrain, const ExtractParams& params, const RunContext& run);
+
 }  // namespace seamount::contour

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "seamount/base/inputs.h"
 #include "seamount/base/parallel.h"
 #include "seamount/geom/contour/nesting.h"
 #include "seamount/geom/solve/drain.h"
@@ -125,6 +126,11 @@ HeightField reconstruct(const Tin& tin, const ReconstructParams& params, const R
   HeightField heights = geom::rasterise_tin(tin, wanted_frame(tin.frame, params.cell_m), run.part(0.0, 0.7));
   geom::drain(heights, sinks_below(geom::find_low_nodes(tin), tin, heights), run.part(0.7, 1.0));
   return heights;
+}
+
+HeightField reconstruct(const ContourSet* set, const Tin* tin, const ReconstructParams& params, const RunContext& run) {
+  require_one("contours", set != nullptr, "tin", tin != nullptr);
+  return tin != nullptr ? reconstruct(*tin, params, run) : reconstruct(*set, params, run);
 }
 
 }  // namespace seamount::contour

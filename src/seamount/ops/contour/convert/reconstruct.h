@@ -51,6 +51,9 @@ HeightField reconstruct(const ContourSet& set, const ReconstructParams& params, 
 /// InvalidArgument for params out of range and a network without triangles or heights.
 HeightField reconstruct(const Tin& tin, const ReconstructParams& params, const RunContext& run);
 
+/// Of the one that is given. Throws IncompatibleInputs for none or both.
+HeightField reconstruct(const ContourSet* set, const Tin* tin, const ReconstructParams& params, const RunContext& run);
+
 }  // namespace seamount::contour
 
 namespace seamount {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "seamount/base/error.h"
+#include "seamount/base/inputs.h"
 #include "seamount/base/text.h"
 #include "seamount/geom/contour/marching_triangles.h"
 #include "seamount/geom/polygon/polygon.h"
@@ -181,6 +182,12 @@ Tin refine(const ContourSet& coarse, const RefineInputs& inputs, const RefinePar
     levels.insert(levels.end(), ground.levels.begin(), ground.levels.end());
   }
   return tin;
+}
+
+Tin refine(const Tin* tin, const ContourSet* contours, const RefineInputs& inputs, const RefineParams& params,
+           Seed seed, const RunContext& run) {
+  require_one("tin", tin != nullptr, "contours", contours != nullptr);
+  return tin != nullptr ? refine(*tin, inputs, params, seed, run) : refine(*contours, inputs, params, seed, run);
 }
 
 }  // namespace seamount::contour

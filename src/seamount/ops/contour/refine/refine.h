@@ -80,4 +80,8 @@ Tin refine(const Tin& coarse, const RefineInputs& inputs, const RefineParams& pa
 Tin refine(const ContourSet& coarse, const RefineInputs& inputs, const RefineParams& params, Seed seed,
            const RunContext& run);
 
+/// Of the one that is given. Throws IncompatibleInputs for none or both.
+Tin refine(const Tin* tin, const ContourSet* contours, const RefineInputs& inputs, const RefineParams& params,
+           Seed seed, const RunContext& run);
+
 }  // namespace seamount::contour

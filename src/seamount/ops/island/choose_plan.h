@@ -1,0 +1,31 @@
+// What an island is built on: the one thing that was given, or a random coast.
+#pragma once
+
+#include <functional>
+#include <variant>
+
+#include "seamount/model/areas.h"
+#include "seamount/ops/island/build.h"
+
+namespace seamount::island {
+
+/// What a coast file holds: areas, or a painted label map laid over the domain.
+using CoastFile = std::variant<Drawing, LabelMap>;
+
+/// What an island can be built on besides what stands in its parameters.
+struct BuildInputs {
+  const Drawing* outlines = nullptr;                          ///< named areas, or one coast
+  const LabelMap* labels = nullptr;                           ///< traced
+  std::function<CoastFile(const FilePath&)> read_coast = {};  ///< for `coast`
+};
+
+/// The plan of the one thing that is given: coast, outlines or areas of the params, the input outlines, the input
+/// labels; a random coast where nothing is. Throws InvalidArgument for more than one, and what plans throw (shape.h).
+Plan choose_plan(const BuildParams& params, const BuildInputs& inputs, const GridFrame& domain, Seed seed);
+
+/// The island of that plan, on the labels' frame if they are given, else on the domain; areas in a coordinate system of
+/// their own lend it to the frame. Throws what choose_plan and build throw.
+Island build(const BuildInputs& inputs, const BuildParams& params, const GridFrame& domain, Seed seed,
+             const RunContext& run);
+
+}  // namespace seamount::island

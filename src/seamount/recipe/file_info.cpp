@@ -1,0 +1,25 @@
+#include "seamount/recipe/file_info.h"
+
+#include <algorithm>
+
+#include "seamount/base/text.h"
+#include "seamount/io/atomic_file.h"
+
+namespace seamount::recipe {
+
+io::FileInfo describe_file(const std::string& path, const Registry& registry) {
+  io::check_readable(path);
+  std::vector<std::string> known;
+  for (const Kind* kind : registry.kinds()) {
+    if (!kind->info) continue;
+    if (auto told = kind->info(path)) {
+      told->insert(told->begin(), {"file", path});
+      return *told;
+    }
+    known.insert(known.end(), kind->reads.begin(), kind->reads.end());
+  }
+  const std::string extension = io::extension_of(path);
+  throw IoError(path, "'" + extension + "' is not a format that can be described" + suggestion(extension, known));
+}
+
+}  // namespace seamount::recipe

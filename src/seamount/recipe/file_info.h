@@ -1,0 +1,14 @@
+// What a file is, for people: `seamount info`.
+#pragma once
+
+#include <string>
+
+#include "seamount/io/info.h"
+#include "seamount/recipe/registry.h"
+
+namespace seamount::recipe {
+
+/// What the first kind that knows such files says of it, after its name. Throws IoError for a file that no kind knows.
+io::FileInfo describe_file(const std::string& path, const Registry& registry = standard_registry());
+
+}  // namespace seamount::recipe

@@ -1,0 +1,38 @@
+// The kinds of values that Seamount knows. Each is a file of kinds/ that says everything about it; here it only has its
+// C++ type, so that operators can be registered with typed ports (ports.h).
+#pragma once
+
+#include <tuple>
+
+#include "seamount/model/areas.h"
+#include "seamount/model/contour_set.h"
+#include "seamount/model/grid.h"
+#include "seamount/model/image.h"
+#include "seamount/model/label_map.h"
+#include "seamount/model/report.h"
+#include "seamount/model/tin.h"
+#include "seamount/recipe/kind.h"
+
+namespace seamount::recipe {
+
+class Registry;
+
+namespace kinds {
+
+// `Type` is what the values hold, kind() all about them, add_formats() registers the files that they are written to.
+// terrain and field are both rasters of float and differ in what they may be connected to.
+// clang-format off
+struct Terrain  { using Type = HeightField;       static const Kind& kind(); static void add_formats(Registry&); };
+struct Labels   { using Type = LabelMap;          static const Kind& kind(); static void add_formats(Registry&); };
+struct Field    { using Type = ScalarField;       static const Kind& kind(); static void add_formats(Registry&); };
+struct Image    { using Type = seamount::Image;   static const Kind& kind(); static void add_formats(Registry&); };
+struct Drawing  { using Type = seamount::Drawing; static const Kind& kind(); static void add_formats(Registry&); };
+struct Tin      { using Type = seamount::Tin;     static const Kind& kind(); static void add_formats(Registry&); };
+struct Contours { using Type = ContourSet;        static const Kind& kind(); static void add_formats(Registry&); };
+struct Report   { using Type = seamount::Report;  static const Kind& kind(); static void add_formats(Registry&); };
+// clang-format on
+
+using All = std::tuple<Terrain, Labels, Field, Image, Drawing, Tin, Contours, Report>;
+
+}  // namespace kinds
+}  // namespace seamount::recipe

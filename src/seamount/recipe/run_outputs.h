@@ -1,0 +1,25 @@
+// Writing the outputs of a run: all of them appear together, or none.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "seamount/recipe/recipe.h"
+
+namespace seamount::recipe {
+
+struct OutputReport {
+  std::string path;  ///< as opened: output folder and relative path
+  std::string format;
+  double seconds = 0.0;
+};
+
+/// Writes all outputs side by side below a private folder in `out_folder` and moves them into place at the end. `value`
+/// gives the value of a source; `part` the context of output i, for its progress. Throws what writers throw, with
+/// "output 'x': " before it and final file names in it; then nothing has changed.
+std::vector<OutputReport> write_outputs(const Recipe& recipe, const std::string& out_folder,
+                                        const std::function<const Value&(const Source&)>& value,
+                                        const std::function<RunContext(size_t)>& part, const RunContext& run);
+
+}  // namespace seamount::recipe
