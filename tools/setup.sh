@@ -2,16 +2,22 @@
 
 say() { printf '%s\n' "$*" >&2; }
 
+# packages_for PURPOSE...: what packages/PURPOSE.txt lists.
+packages_for() {
+  local purpose
+  for purpose; do sed '/^#/d' "packages/$purpose.txt"; done
+}
+
 missing_packages() {
-  LC_ALL=C comm -23 <(grep -v '^#' packages.txt | LC_ALL=C sort) \
+  LC_ALL=C comm -23 <(packages_for "$@" | LC_ALL=C sort) \
     <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p' | LC_ALL=C sort)
 }
 
-# Instant when nothing is missing. Elsewhere than on Debian the packages are the user's business.
+# install_packages PURPOSE...: instant when nothing is missing. Elsewhere than on Debian packages are the user's business.
 install_packages() {
-  command -v dpkg-query >/dev/null || { say "seamount: not Debian; packages.txt lists what must be installed"; return 0; }
   local missing as_root=()
-  missing=$(missing_packages)
+  command -v dpkg-query >/dev/null || { say "seamount: not Debian; packages/*.txt list what must be installed"; return 0; }
+  missing=$(missing_packages "$@")
   [[ $missing ]] || return 0
   if ((EUID != 0)); then
     command -v sudo >/dev/null || { say "seamount: needs root or sudo to install:" $missing; return 1; }
@@ -22,12 +28,20 @@ install_packages() {
   "${apt[@]}" update >&2 && "${apt[@]}" install -y --no-install-recommends $missing >&2 </dev/null
 }
 
-# build PRESET TARGET...: configures when that was never done or the presets changed; silent when all is built.
+# configure PRESET [CMAKE_ARGS]: when that was never done, the presets changed, or the build folder has other settings.
+configure() {
+  local preset=$1 setting stale=
+  shift
+  [[ build/$preset/build.ninja -nt CMakePresets.json ]] || stale=1
+  for setting; do
+    grep -qsxF "${setting#-D}" "build/$preset/CMakeCache.txt" || stale=1
+  done
+  [[ ! $stale ]] || cmake --preset "$preset" "$@" >&2
+}
+
+# build PRESET TARGET...: silent when all is built.
 build() {
   local preset=$1
   shift
-  if [[ ! build/$preset/build.ninja -nt CMakePresets.json ]]; then
-    cmake --preset "$preset" >&2 || return
-  fi
   (set -o pipefail && cd "build/$preset" && ninja "$@" | sed -uE '/no work to do|Re-checking globbed/d' >&2)
 }

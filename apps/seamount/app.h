@@ -1,12 +1,11 @@
 // What the commands share: where messages go, cancellation, progress, exit codes. No algorithm lives here.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <atomic>
-#include <functional>
 #include <optional>
 #include <string>
 
+#include "command_line.h"
 #include "seamount/recipe/executor.h"
 
 namespace seamount::app {
@@ -22,7 +21,7 @@ struct RunFlags {
   std::optional<uint64_t> seed;
 };
 
-void add_run_flags(CLI::App& command, RunFlags& flags);
+void add_run_flags(Command command, RunFlags& flags);
 
 /// Set by Ctrl-C.
 std::atomic<bool>& cancel_flag();
@@ -56,18 +55,11 @@ recipe::Recipe parse_made_recipe(const recipe::Json& document, const std::string
 /// A file name that does not depend on where the program runs. Throws InvalidArgument{flag} for an empty one.
 std::string absolute_file(const std::string& flag, const std::string& file);
 
-/// Checks of numbers on the command line: digits that fit into 64 bits; a number that is not nan or inf.
-CLI::Validator whole_number();
-CLI::Validator finite_number();
-
-/// A command's work; set by its callback when it was chosen, run after parsing.
-using Work = std::function<void()>;
-
 // Each adds its commands to the program.
-void add_run_command(CLI::App& program, const recipe::Registry& registry, Work& work);
-void add_operator_commands(CLI::App& program, const recipe::Registry& registry, Work& work);
-void add_discover_commands(CLI::App& program, const recipe::Registry& registry, Work& work);
-void add_chore_commands(CLI::App& program, Work& work);
-void add_dataset_command(CLI::App& program, Work& work);
+void add_run_command(Command program, const recipe::Registry& registry);
+void add_operator_commands(Command program, const recipe::Registry& registry);
+void add_discover_commands(Command program, const recipe::Registry& registry);
+void add_chore_commands(Command program);
+void add_dataset_command(Command program);
 
 }  // namespace seamount::app

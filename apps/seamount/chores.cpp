@@ -114,39 +114,35 @@ void info(const ChoreFlags& flags) {
 
 }  // namespace
 
-void add_chore_commands(CLI::App& program, Work& work) {
+void add_chore_commands(Command program) {
   const auto flags = std::make_shared<ChoreFlags>();
 
-  CLI::App* convert_command = program.add_subcommand("convert", "Convert a terrain between file formats");
-  convert_command->add_option("in", flags->in, "terrain file")->required();
-  convert_command->add_option("out", flags->out, "file to write; its extension is the format")->required();
-  convert_command->add_option("--as", flags->as,
-                              "output format, where the extension does not say: unreal, unity, mesh, ...");
-  convert_command->add_option("--feature", flags->feature, "name of the one feature to convert, of areas and lines");
-  convert_command->add_option("--size", flags->size, "samples a side, for engines");
-  convert_command->add_option("--cell", flags->cell_m, "cell size in metres, where the file does not say")
-      ->check(finite_number());
-  convert_command->add_option("--low", flags->low_m, "height of the lowest code of an 8- or 16-bit image, in metres")
-      ->check(finite_number());
-  convert_command->add_option("--high", flags->high_m, "height of the highest code, in metres")->check(finite_number());
-  convert_command->add_option("--set", flags->sets, "a parameter of the output format: NAME=VALUE")
-      ->allow_extra_args(false);
-  add_run_flags(*convert_command, *flags);
-  convert_command->callback([=, &work] { work = [=] { convert(*flags); }; });
+  Command convert_command = program.add_command("convert", "Convert a terrain between file formats");
+  convert_command.add("in", &flags->in, "terrain file").required();
+  convert_command.add("out", &flags->out, "file to write; its extension is the format").required();
+  convert_command.add("--as", &flags->as, "output format, where the extension does not say: unreal, unity, mesh, ...");
+  convert_command.add("--feature", &flags->feature, "name of the one feature to convert, of areas and lines");
+  convert_command.add("--size", &flags->size, "samples a side, for engines");
+  convert_command.add("--cell", &flags->cell_m, "cell size in metres, where the file does not say").finite();
+  convert_command.add("--low", &flags->low_m, "height of the lowest code of an 8- or 16-bit image, in metres").finite();
+  convert_command.add("--high", &flags->high_m, "height of the highest code, in metres").finite();
+  convert_command.add("--set", &flags->sets, "a parameter of the output format: NAME=VALUE");
+  add_run_flags(convert_command, *flags);
+  convert_command.does([=] { convert(*flags); });
 
-  CLI::App* info_command = program.add_subcommand("info", "Say what a file is, and the numbers to type into an engine");
-  info_command->add_option("file", flags->in, "any file that Seamount reads")->required();
-  info_command->add_flag("--json", flags->json, "as JSON");
-  info_command->callback([=, &work] { work = [=] { info(*flags); }; });
+  Command info_command = program.add_command("info", "Say what a file is, and the numbers to type into an engine");
+  info_command.add("file", &flags->in, "any file that Seamount reads").required();
+  info_command.add_switch("--json", flags->json, "as JSON");
+  info_command.does([=] { info(*flags); });
 
-  CLI::App* render_command = program.add_subcommand("render", "Draw a terrain or contours");
-  render_command->add_option("file", flags->in, "file of a terrain or of contours")->required();
-  render_command->add_option("--out", flags->out, "picture to write (.png)")->required();
-  render_command->add_option("--as", flags->as, "perspective (default), map, relief or texture; of contours: contours");
-  render_command->add_option("--labels", flags->labels, "label map that goes with it");
-  render_command->add_option("--set", flags->sets, "a parameter of the picture: NAME=VALUE")->allow_extra_args(false);
-  add_run_flags(*render_command, *flags);
-  render_command->callback([=, &work] { work = [=] { render(*flags); }; });
+  Command render_command = program.add_command("render", "Draw a terrain or contours");
+  render_command.add("file", &flags->in, "file of a terrain or of contours").required();
+  render_command.add("--out", &flags->out, "picture to write (.png)").required();
+  render_command.add("--as", &flags->as, "perspective (default), map, relief or texture; of contours: contours");
+  render_command.add("--labels", &flags->labels, "label map that goes with it");
+  render_command.add("--set", &flags->sets, "a parameter of the picture: NAME=VALUE");
+  add_run_flags(render_command, *flags);
+  render_command.does([=] { render(*flags); });
 }
 
 }  // namespace seamount::app

@@ -67,30 +67,27 @@ void make_islands(const DatasetFlags& flags) {
 
 }  // namespace
 
-void add_dataset_command(CLI::App& program, Work& work) {
+void add_dataset_command(Command program) {
   const auto flags = std::make_shared<DatasetFlags>();
-  CLI::App* command = program.add_subcommand("dataset", "Make training pairs");
-  command->require_subcommand(1);
-  CLI::App* islands =
-      command->add_subcommand("islands", "Label maps and height fields of islands; goes on where an earlier run ended");
-  islands->add_option("--count", flags->count, "samples in the set")
-      ->check(CLI::Range(uint64_t{1}, uint64_t{100000000}));
-  islands->add_option("--out", flags->out, "folder of the set")->required();
-  islands->add_option("--only", flags->only, "make this one sample alone")->check(whole_number());
-  add_run_flags(*islands, *flags);
+  Command command = program.add_command("dataset", "Make training pairs");
+  command.require_command();
+  Command islands =
+      command.add_command("islands", "Label maps and height fields of islands; goes on where an earlier run ended");
+  islands.add("--count", &flags->count, "samples in the set").between(1, 100000000);
+  islands.add("--out", &flags->out, "folder of the set").required();
+  islands.add("--only", &flags->only, "make this one sample alone").whole();
+  add_run_flags(islands, *flags);
   for (const recipe::ParamInfo& info : recipe::describe_params<train::IslandSetParams>()) {
     islands
-        ->add_option_function<std::string>(
+        .add(
             "--" + info.name, [flags, name = info.name](const std::string& text) { flags->params[name] = text; },
             info.help)
-        ->type_name(info.kind);
+        .kind(info.kind);
   }
-  islands->callback([flags, &work] {
-    work = [flags] {
-      if (flags->out.empty()) throw InvalidArgument("--out", "a folder name is needed");
-      if (flags->count == 0 && !flags->only) throw InvalidArgument("--count", "is missing: how many samples?");
-      make_islands(*flags);
-    };
+  islands.does([flags] {
+    if (flags->out.empty()) throw InvalidArgument("--out", "a folder name is needed");
+    if (flags->count == 0 && !flags->only) throw InvalidArgument("--count", "is missing: how many samples?");
+    make_islands(*flags);
   });
 }
 

@@ -96,34 +96,31 @@ void make_new(const std::string& name, const std::string& folder) {
 
 }  // namespace
 
-void add_discover_commands(CLI::App& program, const recipe::Registry& registry, Work& work) {
+void add_discover_commands(Command program, const recipe::Registry& registry) {
   const auto name = std::make_shared<std::string>();
   const auto folder = std::make_shared<std::string>(".");
   const auto json = std::make_shared<bool>(false);
   const auto markdown = std::make_shared<bool>(false);
 
-  CLI::App* list_command = program.add_subcommand("list", "List operators and output formats");
-  list_command->add_flag("--json", *json, "as JSON");
-  list_command->callback([=, &registry, &work] { work = [=, &registry] { list(registry, *json); }; });
+  Command list_command = program.add_command("list", "List operators and output formats");
+  list_command.add_switch("--json", *json, "as JSON");
+  list_command.does([=, &registry] { list(registry, *json); });
 
-  CLI::App* describe_command = program.add_subcommand("describe", "Describe an operator or an output format");
-  describe_command->add_option("name", *name, "its name");
-  describe_command->add_flag("--markdown", *markdown, "the whole reference, as docs/operators.md");
-  describe_command->callback([=, &registry, &work] {
-    work = [=, &registry] {
-      if (name->empty() && !*markdown) throw InvalidArgument("describe", "which one? 'seamount list' shows them");
-      describe(registry, *name, *markdown);
-    };
+  Command describe_command = program.add_command("describe", "Describe an operator or an output format");
+  describe_command.add("name", name.get(), "its name");
+  describe_command.add_switch("--markdown", *markdown, "the whole reference, as docs/operators.md");
+  describe_command.does([=, &registry] {
+    if (name->empty() && !*markdown) throw InvalidArgument("describe", "which one? 'seamount list' shows them");
+    describe(registry, *name, *markdown);
   });
 
-  CLI::App* schema_command = program.add_subcommand("schema", "Print the JSON Schema of recipes");
-  schema_command->callback(
-      [&registry, &work] { work = [&registry] { std::cout << recipe::recipe_schema(registry).dump(2) << "\n"; }; });
+  Command schema_command = program.add_command("schema", "Print the JSON Schema of recipes");
+  schema_command.does([&registry] { std::cout << recipe::recipe_schema(registry).dump(2) << "\n"; });
 
-  CLI::App* new_command = program.add_subcommand("new", "Write an example recipe to start from");
-  new_command->add_option("example", *name, fmt::format("one of {}", fmt::join(example_names(), ", ")))->required();
-  new_command->add_option("--out", *folder, "folder to write to");
-  new_command->callback([=, &work] { work = [=] { make_new(*name, *folder); }; });
+  Command new_command = program.add_command("new", "Write an example recipe to start from");
+  new_command.add("example", name.get(), fmt::format("one of {}", fmt::join(example_names(), ", "))).required();
+  new_command.add("--out", folder.get(), "folder to write to");
+  new_command.does([=] { make_new(*name, *folder); });
 }
 
 }  // namespace seamount::app

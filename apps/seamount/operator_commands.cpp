@@ -73,54 +73,51 @@ Json make_document(const Operator& op, const OperatorFlags& flags) {
   return document;
 }
 
-void add_operator_command(CLI::App& program, const recipe::Registry& registry, const Operator& op, Work& work) {
+void add_operator_command(Command program, const recipe::Registry& registry, const Operator& op) {
   const auto flags = std::make_shared<OperatorFlags>();
-  CLI::App* command = program.add_subcommand(op.name, op.summary)->group("Operators");
-  command->add_option("--out", flags->out, "folder for the results")->required();
+  Command command = program.add_command(op.name, op.summary, "Operators");
+  command.add("--out", &flags->out, "folder for the results").required();
   if (!op.in.empty()) {
-    command->add_option("--in", flags->in, "an input: NAME=FILE")->allow_extra_args(false);
+    command.add("--in", &flags->in, "an input: NAME=FILE");
   }
-  command->add_option("--domain", flags->domain, "width and height of the terrain in metres: 60000x40000");
-  command->add_option("--cell", flags->cell_m, "cell size in metres")->check(finite_number());
-  command->add_option("--size", flags->size, "cells along the longer side")->check(CLI::Range(1, 65536));
-  add_run_flags(*command, *flags);
+  command.add("--domain", &flags->domain, "width and height of the terrain in metres: 60000x40000");
+  command.add("--cell", &flags->cell_m, "cell size in metres").finite();
+  command.add("--size", &flags->size, "cells along the longer side").between(1, 65536);
+  add_run_flags(command, *flags);
   for (const recipe::ParamInfo& info : op.params) {
     std::string names = "--" + info.name;
     std::string dashed = info.name;
     std::replace(dashed.begin(), dashed.end(), '_', '-');
     if (dashed != info.name) names += ",--" + dashed;
     command
-        ->add_option_function<std::string>(
+        .add(
             names, [flags, name = info.name](const std::string& text) { flags->params[name] = text; },
             info.help + (info.unit.empty() ? "" : " [" + info.unit + "]"))
-        ->type_name(info.kind)
-        ->group("Parameters");
+        .kind(info.kind)
+        .group("Parameters");
   }
   for (const recipe::Port& port : op.in) {
-    if (command->get_option_no_throw("--" + port.name) != nullptr) continue;  // a parameter's; --in NAME=FILE remains
+    if (command.has("--" + port.name)) continue;  // a parameter's; --in NAME=FILE remains
     command
-        ->add_option_function<std::string>(
+        .add(
             "--" + port.name,
             [flags, name = port.name](const std::string& file) { flags->in.push_back(name + "=" + file); }, port.help)
-        ->type_name("FILE")
-        ->group("Inputs");
+        .kind("FILE")
+        .group("Inputs");
   }
-  command->callback([flags, &registry, &op, &work] {
-    work = [flags, &registry, &op] {
-      const Json document = make_document(op, *flags);
-      static const FlagNames kFlags = {{"/steps/0/params/", "--"}, {"/steps/0/in/", "--in "},
-                                       {"/steps/0/in", "--in"},    {"/domain/cell_m", "--cell"},
-                                       {"/domain/", "--domain "},  {"/domain", "--domain"}};
-      const recipe::Recipe recipe = parse_made_recipe(document, op.name, kFlags, {.size = flags->size}, registry);
-      run_and_report(recipe, flags->out, *flags);
-    };
+  command.does([flags, &registry, &op] {
+    const Json document = make_document(op, *flags);
+    static const FlagNames kFlags = {{"/steps/0/params/", "--"},   {"/steps/0/in/", "--in "}, {"/steps/0/in", "--in"},
+                                     {"/domain/cell_m", "--cell"}, {"/domain/", "--domain "}, {"/domain", "--domain"}};
+    const recipe::Recipe recipe = parse_made_recipe(document, op.name, kFlags, {.size = flags->size}, registry);
+    run_and_report(recipe, flags->out, *flags);
   });
 }
 
 }  // namespace
 
-void add_operator_commands(CLI::App& program, const recipe::Registry& registry, Work& work) {
-  for (const auto& op : registry.operators()) add_operator_command(program, registry, *op, work);
+void add_operator_commands(Command program, const recipe::Registry& registry) {
+  for (const auto& op : registry.operators()) add_operator_command(program, registry, *op);
 }
 
 }  // namespace seamount::app

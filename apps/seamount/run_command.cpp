@@ -52,7 +52,7 @@ Sweep parse_sweep(const std::string& text) {
 
 }  // namespace
 
-void add_run_command(CLI::App& program, const recipe::Registry& registry, Work& work) {
+void add_run_command(Command program, const recipe::Registry& registry) {
   struct Flags : RunFlags {
     std::string file;
     std::string out = "out";
@@ -61,35 +61,30 @@ void add_run_command(CLI::App& program, const recipe::Registry& registry, Work& 
     std::optional<int> size;
   };
   const auto flags = std::make_shared<Flags>();
-  CLI::App* command = program.add_subcommand("run", "Run a recipe and write its outputs");
-  command->add_option("recipe", flags->file, "recipe file (JSON)")->required();
-  command->add_option("--out", flags->out, "folder for the outputs");
-  command->add_option("--set", flags->sets, "change a value: steps.isle.params.relief=0.5, domain.cell_m=5")
-      ->allow_extra_args(false);
-  command->add_option(
-      "--sweep", flags->sweep,
-      "run COUNT times while a value goes from FROM to TO, into folders 0001, 0002, ... of --out: frames "
-      "of an animation, variants. steps.worn.params.years=0:100000:11, seed=1:8:8");
-  command->add_option("--size", flags->size, "cells along the longer side: a quick preview, or more detail")
-      ->check(CLI::Range(1, 65536));
-  add_run_flags(*command, *flags);
-  command->callback([flags, &registry, &work] {
-    work = [flags, &registry] {
-      const auto read = [&](const std::vector<std::string>& sets) {
-        return recipe::read_recipe(flags->file, {.sets = sets, .seed = flags->seed, .size = flags->size}, registry);
-      };
-      if (flags->sweep.empty()) return run_and_report(read(flags->sets), flags->out, *flags);
-      if (flags->out.empty()) throw InvalidArgument("--out", "a folder name is needed");
-      const Sweep sweep = parse_sweep(flags->sweep);
-      std::vector<recipe::Recipe> runs;  // all are checked before the first begins
-      for (int k = 0; k < sweep.count; ++k) {
-        std::vector<std::string> sets = flags->sets;
-        sets.push_back(sweep.assignment(k));
-        runs.push_back(read(sets));
-      }
-      for (size_t k = 0; k < runs.size(); ++k)
-        run_and_report(runs[k], fmt::format("{}/{:04}", flags->out, k + 1), *flags);
+  Command command = program.add_command("run", "Run a recipe and write its outputs");
+  command.add("recipe", &flags->file, "recipe file (JSON)").required();
+  command.add("--out", &flags->out, "folder for the outputs");
+  command.add("--set", &flags->sets, "change a value: steps.isle.params.relief=0.5, domain.cell_m=5");
+  command.add("--sweep", &flags->sweep,
+              "run COUNT times while a value goes from FROM to TO, into folders 0001, 0002, ... of --out: frames "
+              "of an animation, variants. steps.worn.params.years=0:100000:11, seed=1:8:8");
+  command.add("--size", &flags->size, "cells along the longer side: a quick preview, or more detail").between(1, 65536);
+  add_run_flags(command, *flags);
+  command.does([flags, &registry] {
+    const auto read = [&](const std::vector<std::string>& sets) {
+      return recipe::read_recipe(flags->file, {.sets = sets, .seed = flags->seed, .size = flags->size}, registry);
     };
+    if (flags->sweep.empty()) return run_and_report(read(flags->sets), flags->out, *flags);
+    if (flags->out.empty()) throw InvalidArgument("--out", "a folder name is needed");
+    const Sweep sweep = parse_sweep(flags->sweep);
+    std::vector<recipe::Recipe> runs;  // all are checked before the first begins
+    for (int k = 0; k < sweep.count; ++k) {
+      std::vector<std::string> sets = flags->sets;
+      sets.push_back(sweep.assignment(k));
+      runs.push_back(read(sets));
+    }
+    for (size_t k = 0; k < runs.size(); ++k)
+      run_and_report(runs[k], fmt::format("{}/{:04}", flags->out, k + 1), *flags);
   });
 }
 

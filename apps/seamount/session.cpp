@@ -2,9 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -58,11 +56,11 @@ std::atomic<bool>& cancel_flag() {
   return flag;
 }
 
-void add_run_flags(CLI::App& command, RunFlags& flags) {
-  command.add_option("--threads", flags.threads, "threads to use; 0: all processors")->check(CLI::Range(0, 1024));
-  command.add_option("--seed", flags.seed, "seed of everything random")->check(whole_number());
-  command.add_flag("--no-cache", flags.no_cache, "compute every step, keep none");
-  command.add_flag("--json", flags.json, "print the summary as JSON");
+void add_run_flags(Command command, RunFlags& flags) {
+  command.add("--threads", &flags.threads, "threads to use; 0: all processors").between(0, 1024);
+  command.add("--seed", &flags.seed, "seed of everything random").whole();
+  command.add_switch("--no-cache", flags.no_cache, "compute every step, keep none");
+  command.add_switch("--json", flags.json, "print the summary as JSON");
 }
 
 Session::Session(const RunFlags& flags) {
@@ -81,26 +79,6 @@ Session::Session(const RunFlags& flags) {
 Session::~Session() {
   if (current_line()) current_line()->clear();
   current_line().reset();
-}
-
-CLI::Validator whole_number() {
-  return {[](std::string& text) -> std::string {
-            const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-            uint64_t number = 0;
-            const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-            if (digits && read.ec == std::errc{}) return "";
-            return "expected a whole number from 0 to 2^64 - 1, found '" + text + "'";
-          },
-          "WHOLE"};
-}
-
-CLI::Validator finite_number() {
-  return {[](std::string& text) -> std::string {
-            double number = 0;
-            if (CLI::detail::lexical_cast(text, number) && std::isfinite(number)) return "";
-            return "expected a number, found '" + text + "'";
-          },
-          "NUMBER"};
 }
 
 std::string absolute_file(const std::string& flag, const std::string& file) {
