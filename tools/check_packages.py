@@ -33,6 +33,10 @@ COMMAND = re.compile(rf"(?:^|[|;&({{])(?:\s*(?:!|{BEFORE}|-\w+(?: (?:\d+|\$\(\w+
                      r"\s*([a-z][\w.+-]*)(?![\w.+=/(-])")
 
 
+def output(*command, **options):
+    return subprocess.run(command, check=True, text=True, stdout=subprocess.PIPE, **options).stdout
+
+
 class Debian:
     """What dpkg knows of this machine."""
 
