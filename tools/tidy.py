@@ -19,12 +19,12 @@ PASSED = ROOT / "build/tidy"
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
-def reached(path, known):
-    """Adds to `known` the path and every header of ours that it includes, directly or not."""
+def reached(path, known, source=SOURCE):
+    """Adds to `known` the path and every header below `source` that it includes, directly or not."""
     if path not in known and path.exists():
         known.add(path)
         for name in INCLUDE.findall(path.read_text()):
-            reached(SOURCE / name, known)
+            reached(source / name, known, source)
     return known
 
 
