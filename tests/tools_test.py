@@ -13,7 +13,9 @@ sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/cli")]
 sys.dont_write_bytecode = True
 
 import check_layers
+import check_packages
 import run_cases
+import tidy
 
 
 class Layers(unittest.TestCase):
@@ -68,6 +70,51 @@ class Layers(unittest.TestCase):
             self.assertEqual(check_layers.main(folder), 1)
 
 
+    def test_a_source_includes_its_own_header_first(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = pathlib.Path(folder, "src/seamount/base/text.cpp")
+            source.parent.mkdir(parents=True)
+            source.with_suffix(".h").write_text("")
+            source.write_text('#include <string>\n#include "seamount/base/text.h"\n')
+            self.assertEqual(check_layers.main(folder), 1)
+            source.write_text('#include "seamount/base/text.h"\n#include <string>\n')
+            self.assertEqual(check_layers.main(folder), 0)
+
+
+class Packages(unittest.TestCase):
+    def test_commands_of_a_script(self):
+        script = """# comment: find nothing here
+cd "$(dirname "$0")" && exec nice -n 5 ninja "$@"
+found=$(grep -c 'sed awk' file) || { echo "cp mv"; exit 1; }
+find . -print0 |
+  xargs -0 -n 16 -P "$(nproc)" clang-format-14 "${action[@]}"
+for file in a b; do if cmp a b; then LC_ALL=C sort a; fi; done
+"""
+        words = check_packages.commands_of(script)
+        for command in ("dirname", "ninja", "grep", "find", "clang-format-14", "cmp", "sort"):
+            self.assertIn(command, words)
+        for word in ("comment", "file", "awk", "cp", "mv"):
+            self.assertNotIn(word, words)
+
+    @unittest.skipUnless(check_packages.INFO.exists(), "not Debian")
+    def test_owners_and_what_follows_from_a_package(self):
+        debian = check_packages.Debian()
+        self.assertIn("dpkg", debian.owner("/usr/bin/dpkg"))
+        self.assertEqual(debian.owner("/usr/include/of_nobody.h"), set())
+        self.assertIn("libc6", debian.closure(["dpkg"]))
+        self.assertNotIn("libgmock-dev", debian.closure(["libgtest-dev"]))
+        self.assertIn("coreutils", debian.base)
+
+
+class Tidy(unittest.TestCase):
+    def test_a_source_is_looked_at_again_when_a_header_changes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source, header = pathlib.Path(folder, "a.cpp"), pathlib.Path(folder, "a.h")
+            source.write_text('#include "a.h"\n')
+            header.write_text('#include "b.h"\n')
+            self.assertEqual(tidy.reached(source, set(), pathlib.Path(folder)), {source, header})
+
+
 class Cases(unittest.TestCase):
     def replay(self, text):
         return run_cases.replay(text, "/usr/bin")
@@ -98,7 +145,8 @@ class Cases(unittest.TestCase):
 
 class Executables(unittest.TestCase):
     def test_can_be_run(self):
-        for name in ("run", "test", ".ci/run", "tools/format.sh", "tools/fuzz.sh"):
+        for name in ("run", "test", ".ci/run", "tools/format.sh", "tools/fuzz.sh", "tools/compile.sh", "tools/tidy.py",
+                     "tools/check_packages.py", "tools/draw_includes.py"):
             self.assertTrue((ROOT / name).stat().st_mode & stat.S_IXUSR, name)
 
 

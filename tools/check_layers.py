@@ -62,12 +62,26 @@ def problem(file, quote, target):
     return None
 
 
+def own_header_problem(path, first):
+    """Why the first include of a source is wrong, or None: its own header, which is thereby compiled alone."""
+    header = path.with_suffix(".h")
+    if path.suffix == ".cpp" and header.exists() and not first.endswith(f'/{header.name}"'):
+        return f"include {header.name} first: so it is known to compile alone"
+    return None
+
+
 def main(root):
     source = pathlib.Path(root, "src/seamount")
     problems = 0
     for path in sorted(p for p in source.rglob("*") if p.suffix in (".h", ".cpp")):
+        first = None
         for number, line in enumerate(path.read_text().splitlines(), 1):
             include = INCLUDE.match(line)
+            if include and first is None:
+                first = include[2]
+                if why := own_header_problem(path, first):
+                    print(f"{path.relative_to(root)}:{number}: {why}", file=sys.stderr)
+                    problems += 1
             if include and (why := problem(path.relative_to(source), *include.groups())):
                 print(f"{path.relative_to(root)}:{number}: {why}", file=sys.stderr)
                 problems += 1

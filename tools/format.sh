@@ -4,5 +4,5 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 action=(-i)
 [[ ${1-} == --check ]] && action=(--dry-run -Werror)
-find src apps bench tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
+find src apps bench tests examples \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 -r -n 16 -P "$(nproc)" clang-format-14 "${action[@]}"
