@@ -1,13 +1,17 @@
-// OBJ, PLY and STL.
-#include "seamount/io/mesh_files.h"
+// OBJ, PLY and STL; GLB is mesh_glb.cpp.
+#include "seamount/io/mesh_file.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 
+#include "seamount/base/error.h"
+#include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
+#include "seamount/io/mesh_formats.h"
 
 namespace seamount::io {
 namespace {
@@ -40,7 +44,7 @@ class TextWriter {
 
 }  // namespace
 
-void write_obj(const TerrainMesh& mesh, const std::string& path, const MeshOptions& options) {
+void write_obj(const MeshPart& mesh, const std::string& path, const MeshFileOptions& options) {
   const std::filesystem::path stem = std::filesystem::path(path).replace_extension();
   const std::string name = stem.filename().string();
   if (options.texture != nullptr) write_png(*options.texture, stem.string() + ".png");
@@ -65,7 +69,7 @@ void write_obj(const TerrainMesh& mesh, const std::string& path, const MeshOptio
   });
 }
 
-void write_ply(const TerrainMesh& mesh, const std::string& path) {
+void write_ply(const MeshPart& mesh, const std::string& path) {
   write_atomically(path, [&](const std::string& temporary) {
     FileWriter file(temporary, path);
     const std::string header =
@@ -87,7 +91,7 @@ void write_ply(const TerrainMesh& mesh, const std::string& path) {
   });
 }
 
-void write_stl(const TerrainMesh& mesh, const std::string& path) {
+void write_stl(const MeshPart& mesh, const std::string& path) {
   write_atomically(path, [&](const std::string& temporary) {
     FileWriter file(temporary, path);
     std::array<char, 80> header{};
@@ -108,6 +112,18 @@ void write_stl(const TerrainMesh& mesh, const std::string& path) {
     }
     file.close();
   });
+}
+
+void write_mesh(const Mesh& mesh, const std::string& path, const MeshFileOptions& options) {
+  const std::string extension = extension_of(path);
+  const std::vector<std::string> known = {".glb", ".obj", ".ply", ".stl"};
+  if (std::find(known.begin(), known.end(), extension) == known.end())
+    throw IoError(path, "'" + extension + "' is not a mesh format" + suggestion(extension, known));
+  if (mesh.parts.empty() || mesh.parts[0].indices.empty()) throw InvalidArgument("mesh", "has no triangles");
+  if (extension == ".glb") write_glb(mesh, path, options);
+  if (extension == ".obj") write_obj(mesh.parts[0], path, options);
+  if (extension == ".ply") write_ply(mesh.parts[0], path);
+  if (extension == ".stl") write_stl(mesh.parts[0], path);
 }
 
 }  // namespace seamount::io

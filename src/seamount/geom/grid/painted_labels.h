@@ -1,6 +1,4 @@
-// Label maps as pictures that people can paint (P0 sec. 1.7): hue is the region - abyss 0 (red), mountain 60 (yellow),
-// beach 120 (green), lagoon 180 (cyan), reef 240 (blue) -, value is the subsidence: V = 1 - 0.8 lambda, never black.
-// Saturation is 1.
+// Label maps as pictures that people can paint, in the colours of model/label_map.h.
 #pragma once
 
 #include <array>
@@ -10,16 +8,10 @@
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
 
-namespace seamount::io {
+namespace seamount::geom {
 
-/// Hue in degrees of each Region, by its number.
-inline constexpr std::array<double, kRegionCount> kRegionHues_deg = {60.0, 120.0, 180.0, 240.0, 0.0};
-
-/// Throws InvalidArgument unless subsidence is in [0, 1].
+/// A pixel a cell. Throws InvalidArgument if there are no cells or unless subsidence is in [0, 1].
 Image encode_labels(const LabelMap& labels, double subsidence = 0.0);
-
-/// The colour of one region.
-Colour region_colour(Region region, double subsidence = 0.0);
 
 /// What a painted picture says.
 struct PaintedLabels {
@@ -36,4 +28,4 @@ struct PaintedLabels {
 /// Throws InvalidArgument{"image"} if it is empty or has no coloured pixel. Parallel; about 60 bytes a cell.
 PaintedLabels decode_labels(const Image& image, const GridFrame& frame, const RunContext& run);
 
-}  // namespace seamount::io
+}  // namespace seamount::geom

@@ -1,22 +1,24 @@
 // Reading painted label maps. The order of things:
-//   1. seeds: pixels in the middle of an evenly coloured patch whose hue is a region's; they also tell the value V
-//   here;
+//   1. seeds: pixels in the middle of an evenly coloured patch whose hue is a region's; they also tell what the value V
+//      of pure colours is here;
 //   2. every pixel learns its nearest seed, hence the V that a pure colour has around it;
 //   3. marks: seeds, and single pixels that are a pure colour at that V (lines one pixel wide);
-//   4. every other pixel is explained as a mix of two regions marked nearby. A seam of red and green is dark yellow:
-//   half
-//      the value of true yellow, which tells them apart;
+//   4. every other pixel is explained as a mix of two regions marked nearby. A seam of red and green is dark yellow,
+//      half the value of true yellow, which tells them apart;
 //   5. specks that are not pure go to their neighbours; shares are averaged to the cells.
+#include "seamount/geom/grid/painted_labels.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
-#include "seamount/io/label_image.h"
+#include "seamount/geom/scalar/quantile.h"
 
-namespace seamount::io {
+namespace seamount::geom {
 namespace {
 
 constexpr uint8_t kNone = 255;
@@ -179,8 +181,7 @@ class Painting {
       nearest_[i] = static_cast<int32_t>(i);
       values.push_back(seed_value_[i]);
     }
-    std::nth_element(values.begin(), values.begin() + static_cast<ptrdiff_t>(values.size() / 2), values.end());
-    median_value_ = values[values.size() / 2];
+    median_value_ = median(std::move(values));
     for (int y = 0; y < height_; ++y) {
       run_.check_cancelled();
       for (int x = 0; x < width_; ++x)
@@ -390,4 +391,4 @@ PaintedLabels decode_labels(const Image& image, const GridFrame& frame, const Ru
   return result;
 }
 
-}  // namespace seamount::io
+}  // namespace seamount::geom

@@ -1,17 +1,17 @@
-#include "seamount/io/mesh.h"
+#include "seamount/geom/mesh/terrain_mesh.h"
 
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
 #include "seamount/base/text.h"
-#include "seamount/io/atomic_file.h"
-#include "seamount/io/mesh_files.h"
 
-namespace seamount::io {
+namespace seamount::geom {
 namespace {
 
 void check_options(const HeightField& heights, const MeshOptions& options) {
@@ -35,7 +35,7 @@ std::vector<int> thinned(int count, double factor) {
 }
 
 /// Positions, normals and texture coordinates of chosen columns and rows.
-void place_vertices(TerrainMesh& mesh, const HeightField& heights, const std::vector<int>& columns,
+void place_vertices(MeshPart& mesh, const HeightField& heights, const std::vector<int>& columns,
                     const std::vector<int>& rows, double vertical_scale, const RunContext& run) {
   const size_t across = columns.size(), count = across * rows.size();
   mesh.positions.resize(3 * count);
@@ -67,7 +67,7 @@ void place_vertices(TerrainMesh& mesh, const HeightField& heights, const std::ve
 }
 
 /// Two triangles a cell, cut along the diagonal that is closer to level, which follows ridges and valleys.
-void join_cells(TerrainMesh& mesh, size_t across, size_t down) {
+void join_cells(MeshPart& mesh, size_t across, size_t down) {
   mesh.indices.reserve(6 * (across - 1) * (down - 1));
   const auto z = [&](size_t v) { return mesh.positions[3 * v + 2]; };
   for (size_t j = 0; j + 1 < down; ++j) {
@@ -82,7 +82,7 @@ void join_cells(TerrainMesh& mesh, size_t across, size_t down) {
 }
 
 /// Quadric simplification with the border locked, then only the vertices that are left.
-void simplify(TerrainMesh& mesh, int64_t max_triangles) {
+void simplify(MeshPart& mesh, int64_t max_triangles) {
   const auto target = static_cast<size_t>(3 * max_triangles);
   if (mesh.indices.size() <= target) return;
   std::vector<uint32_t> fewer(mesh.indices.size());
@@ -110,7 +110,7 @@ void simplify(TerrainMesh& mesh, int64_t max_triangles) {
   mesh.indices = std::move(fewer);
 }
 
-uint32_t add_vertex(TerrainMesh& mesh, std::array<float, 3> position, std::array<float, 3> normal, size_t uv_of) {
+uint32_t add_vertex(MeshPart& mesh, std::array<float, 3> position, std::array<float, 3> normal, size_t uv_of) {
   mesh.positions.insert(mesh.positions.end(), position.begin(), position.end());
   mesh.normals.insert(mesh.normals.end(), normal.begin(), normal.end());
   const float u = mesh.uvs[2 * uv_of], v = mesh.uvs[2 * uv_of + 1];
@@ -131,7 +131,7 @@ std::vector<std::pair<uint32_t, uint32_t>> border_edges(const std::vector<uint32
 }
 
 /// Walls down from the border and a flat floor, so that the mesh encloses a volume.
-void close_below(TerrainMesh& mesh, double floor_z) {
+void close_below(MeshPart& mesh, double floor_z) {
   const auto z = static_cast<float>(floor_z);
   const auto border = border_edges(mesh.indices);
   const uint32_t middle = add_vertex(mesh, {0, 0, z}, {0, 0, -1}, 0);
@@ -151,43 +151,44 @@ void close_below(TerrainMesh& mesh, double floor_z) {
   }
 }
 
+/// The rectangle of the terrain's centres at sea level.
+MeshPart water_surface(const GridFrame& frame) {
+  const auto x = static_cast<float>(0.5 * (frame.width - 1) * frame.cell_m);
+  const auto y = static_cast<float>(0.5 * (frame.height - 1) * frame.cell_m);
+  return {.material = MeshMaterial::water,
+          .positions = {-x, y, 0, -x, -y, 0, x, -y, 0, x, y, 0},
+          .normals = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1},
+          .uvs = {},
+          .indices = {0, 1, 2, 0, 2, 3}};
+}
+
 }  // namespace
 
-TerrainMesh make_mesh(const HeightField& heights, const MeshOptions& options, const RunContext& run) {
+Mesh make_mesh(const HeightField& heights, const MeshOptions& options, const RunContext& run) {
   check_options(heights, options);
   constexpr double kThinAbove = 6.0;  // simplification reads at most so many times the triangles that it shall leave
   const double triangles = 2.0 * (heights.width() - 1) * (heights.height() - 1);
   const double most = options.max_triangles > 0 ? kThinAbove * static_cast<double>(options.max_triangles) : triangles;
   const double factor = std::max(1.0, std::sqrt(triangles / most));
   const std::vector<int> columns = thinned(heights.width(), factor), rows = thinned(heights.height(), factor);
-  TerrainMesh mesh;
-  place_vertices(mesh, heights, columns, rows, options.vertical_scale, run.part(0, 0.2));
-  join_cells(mesh, columns.size(), rows.size());
+  const GridFrame& frame = heights.frame();
+  const float lowest = *std::min_element(heights.cells().begin(), heights.cells().end());
+  Mesh mesh{.parts = {{}},
+            .origin = {frame.west_m + 0.5 * frame.width_m(), frame.north_m - 0.5 * frame.height_m()},
+            .crs = frame.crs,
+            .vertical_scale = options.vertical_scale};
+  MeshPart& ground = mesh.parts[0];
+  place_vertices(ground, heights, columns, rows, options.vertical_scale, run.part(0, 0.2));
+  join_cells(ground, columns.size(), rows.size());
   run.check_cancelled();
   run.report(0.4);
-  if (options.max_triangles > 0) simplify(mesh, options.max_triangles);
+  if (options.max_triangles > 0) simplify(ground, options.max_triangles);
   run.check_cancelled();
   run.report(0.9);
-  if (options.base_m > 0) {
-    const float lowest = *std::min_element(heights.cells().begin(), heights.cells().end());
-    close_below(mesh, lowest * options.vertical_scale - options.base_m);
-  }
+  if (options.base_m > 0) close_below(ground, lowest * options.vertical_scale - options.base_m);
+  if (options.water && lowest < 0) mesh.parts.push_back(water_surface(frame));
   run.report(1.0);
   return mesh;
 }
 
-void write_mesh(const HeightField& heights, const std::string& path, const MeshOptions& options,
-                const RunContext& run) {
-  const std::string extension = extension_of(path);
-  const std::vector<std::string> known = {".glb", ".obj", ".ply", ".stl"};
-  if (std::find(known.begin(), known.end(), extension) == known.end())
-    throw IoError(path, "'" + extension + "' is not a mesh format" + suggestion(extension, known));
-  const TerrainMesh mesh = make_mesh(heights, options, run.part(0, 0.8));
-  if (extension == ".glb") write_glb(mesh, heights, path, options);
-  if (extension == ".obj") write_obj(mesh, path, options);
-  if (extension == ".ply") write_ply(mesh, path);
-  if (extension == ".stl") write_stl(mesh, path);
-  run.report(1.0);
-}
-
-}  // namespace seamount::io
+}  // namespace seamount::geom
