@@ -1,4 +1,5 @@
-// Grids laid on another frame: turned, scaled and moved. Where in such a grid the cells of a row lie.
+// Similarity transforms: grids laid on another frame, turned, scaled and moved, and where in such a grid the cells of a
+// row of the frame lie.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Smoothing like that of a thin plate that may bend only between two surfaces.
+// Thin-plate smoothing between two bounds (a double obstacle problem).
 //
 // Sweeps of accelerated projected gradients (Beck and Teboulle 2009) on the bending energy
 //
@@ -15,7 +15,7 @@ namespace seamount::geom {
 
 /// `start` after some sweeps. A plane within the bounds stays as it is. REQUIRES: grids of one size, low <= high, all
 /// finite. Parallel; two copies of the grid besides the three, about 4 ns a cell and sweep.
-HeightField bounded_plate(HeightField start, const HeightField& low, const HeightField& high, int sweeps,
-                          const RunContext& run);
+HeightField smooth_thin_plate(HeightField start, const HeightField& low, const HeightField& high, int sweeps,
+                              const RunContext& run);
 
 }  // namespace seamount::geom

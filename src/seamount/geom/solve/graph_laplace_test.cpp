@@ -1,4 +1,4 @@
-#include "seamount/geom/solve/graph_blend.h"
+#include "seamount/geom/solve/graph_laplace.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ int32_t z_order(int x, int y) {
   return z;
 }
 
-TEST(GraphBlend, RunsEvenlyBetweenTwoSidesOfASquare) {
+TEST(GraphLaplace, RunsEvenlyBetweenTwoSidesOfASquare) {
   const int side = 128;
   std::vector<std::array<int32_t, 3>> triangles;
   for (int y = 0; y + 1 < side; ++y) {
@@ -61,7 +61,7 @@ TEST(GraphBlend, RunsEvenlyBetweenTwoSidesOfASquare) {
       value[static_cast<size_t>(z_order(x, y))] = x == 0 ? 10.0 : 20.0;
     }
   }
-  blend_over_graph(graph.starts, graph.neighbours, fixed, value, {});
+  solve_graph_laplace(graph.starts, graph.neighbours, fixed, value, {});
   double worst = 0.0;
   double steepest = 0.0;
   for (int y = 0; y < side; ++y) {
@@ -75,7 +75,7 @@ TEST(GraphBlend, RunsEvenlyBetweenTwoSidesOfASquare) {
   EXPECT_LT(steepest, 1.5 * 10.0 / (side - 1));
 }
 
-TEST(GraphBlend, KeepsFixedValuesTheRangeAndWhatNothingReaches) {
+TEST(GraphLaplace, KeepsFixedValuesTheRangeAndWhatNothingReaches) {
   const NodeGraph graph = lattice(30, 30);
   std::vector<uint8_t> fixed(901, 0);
   std::vector<double> value(901, 99.0);
@@ -86,7 +86,7 @@ TEST(GraphBlend, KeepsFixedValuesTheRangeAndWhatNothingReaches) {
     value[i] = std::sin(static_cast<double>(i));
   }
   const std::vector<double> before = value;
-  blend_over_graph(starts, graph.neighbours, fixed, value, {});
+  solve_graph_laplace(starts, graph.neighbours, fixed, value, {});
   for (size_t i = 0; i < 900; ++i) {
     EXPECT_TRUE(fixed[i] == 0 || value[i] == before[i]);
     EXPECT_LE(std::abs(value[i]), 1.0);
@@ -94,7 +94,7 @@ TEST(GraphBlend, KeepsFixedValuesTheRangeAndWhatNothingReaches) {
   EXPECT_EQ(value[900], 99.0);
   std::fill(fixed.begin(), fixed.end(), uint8_t{0});
   std::vector<double> untouched = before;
-  blend_over_graph(starts, graph.neighbours, fixed, untouched, {});
+  solve_graph_laplace(starts, graph.neighbours, fixed, untouched, {});
   EXPECT_EQ(untouched, before);
 }
 

@@ -1,4 +1,4 @@
-#include "seamount/geom/solve/fall_beyond.h"
+#include "seamount/geom/solve/extrapolation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,7 @@ double bend(const Grid<uint8_t>& fixed, double slope) {
 
 }  // namespace
 
-void fall_beyond(HeightField& heights, const Grid<uint8_t>& covered, double slope, const RunContext& run) {
+void extrapolate_ground(HeightField& heights, const Grid<uint8_t>& covered, double slope, const RunContext& run) {
   const int step = (std::max(heights.width(), heights.height()) + kMostAcross - 1) / kMostAcross;
   Coarse coarse = means(heights, covered, step);
   const std::span<const uint8_t> fixed = coarse.fixed.cells();

@@ -1,4 +1,4 @@
-#include "seamount/geom/grid/placed_rows.h"
+#include "seamount/geom/grid/similarity.h"
 
 #include <algorithm>
 #include <cmath>

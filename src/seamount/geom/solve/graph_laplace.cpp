@@ -1,4 +1,4 @@
-#include "seamount/geom/solve/graph_blend.h"
+#include "seamount/geom/solve/graph_laplace.h"
 
 #include <algorithm>
 #include <cmath>
@@ -173,8 +173,8 @@ std::vector<uint8_t> reached_from_fixed(std::span<const uint32_t> starts, std::s
 
 }  // namespace
 
-void blend_over_graph(std::span<const uint32_t> starts, std::span<const int32_t> neighbours,
-                      std::span<const uint8_t> fixed, std::span<double> value, const RunContext& run) {
+void solve_graph_laplace(std::span<const uint32_t> starts, std::span<const int32_t> neighbours,
+                         std::span<const uint8_t> fixed, std::span<double> value, const RunContext& run) {
   std::vector<Level> levels;
   levels.push_back(finest(starts, neighbours, fixed, value));
   while (levels.back().size() > kCoarsest) {

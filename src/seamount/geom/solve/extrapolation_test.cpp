@@ -1,4 +1,4 @@
-#include "seamount/geom/solve/fall_beyond.h"
+#include "seamount/geom/solve/extrapolation.h"
 
 #include <gtest/gtest.h>
 
@@ -24,11 +24,11 @@ HeightField island(int size, Grid<uint8_t>& covered) {
   return heights;
 }
 
-TEST(FallBeyond, FallsFromTheBorderWithTheSlope) {
+TEST(Extrapolation, FallsFromTheBorderWithTheSlope) {
   for (const int size : {100, 500, 1400}) {
     Grid<uint8_t> covered;
     HeightField heights = island(size, covered);
-    fall_beyond(heights, covered, 0.05, {});
+    extrapolate_ground(heights, covered, 0.05, {});
     const GridFrame& f = heights.frame();
     const auto at = [&](double x) {
       return static_cast<double>(heights(static_cast<int>(std::lround(f.column(x))), size / 2));
@@ -41,10 +41,10 @@ TEST(FallBeyond, FallsFromTheBorderWithTheSlope) {
   }
 }
 
-TEST(FallBeyond, BendsEvenly) {
+TEST(Extrapolation, BendsEvenly) {
   Grid<uint8_t> covered;
   HeightField heights = island(256, covered);
-  fall_beyond(heights, covered, 0.05, {});
+  extrapolate_ground(heights, covered, 0.05, {});
   // laplace(u) is the same everywhere but beside what is known.
   double low = 1e9, high = -1e9;
   for (int y = 2; y < 254; ++y) {
@@ -61,9 +61,9 @@ TEST(FallBeyond, BendsEvenly) {
   EXPECT_LT(high, 2.0 * low);
 }
 
-TEST(FallBeyond, NothingKnownIsSaid) {
+TEST(Extrapolation, NothingKnownIsSaid) {
   HeightField heights(GridFrame::centred(5, 4, 1), 0.0F);
-  EXPECT_THROW(fall_beyond(heights, Grid<uint8_t>(heights.frame(), uint8_t{0}), 0.05, {}), IncompatibleInputs);
+  EXPECT_THROW(extrapolate_ground(heights, Grid<uint8_t>(heights.frame(), uint8_t{0}), 0.05, {}), IncompatibleInputs);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A smooth field kept on a coarse lattice, read along the rows of a finer frame: Catmull-Rom both ways, once
-// differentiable, vectorised. For fields whose forms are several lattice cells wide.
+// Upsampling row by row: a smooth field kept on a coarse lattice, read along the rows of a finer frame. Catmull-Rom
+// both ways, once differentiable, vectorised. For fields whose forms are several lattice cells wide.
 #pragma once
 
 #include <span>
@@ -14,9 +14,9 @@ namespace seamount::geom {
 GridFrame coarser_frame(const GridFrame& frame, double cell_m);
 
 /// Reads rows; keeps its scratch, so use one per thread. The lattice must outlive it.
-class LatticeRows {
+class RowUpsampler {
  public:
-  explicit LatticeRows(const ScalarField& lattice);
+  explicit RowUpsampler(const ScalarField& lattice);
   /// out[i] = field at (x0 + i dx, y), metres; beyond the lattice its nearest node.
   void read(double x0, double dx, double y, std::span<float> out);
 

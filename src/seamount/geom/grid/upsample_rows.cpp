@@ -1,4 +1,4 @@
-#include "seamount/geom/grid/lattice_rows.h"
+#include "seamount/geom/grid/upsample_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -43,10 +43,10 @@ GridFrame coarser_frame(const GridFrame& frame, double cell_m) {
   return coarse;
 }
 
-LatticeRows::LatticeRows(const ScalarField& lattice)
+RowUpsampler::RowUpsampler(const ScalarField& lattice)
     : lattice_(lattice), line_(static_cast<size_t>(lattice.width()) + 5) {}
 
-void LatticeRows::read(double x0, double dx, double y, std::span<float> out) {
+void RowUpsampler::read(double x0, double dx, double y, std::span<float> out) {
   const GridFrame& frame = lattice_.frame();
   const double row = std::clamp(frame.row(y), 0.0, frame.height - 1.0);
   const int j = static_cast<int>(row);

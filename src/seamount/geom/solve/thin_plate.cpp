@@ -1,4 +1,4 @@
-#include "seamount/geom/solve/bounded_plate.h"
+#include "seamount/geom/solve/thin_plate.h"
 
 #include <algorithm>
 #include <utility>
@@ -115,8 +115,8 @@ class Plate {
 
 }  // namespace
 
-HeightField bounded_plate(HeightField start, const HeightField& low, const HeightField& high, int sweeps,
-                          const RunContext& run) {
+HeightField smooth_thin_plate(HeightField start, const HeightField& low, const HeightField& high, int sweeps,
+                              const RunContext& run) {
   return Plate(std::move(start), low, high).relax(sweeps, run);
 }
 

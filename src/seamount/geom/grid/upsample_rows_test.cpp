@@ -1,4 +1,4 @@
-#include "seamount/geom/grid/lattice_rows.h"
+#include "seamount/geom/grid/upsample_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@ ScalarField waves(const GridFrame& frame) {
   return field;
 }
 
-TEST(LatticeRows, AgreeWithTheScalarSampler) {
+TEST(RowUpsampler, AgreeWithTheScalarSampler) {
   const ScalarField lattice = waves(GridFrame::centred(37, 23, 60));
   const GridFrame frame = GridFrame::centred(150, 90, 14);
-  LatticeRows rows(lattice);
+  RowUpsampler rows(lattice);
   std::vector<float> line(150);
   for (int y = 0; y < frame.height; ++y) {
     rows.read(frame.x(0), frame.cell_m, frame.y(y), line);
@@ -32,9 +32,9 @@ TEST(LatticeRows, AgreeWithTheScalarSampler) {
   }
 }
 
-TEST(LatticeRows, TheFramesOwnCellsComeBackExactly) {
+TEST(RowUpsampler, TheFramesOwnCellsComeBackExactly) {
   const ScalarField field = waves(GridFrame::centred(16, 9, 50));
-  LatticeRows rows(field);
+  RowUpsampler rows(field);
   std::vector<float> line(16);
   for (int y = 0; y < 9; ++y) {
     rows.read(field.frame().x(0), 50, field.frame().y(y), line);

@@ -1,6 +1,7 @@
-// A bag from which items are drawn with probability exactly proportional to their weights, in expected constant time
-// whatever is added and removed: composition and rejection over power-of-two classes of weight (Devroye 1986, sec. III;
-// Matias, Vitter and Ni 1993). Weights are integers, so nothing drifts and nothing is rounded.
+// Weighted random sampling from a changing set: items are drawn with probability exactly proportional to their weights,
+// in expected constant time whatever is added and removed: composition and rejection over power-of-two classes of
+// weight (Devroye 1986, sec. III; Matias, Vitter and Ni 1993). Weights are integers, so nothing drifts and nothing is
+// rounded.
 #pragma once
 
 #include <array>
@@ -12,7 +13,7 @@
 
 namespace seamount::geom {
 
-class WeightedBag {
+class WeightedSampler {
  public:
   /// The largest weight.
   static constexpr uint32_t kMost = uint32_t{1} << 30;

@@ -1,4 +1,4 @@
-#include "seamount/geom/polygon/frame_closing.h"
+#include "seamount/geom/polygon/frame_clipping.h"
 
 #include <algorithm>
 #include <array>
@@ -176,7 +176,7 @@ void add_closing(const Edge& edge, const Piece& piece, double to, double out, Ri
   ring.push_back(edge.place(to, out));
 }
 
-void push_ring(size_t of, bool reversed, Ring ring, std::vector<ClosedRing>& closed) {
+void push_ring(size_t of, bool reversed, Ring ring, std::vector<ClippedRing>& closed) {
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   if (ring.size() < 3) return;
@@ -186,7 +186,7 @@ void push_ring(size_t of, bool reversed, Ring ring, std::vector<ClosedRing>& clo
 
 }  // namespace
 
-std::vector<ClosedRing> close_at_frame(std::span<const Ring> rings, const GridFrame& frame, double reach_m) {
+std::vector<ClippedRing> clip_to_frame(std::span<const Ring> rings, const GridFrame& frame, double reach_m) {
   const Edge edge(frame);
   std::vector<Working> all;
   std::vector<Stretch> stretches;
@@ -204,7 +204,7 @@ std::vector<ClosedRing> close_at_frame(std::span<const Ring> rings, const GridFr
     const Stretch& stretch = stretches[rank];
     out[stretch.ring][stretch.piece] = reach_m * static_cast<double>(rank + 1) / static_cast<double>(stretches.size());
   }
-  std::vector<ClosedRing> closed;
+  std::vector<ClippedRing> closed;
   for (size_t i = 0; i < rings.size(); ++i) {
     Working& working = all[i];
     if (!working.whole.empty()) push_ring(i, working.reversed, std::move(working.whole), closed);
