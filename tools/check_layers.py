@@ -24,10 +24,11 @@ ONLY_IN = {
     "dnnl": "ops/learned",
     "oneapi/dnnl": "ops/learned",
     "torch/": "train",
+    "meshoptimizer": "geom/mesh",
 }
 # Folders with rooms: a room may use itself and those before it.
 ROOMS = {
-    "geom": "scalar grid polygon solve tin contour water",
+    "geom": "scalar grid polygon solve tin mesh contour water",
     "ops/contour": "move growth heights convert refine edit",
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+[>"])')

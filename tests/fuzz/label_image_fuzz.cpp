@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "seamount/base/error.h"
-#include "seamount/io/label_image.h"
+#include "seamount/geom/grid/painted_labels.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace seamount;
@@ -16,8 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   RunContext run;
   run.threads = 1;
   try {
-    const io::PaintedLabels painted =
-        io::decode_labels(image, GridFrame::centred(1 + data[2] % 40, 1 + data[3] % 40, 1.0), run);
+    const geom::PaintedLabels painted =
+        geom::decode_labels(image, GridFrame::centred(1 + data[2] % 40, 1 + data[3] % 40, 1.0), run);
     for (size_t i = 0; i < painted.labels.size(); ++i) {
       float sum = 0;
       for (const Mask& share : painted.shares) sum += share.cells()[i];

@@ -3,8 +3,8 @@
 //   struct CoralParams {
 //     double subsidence = 0.0;
 //     static constexpr auto fields() {
-//       return std::tuple(field(&CoralParams::subsidence, "subsidence", "", between(0, 1), "share of ... that has
-//       sunk"));
+//       return std::tuple(field(&CoralParams::subsidence, "subsidence", "", between(0, 1),
+//                               "share of its height that has sunk"));
 //     }
 //   };
 //

@@ -65,8 +65,7 @@ using DatasetPtr = std::unique_ptr<GDALDataset, DatasetCloser>;
 DatasetPtr open_dataset(const GdalCall& call, const std::string& place, unsigned kind, const char* const* drivers,
                         const std::string& what);
 
-/// A system from our text; nullopt-like empty pointer for empty text. Longitude before latitude. Throws
-/// InvalidArgument{"crs"}.
+/// A system from our text; a null pointer for empty text. Longitude before latitude. Throws InvalidArgument{"crs"}.
 std::unique_ptr<OGRSpatialReference> parse_crs(const std::string& crs);
 
 /// The system of EPSG's list that this one is, where it has lost its code (WKT of ESRI's kind has none).

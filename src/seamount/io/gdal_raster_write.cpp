@@ -7,7 +7,6 @@
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/gdal_call.h"
-#include "seamount/io/label_image.h"
 #include "seamount/io/raster_files.h"
 
 namespace seamount::io {
@@ -75,7 +74,7 @@ void write_geotiff8(const Grid<uint8_t>& grid, const std::string& path, const Wr
   if (labels) {
     GDALColorTable colours;
     for (const Region region : kRegions) {
-      const Colour c = region_colour(region);
+      const Colour c = painted_colour(region);
       const GDALColorEntry entry{c.r, c.g, c.b, 255};
       colours.SetColorEntry(static_cast<int>(region), &entry);
       view->SetMetadataItem(("LABEL_" + std::to_string(static_cast<int>(region))).c_str(),

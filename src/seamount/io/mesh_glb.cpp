@@ -1,13 +1,14 @@
 // glTF 2.0 binary (Khronos specification, sec. 4): a header, a JSON chunk and a chunk of buffers.
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "seamount/base/error.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
-#include "seamount/io/mesh_files.h"
+#include "seamount/io/mesh_formats.h"
 
 namespace seamount::io {
 namespace {
@@ -91,7 +92,7 @@ class GlbBuilder {
   size_t length_ = 0;
 };
 
-Json terrain_material(bool textured) {
+Json ground_material(bool textured) {
   Json material{{"name", "terrain"}, {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.95}}}};
   Json& surface = material["pbrMetallicRoughness"];
   if (textured) surface["baseColorTexture"] = {{"index", 0}};
@@ -107,58 +108,39 @@ Json water_material() {
            {{"baseColorFactor", {0.03, 0.18, 0.25, 0.6}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.1}}}};
 }
 
-/// A rectangle at sea level over the terrain's extent.
-struct WaterSurface {
-  std::vector<float> positions, normals{0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0};
-  std::vector<uint32_t> indices{0, 1, 2, 0, 2, 3};
-
-  explicit WaterSurface(const HeightField& heights) {
-    const auto x = static_cast<float>(0.5 * (heights.width() - 1) * heights.cell_m());
-    const auto z = static_cast<float>(0.5 * (heights.height() - 1) * heights.cell_m());
-    positions = {-x, 0, -z, -x, 0, z, x, 0, z, x, 0, -z};
-  }
-};
-
-Json extras(const HeightField& heights, const MeshOptions& options) {
-  const GridFrame& frame = heights.frame();
-  Json json{{"units", "metres, sea level at y = 0"},
-            {"origin_x_m", frame.west_m + 0.5 * frame.width_m()},
-            {"origin_y_m", frame.north_m - 0.5 * frame.height_m()}};
-  if (!frame.crs.empty()) json["crs"] = frame.crs;
-  if (options.vertical_scale != 1.0) json["vertical_scale"] = options.vertical_scale;
-  if (!options.provenance.recipe.empty()) json["recipe"] = options.provenance.recipe;
-  if (options.provenance.seed) json["seed"] = *options.provenance.seed;
+Json extras(const Mesh& mesh, const Provenance& provenance) {
+  Json json{{"units", "metres, sea level at y = 0"}, {"origin_x_m", mesh.origin.x}, {"origin_y_m", mesh.origin.y}};
+  if (!mesh.crs.empty()) json["crs"] = mesh.crs;
+  if (mesh.vertical_scale != 1.0) json["vertical_scale"] = mesh.vertical_scale;
+  if (!provenance.recipe.empty()) json["recipe"] = provenance.recipe;
+  if (provenance.seed) json["seed"] = *provenance.seed;
   return json;
 }
 
 }  // namespace
 
-void write_glb(const TerrainMesh& mesh, const HeightField& heights, const std::string& path,
-               const MeshOptions& options) {
+void write_glb(const Mesh& mesh, const std::string& path, const MeshFileOptions& options) {
   GlbBuilder glb;
   const std::string& program = options.provenance.program;
   glb.json["asset"] = {{"version", "2.0"}, {"generator", program.empty() ? "Seamount" : program}};
   glb.json["scene"] = 0;
   glb.json["scenes"] = {{{"nodes", {0}}}};
-  glb.json["nodes"] = {{{"name", "terrain"}, {"mesh", 0}, {"extras", extras(heights, options)}}};
-  const std::vector<float> positions = y_up(mesh.positions), normals = y_up(mesh.normals);
+  glb.json["nodes"] = {{{"name", "terrain"}, {"mesh", 0}, {"extras", extras(mesh, options.provenance)}}};
+  std::deque<std::vector<float>> turned;  // must stay until they are written
+  const auto y_up_of = [&](const std::vector<float>& z_up) -> const std::vector<float>& {
+    return turned.emplace_back(y_up(z_up));
+  };
   Json primitives = Json::array();
-  primitives.push_back({{"attributes",
-                         {{"POSITION", glb.positions(positions)},
-                          {"NORMAL", glb.accessor(normals, 3, kVertices)},
-                          {"TEXCOORD_0", glb.accessor(mesh.uvs, 2, kVertices)}}},
-                        {"indices", glb.accessor(mesh.indices, 1, kIndices)},
-                        {"material", 0}});
-  glb.json["materials"].push_back(terrain_material(options.texture != nullptr));
-  const bool below_sea = *std::min_element(heights.cells().begin(), heights.cells().end()) < 0;
-  const WaterSurface water(heights);
-  if (options.water && below_sea) {
-    primitives.push_back(
-        {{"attributes",
-          {{"POSITION", glb.positions(water.positions)}, {"NORMAL", glb.accessor(water.normals, 3, kVertices)}}},
-         {"indices", glb.accessor(water.indices, 1, kIndices)},
-         {"material", 1}});
-    glb.json["materials"].push_back(water_material());
+  for (const MeshPart& part : mesh.parts) {
+    Json attributes{{"POSITION", glb.positions(y_up_of(part.positions))},
+                    {"NORMAL", glb.accessor(y_up_of(part.normals), 3, kVertices)}};
+    if (!part.uvs.empty()) attributes["TEXCOORD_0"] = glb.accessor(part.uvs, 2, kVertices);
+    primitives.push_back({{"attributes", std::move(attributes)},
+                          {"indices", glb.accessor(part.indices, 1, kIndices)},
+                          {"material", primitives.size()}});
+    const bool textured = options.texture != nullptr && !part.uvs.empty();
+    glb.json["materials"].push_back(part.material == MeshMaterial::water ? water_material()
+                                                                         : ground_material(textured));
   }
   std::vector<uint8_t> png;
   if (options.texture != nullptr) {

@@ -12,7 +12,6 @@
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/gdal_call.h"
 #include "seamount/io/image_file.h"
-#include "seamount/io/label_image.h"
 #include "seamount/io/png_codec.h"
 #include "seamount/io/raster_files.h"
 
@@ -183,10 +182,10 @@ void write(const Grid<float>& grid, const std::string& path, const WriteOptions&
   finish_sidecar(sidecar, path, options);
 }
 
-/// encode_labels() row by row: the picture of a large map is never in memory.
+/// Painted row by row: the picture of a large map is never in memory.
 std::vector<uint8_t> encode_label_rows(const LabelMap& labels) {
   std::array<Colour, kRegionCount> colours;
-  for (const Region region : kRegions) colours[static_cast<size_t>(region)] = region_colour(region);
+  for (const Region region : kRegions) colours[static_cast<size_t>(region)] = painted_colour(region);
   return encode_png_rows(labels.width(), labels.height(), 3, [&](int y, std::span<uint8_t> row) {
     for (int x = 0; x < labels.width(); ++x) {
       const Colour colour = colours[static_cast<size_t>(labels(x, y))];
@@ -265,14 +264,14 @@ ScalarField read_field(const std::string& path, const ReadOptions& options) {
 
 Mask read_mask(const std::string& path, const ReadOptions& options) { return read(path, options, Meaning::mask); }
 
+PlacedImage read_placed_image(const std::string& path, const ReadOptions& options) {
+  Image image = read_image(path);
+  Stored size{Grid<float>(GridFrame{image.width, image.height}), false, 0.0, "PNG", "uint8"};
+  place(size, path, options, read_sidecar(path));
+  return {std::move(image), size.values.frame()};
+}
+
 LabelMap read_labels(const std::string& path, const ReadOptions& options) {
-  if (extension_of(path) == ".png") {
-    const std::optional<Sidecar> sidecar = read_sidecar(path);
-    const Image image = read_image(path);
-    Stored size{Grid<float>(GridFrame{image.width, image.height}), false, 0.0, "PNG", "uint8"};
-    place(size, path, options, sidecar);
-    return decode_labels(image, size.values.frame(), RunContext{}).labels;
-  }
   const Grid<float> numbers = read(path, options, Meaning::field);
   LabelMap labels(numbers.frame());
   for (size_t i = 0; i < numbers.size(); ++i) {

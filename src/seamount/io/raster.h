@@ -23,6 +23,7 @@
 
 #include "seamount/io/sidecar.h"
 #include "seamount/model/grid.h"
+#include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
 
 namespace seamount::io {
@@ -77,8 +78,16 @@ ScalarField read_field(const std::string& path, const ReadOptions& options = {})
 /// A selection: integer formats are scaled to [0, 1] unless options.range says otherwise.
 Mask read_mask(const std::string& path, const ReadOptions& options = {});
 
-/// Regions from a GeoTIFF of their numbers (mountain 0 ... abyss 4) or a PNG in the colours of label_image.h.
+/// Regions from a GeoTIFF of their numbers (mountain 0 ... abyss 4). A picture of regions is read_placed_image() and
+/// geom/grid/painted_labels.h.
 LabelMap read_labels(const std::string& path, const ReadOptions& options = {});
+
+/// A picture and where its side-car says that it lies.
+struct PlacedImage {
+  Image image;
+  GridFrame frame;
+};
+PlacedImage read_placed_image(const std::string& path, const ReadOptions& options = {});
 
 /// GeoTIFF: float32, tiled, deflate with the floating point predictor, pixel is area, "0 m is sea level" as metadata;
 /// CRS and geotransform come back exactly. 16-bit formats come back within half of range / 65535.
@@ -90,7 +99,7 @@ void write_field(const ScalarField& field, const std::string& path, const WriteO
 /// A selection as 8 bits: .png or .tif, 0..255 for [0, 1] (clamped); other extensions as write_field.
 void write_mask(const Mask& mask, const std::string& path, const WriteOptions& options = {});
 
-/// .tif: 8 bit, palette and category names; .png: the colours of label_image.h.
+/// .tif: 8 bit, palette and category names; .png: the colours of model/label_map.h.
 void write_labels(const LabelMap& labels, const std::string& path, const WriteOptions& options = {});
 
 /// All files that writing a raster to `path` makes: itself, and a side-car where the format cannot say its own scale.

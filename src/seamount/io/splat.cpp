@@ -6,6 +6,7 @@
 #include "seamount/base/error.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/png_codec.h"
+#include "seamount/model/same_size.h"
 
 namespace seamount::io {
 namespace {
@@ -66,10 +67,7 @@ std::vector<std::string> write_files(int width, int height, size_t materials, co
 
 std::vector<std::string> write_splat(std::span<const Mask> weights, const std::string& path) {
   if (weights.empty() || weights[0].empty()) throw InvalidArgument("weights", "there are none");
-  for (const Mask& mask : weights) {
-    if (mask.width() != weights[0].width() || mask.height() != weights[0].height())
-      throw IncompatibleInputs("weights: the masks of a splat map must have one size");
-  }
+  for (const Mask& mask : weights) check_same_size("weights", mask.frame(), weights[0].frame(), "first mask");
   return write_files(weights[0].width(), weights[0].height(), weights.size(), path,
                      [&](size_t i, std::vector<double>& cell) {
                        for (size_t m = 0; m < weights.size(); ++m) {

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 
+#include "seamount/base/error.h"
+#include "seamount/base/text.h"
+#include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 
 namespace seamount {
@@ -22,5 +26,21 @@ constexpr std::string_view region_name(Region region) {
 }
 
 using LabelMap = Grid<Region>;
+
+/// Hue in degrees of each Region in pictures that people paint (P0 sec. 1.7), by its number: yellow, green, cyan, blue,
+/// red. Saturation is 1; value is the subsidence: V = 1 - 0.8 lambda, never black.
+inline constexpr std::array<double, kRegionCount> kRegionHues_deg = {60.0, 120.0, 180.0, 240.0, 0.0};
+
+/// The colour of a region in such a picture. Throws InvalidArgument unless subsidence is in [0, 1].
+inline Colour painted_colour(Region region, double subsidence = 0.0) {
+  if (!(subsidence >= 0 && subsidence <= 1))
+    throw InvalidArgument("subsidence", format_number(subsidence) + " is outside [0, 1]");
+  constexpr std::array<std::array<int, 3>, kRegionCount> kPure = {
+      {{1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}, {1, 0, 0}}};
+  const auto value = static_cast<uint8_t>(std::lround(255.0 * (1.0 - 0.8 * subsidence)));
+  const auto& pure = kPure[static_cast<size_t>(region)];
+  const auto channel = [&](size_t c) { return static_cast<uint8_t>(pure[c] * value); };
+  return {channel(0), channel(1), channel(2)};
+}
 
 }  // namespace seamount

@@ -4,9 +4,10 @@
 #include <fstream>
 #include <vector>
 
+#include "seamount/geom/grid/painted_labels.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
-#include "seamount/io/label_image.h"
+#include "seamount/io/raster.h"
 
 namespace seamount::recipe {
 namespace {
@@ -21,6 +22,14 @@ void hash_file(const std::string& path, Hasher& hasher) {
   }
 }
 
+LabelMap decode_picture(const std::string& path, const io::PlacedImage& picture, const RunContext& run) {
+  try {
+    return geom::decode_labels(picture.image, picture.frame, run).labels;
+  } catch (const InvalidArgument& error) {
+    throw IoError(path, error.what());
+  }
+}
+
 }  // namespace
 
 bool is_picture(const std::string& path) {
@@ -29,11 +38,11 @@ bool is_picture(const std::string& path) {
 }
 
 LabelMap read_label_picture(const std::string& path, const GridFrame& domain, const RunContext& run) {
-  try {
-    return io::decode_labels(io::read_image(path), domain, run).labels;
-  } catch (const InvalidArgument& error) {
-    throw IoError(path, error.what());
-  }
+  return decode_picture(path, {io::read_image(path), domain}, run);
+}
+
+LabelMap read_placed_labels(const std::string& path, const RunContext& run) {
+  return decode_picture(path, io::read_placed_image(path), run);
 }
 
 std::vector<std::string> companions_of(const std::string& path) {

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
+#include "seamount/geom/grid/painted_labels.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/folder_lock.h"
 #include "seamount/io/image_file.h"
-#include "seamount/io/label_image.h"
 #include "seamount/io/raster.h"
 
 namespace seamount::train {
@@ -73,7 +73,7 @@ void make_island_files(const IslandSetParams& params, IslandSample& sample, Seed
   IslandPair pair = make_island_pair(params, sample, seed, run);
   for (float& z : pair.terrain.cells())
     z = std::clamp(z, static_cast<float>(params.low_m), static_cast<float>(params.high_m));
-  io::write_png(io::encode_labels(pair.labels, sample.subsidence), file_of(folder, sample.index, "labels"));
+  io::write_png(geom::encode_labels(pair.labels, sample.subsidence), file_of(folder, sample.index, "labels"));
   io::write_heights(pair.terrain, file_of(folder, sample.index, "height"),
                     {.range = io::HeightRange{params.low_m, params.high_m}, .sidecar = false, .provenance = {}});
 }

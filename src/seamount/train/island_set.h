@@ -1,7 +1,7 @@
 // A set of island samples on disk, made in any number of runs.
 //
 //   DIR/manifest.jsonl      line 1: what all samples share; then a line per sample, in order, with everything drawn
-//   DIR/000000_labels.png   hue is the region, value the subsidence (io/label_image.h)
+//   DIR/000000_labels.png   hue is the region, value the subsidence (geom/grid/painted_labels.h)
 //   DIR/000000_height.png   16 bits: code 0 is low_m, 65535 is high_m
 //
 // A sample's line is written after its files. After a kill, the manifest's complete lines say what is done: the next

@@ -11,9 +11,11 @@ constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 ContourChain follow(uint32_t first, std::span<const Crossing> crossings, std::vector<uint32_t>& next) {
   ContourChain chain;
   chain.level = crossings[first].level;
+  chain.first = first;
   uint32_t at = first;
   do {
     chain.points.push_back(crossings[at].at);
+    chain.last = at;
     const uint32_t to = next[at];
     next[at] = kNone;
     at = to;

@@ -1,5 +1,6 @@
-// What the tracers of contours share (contour.h on lattices, marching_triangles.h on triangles): crossings of contours
-// and edges, numbered as they are found, and segments from crossing to crossing, joined into chains in linear time.
+// What the tracers of contours share (marching_squares.h, marching_triangles.h and, for lines that end at a border,
+// marching_open_triangles.h): crossings of contours and edges, numbered as they are found, and segments from crossing
+// to crossing, joined into chains in linear time.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +27,16 @@ struct ContourSegment {
 struct ContourChain {
   Polyline points;
   uint32_t level = 0;
-  bool closed = false;  ///< the last point is joined to the first
+  bool closed = false;           ///< the last point is joined to the first
+  uint32_t first = 0, last = 0;  ///< the crossings that it starts and ends at
 };
+
+/// A height below every level, for what lies beyond the edge where contours are closed there. REQUIRES: at least one
+/// level.
+inline double height_below(std::span<const double> levels) {
+  const double fall = 0.25 * (levels.back() - levels.front());
+  return levels.front() - (fall > 0.0 ? fall : 1.0);
+}
 
 /// How many of the ascending levels a value reaches: contours with level index < rank have it on their high side.
 inline uint32_t level_rank(std::span<const double> levels, double value) {

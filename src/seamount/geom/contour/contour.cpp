@@ -1,4 +1,4 @@
-// Marching squares (lattice_contours.h) as areas and lines.
+// Marching squares (marching_squares.h) as areas and lines.
 #include "seamount/geom/contour/contour.h"
 
 #include <algorithm>
@@ -86,7 +86,7 @@ Ring smooth_steps(const Ring& ring, double reach, const GridFrame& frame) {
 std::vector<Polygon> trace_areas(const ScalarField& field, double level) {
   std::vector<Ring> rings;
   const double levels[] = {static_cast<float>(level)};
-  for (const ContourChain& chain : trace_lattice(field, levels, LatticeEdge::closed)) {
+  for (const ContourChain& chain : march_squares(field, levels, FieldEdge::closed)) {
     Ring ring = tidy(chain.points);
     if (ring.size() >= 3) rings.push_back(std::move(ring));
   }
@@ -96,7 +96,7 @@ std::vector<Polygon> trace_areas(const ScalarField& field, double level) {
 std::vector<Polyline> trace_lines(const ScalarField& field, double level) {
   std::vector<Polyline> lines;
   const double levels[] = {static_cast<float>(level)};
-  for (ContourChain& chain : trace_lattice(field, levels, LatticeEdge::open)) {
+  for (ContourChain& chain : march_squares(field, levels, FieldEdge::open)) {
     if (chain.closed) chain.points.push_back(chain.points.front());
     lines.push_back(std::move(chain.points));
   }
@@ -105,7 +105,7 @@ std::vector<Polyline> trace_lines(const ScalarField& field, double level) {
 
 std::vector<Contour> trace_contours(const ScalarField& field, std::span<const double> levels) {
   std::vector<Contour> contours;
-  for (ContourChain& chain : trace_lattice(field, levels, LatticeEdge::apron)) {
+  for (ContourChain& chain : march_squares(field, levels, FieldEdge::apron)) {
     contours.push_back({levels[chain.level], std::move(chain.points), -1});
   }
   return contours;

@@ -1,8 +1,9 @@
 // Iso-contours of a scalar field by marching squares, as lines to draw and as areas to build on.
 //
-// The field is bilinear-free: linear along the lattice edges between cell centres, constant over the half cell between
-// the outermost centres and the frame's edge. A saddle joins its high corners where their mean with the low ones
-// reaches the level, the same way in every trace, so contours of one field never cross.
+// The field is taken as linear between neighbouring cell centres and as constant over the half cell between the
+// outermost centres and the frame's edge. At a saddle, a square with high corners across from each other and low ones
+// between them, the high ground is joined if the mean of the four reaches the level. That is the same for every level,
+// so contours of one field never cross.
 #pragma once
 
 #include <cstdint>
@@ -26,9 +27,9 @@ std::vector<Polyline> trace_lines(const ScalarField& field, double level);
 
 /// The contours at all of the levels in one pass, closed, higher ground on the left, that neither cross nor touch each
 /// other or themselves: beyond the frame's edge the field falls below every level within one cell, so that contours
-/// which reach the edge close there, lower ones further out. Not nested yet
-/// (contour_nesting.h). REQUIRES: levels ascend, no two are the same, every value is finite. Linear in the cells (times
-/// the logarithm of the number of levels) and the points.
+/// which reach the edge close there, lower ones further out. Not nested yet (nesting.h). REQUIRES: levels ascend, no
+/// two are the same, every value is finite. Linear in the cells (times the logarithm of the number of levels) and the
+/// points.
 std::vector<Contour> trace_contours(const ScalarField& field, std::span<const double> levels);
 
 /// The area of cells with inside != 0, its stair steps smoothed away without moving the border further than one cell

@@ -11,6 +11,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
+#include "seamount/geom/polygon/grid_edge.h"
 
 namespace seamount::geom {
 namespace {
@@ -19,24 +20,11 @@ constexpr int kLeaf = 4;    ///< cells along a leaf
 constexpr int kTile = 128;  ///< cells along a tile, the unit of parallel work; kLeaf times a power of two
 constexpr size_t kCells = kLeaf * kLeaf;
 
-/// An edge in cell units (x right, y down, cell centres at whole numbers).
-struct Edge {
-  float x, y, dx, dy;
-  float inverse;  ///< 1 / (dx^2 + dy^2), 0 for a point
+/// From one tile's own corner, so that floats are exact to a ten thousandth of a cell.
+struct Edge : GridEdge<float> {
   uint32_t bound;
   int32_t number;  ///< among the edges of all rings
 };
-
-/// From one tile's own corner, so that floats are exact to a ten thousandth of a cell.
-SEAMOUNT_INLINE float squared_distance(const Edge& edge, float x, float y) {
-  const float px = x - edge.x;
-  const float py = y - edge.y;
-  float t = (px * edge.dx + py * edge.dy) * edge.inverse;
-  t = t > 0.0F ? (t < 1.0F ? t : 1.0F) : 0.0F;
-  const float ex = px - t * edge.dx;
-  const float ey = py - t * edge.dy;
-  return ex * ex + ey * ey;
-}
 
 SEAMOUNT_VECTORISED void centre_distances(const Edge* edges, size_t count, float x, float y, float* squared) {
   for (size_t i = 0; i < count; ++i) squared[i] = squared_distance(edges[i], x, y);
@@ -138,10 +126,11 @@ class Descent {
         for (const Piece& piece : pieces.of(bound)) {
           const Vec2 d = piece.b - piece.a;
           const double squared = dot(d, d);
-          edges.push_back({static_cast<float>(piece.a.x - left_), static_cast<float>(piece.a.y - top_),
-                           static_cast<float>(d.x), static_cast<float>(d.y),
-                           squared > 1e-12 ? static_cast<float>(1.0 / squared) : 0.0F, static_cast<uint32_t>(bound),
-                           piece.number});
+          edges.push_back(
+              {{static_cast<float>(piece.a.x - left_), static_cast<float>(piece.a.y - top_), static_cast<float>(d.x),
+                static_cast<float>(d.y), squared > 1e-12 ? static_cast<float>(1.0 / squared) : 0.0F},
+               static_cast<uint32_t>(bound),
+               piece.number});
         }
       }
     }

@@ -51,17 +51,14 @@ struct EdgeCrossings {
   uint32_t at(uint32_t level) const { return first + (level - low); }
 };
 
-class LatticeTracer {
+class SquareMarch {
  public:
-  LatticeTracer(const ScalarField& field, std::span<const double> levels, LatticeEdge edge)
-      : field_(field), levels_(levels), edge_(edge), margin_(edge == LatticeEdge::open ? 1 : 2) {
+  SquareMarch(const ScalarField& field, std::span<const double> levels, FieldEdge edge)
+      : field_(field), levels_(levels), edge_(edge), margin_(edge == FieldEdge::open ? 1 : 2) {
     const auto columns = static_cast<size_t>(field.width() + 2 * margin_);
     for (std::vector<Sample>* row : {&above_, &below_}) row->resize(columns);
     for (std::vector<EdgeCrossings>* row : {&top_, &bottom_, &side_}) row->resize(columns);
-    if (edge == LatticeEdge::apron && !levels.empty()) {
-      const double fall = 0.25 * (levels.back() - levels.front());
-      outside_ = levels.front() - (fall > 0.0 ? fall : 1.0);
-    }
+    if (edge == FieldEdge::apron) outside_ = height_below(levels);
   }
 
   std::vector<ContourChain> trace() {
@@ -96,7 +93,7 @@ class LatticeTracer {
 
   Vec2 place(size_t column, int row) const {
     const GridFrame& frame = field_.frame();
-    const double reach = edge_ == LatticeEdge::apron ? 1.5 : 0.5;
+    const double reach = edge_ == FieldEdge::apron ? 1.5 : 0.5;
     // The line of repeated samples lies on the frame's edge.
     const auto stretch = [&](int i, int size) {
       const double inner = std::clamp(i + 0.0, -0.5, size - 0.5);
@@ -161,7 +158,7 @@ class LatticeTracer {
 
   const ScalarField& field_;
   std::span<const double> levels_;
-  LatticeEdge edge_;
+  FieldEdge edge_;
   int margin_;
   double outside_ = kNothing;
   std::vector<Sample> above_, below_;
@@ -172,9 +169,9 @@ class LatticeTracer {
 
 }  // namespace
 
-std::vector<ContourChain> trace_lattice(const ScalarField& field, std::span<const double> levels, LatticeEdge edge) {
+std::vector<ContourChain> march_squares(const ScalarField& field, std::span<const double> levels, FieldEdge edge) {
   if (field.empty() || levels.empty()) return {};
-  return LatticeTracer(field, levels, edge).trace();
+  return SquareMarch(field, levels, edge).trace();
 }
 
 }  // namespace seamount::geom

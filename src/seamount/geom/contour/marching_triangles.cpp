@@ -68,8 +68,7 @@ class TriangleMarch {
     });
     apron_ = make_apron(tin, ranks_);
     ranks_.resize(ranks_.size() + apron_.nodes.size(), 0);
-    const double fall = 0.25 * (levels.back() - levels.front());
-    outside_ = levels.front() - (fall > 0.0 ? fall : 1.0);
+    outside_ = height_below(levels);
   }
 
   std::vector<ContourChain> trace() {

@@ -19,8 +19,7 @@ namespace seamount::geom {
 
 /// The contours at all of the levels, closed, higher ground on the left, that neither cross nor touch each other or
 /// themselves. Lower ones reach further out beyond the network's border, at most a quarter of its edges there. Not
-/// nested yet (contour_nesting.h). In the order of the triangles that they pass first, the same on any number of
-/// threads.
+/// nested yet (nesting.h). In the order of the triangles that they pass first, the same on any number of threads.
 ///
 /// REQUIRES: levels ascend strictly; find_tin_defect() finds nothing; heights for all nodes. Throws InvalidArgument
 /// where triangles turn out not to fit together. Linear in triangles and points.

@@ -1,7 +1,7 @@
 // The tree of inclusion of contours (P2 sec. 3.1), which way they run, and whether they cross.
 //
-// P2 prints the nesting condition the wrong way round; meant is h_i > h_j => Omega_i inside Omega_j, unless a basin
-// lies between.
+// P2 prints the nesting condition the wrong way round; meant is: of two contours around one place the higher one lies
+// inside, h_i > h_j => Omega_i inside Omega_j, unless a basin lies between.
 #pragma once
 
 #include <cstddef>
@@ -32,9 +32,9 @@ std::vector<int> find_contour_parents(const std::vector<Contour>& contours);
 /// their order. Requires and costs the same.
 void nest_contours(std::vector<Contour>& contours);
 
-/// Turns rings so that higher ground is on their left, going by heights alone: a contour higher than its parent is a
-/// hill, a lower one a basin, one at its parent's height the other of the two than its parent, one without parent a
-/// hill. REQUIRES: parents as nest_contours() sets them.
+/// Turns rings so that higher ground is on their left, going by heights alone: a contour without parent is a hill, one
+/// higher than its parent a hill, a lower one a basin. One at its parent's height is a basin in a hill and a hill in a
+/// basin. REQUIRES: parents as nest_contours() sets them.
 void orient_contours(std::vector<Contour>& contours);
 
 /// Whether the contour encloses higher ground: its ring runs counter-clockwise.

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "seamount/base/rng.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/polygon/predicates.h"
 
 namespace seamount::geom {
 namespace {
@@ -132,6 +134,40 @@ TEST(ContourNesting, CrossingsAreFoundAmongMany) {
     for (Vec2& p : copy.ring) p = p + Vec2{0.3, 0.1};
     contours.push_back(copy);
     EXPECT_TRUE(find_contour_crossing(contours)) << seed;
+  }
+}
+
+TEST(ContourNesting, APointBesideARingLiesOutsideItWhicheverEdgeOfTheTipIsListedFirst) {
+  // Level with a tip that points south, both of its edges are as near: once, the one listed first decided.
+  Ring tip = {{-5, 10}, {0, 0}, {5, 10}};
+  for (int turn = 0; turn < 3; ++turn) {
+    for (const bool hill : {true, false}) {
+      Ring ring = tip;
+      if (!hill) std::reverse(ring.begin(), ring.end());
+      EXPECT_THAT(find_contour_parents({contour(1, ring), contour(2, {{3, 0}, {7, -3}, {7, 3}})}), ElementsAre(-1, -1));
+    }
+    std::rotate(tip.begin(), tip.begin() + 1, tip.end());
+  }
+}
+
+TEST(ContourNesting, WhatMissesByLessThanRoundingDoesNotMeet) {
+  // The corner lies 1e-19 beside an edge; sides found with rounding had it on it.
+  const Vec2 corner{0.001, 0.003}, end{0.1, 0.3};
+  ASSERT_EQ(cross(Vec2{} - end, corner - end), 0.0);
+  const bool left = orientation_sign(end, {0, 0}, corner) > 0;
+  const Contour edge = contour(0, {end, {0, 0}, left ? Vec2{-1, 1} : Vec2{1, -1}});
+  EXPECT_FALSE(find_contour_crossing({edge, contour(0, {corner, {0.9, left ? -1.0 : 3.0}, {0.5, left ? -1.0 : 3.0}})}));
+}
+
+TEST(ContourNesting, FindsWhatMeetsOnTheLinesBetweenTheCellsThatItSearches) {
+  // Edges nearly along such a line, across each other on it or a hair beside it.
+  Rng rng(Seed{5});
+  for (int trial = 0; trial < 500; ++trial) {
+    const double y = 50.0 + rng.integer(-2, 2) * 7e-15;
+    const auto hair = [&] { return rng.integer(1, 4) * 7.2e-15; };
+    const Contour low = contour(0, {{10, y - hair()}, {90, y + hair()}, {50, 100}});
+    const Contour high = contour(0, {{11, y + hair()}, {50, 0}, {91, y - hair()}});
+    EXPECT_TRUE(find_contour_crossing({low, high})) << trial;
   }
 }
 

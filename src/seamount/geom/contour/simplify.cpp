@@ -7,20 +7,13 @@
 #include "seamount/geom/contour/nesting.h"
 #include "seamount/geom/polygon/edge_grid.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/segment.h"
 
 namespace seamount::geom {
 namespace {
 
 /// The points of a ring that are kept, ascending, at least three.
 using Kept = std::vector<size_t>;
-
-double squared_distance(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  const double length = dot(along, along);
-  const double t = length > 0.0 ? std::clamp(dot(p - a, along) / length, 0.0, 1.0) : 0.0;
-  const Vec2 off = p - (a + t * along);
-  return dot(off, off);
-}
 
 /// The point strictly between two of a ring's that lies furthest from the line between them, and its squared distance;
 /// `to` itself if there is none. `to` may count on beyond the ring's end.
@@ -32,7 +25,7 @@ Furthest furthest_between(const Ring& ring, size_t from, size_t to) {
   Furthest best{to, -1.0};
   const size_t n = ring.size();
   for (size_t i = from + 1; i < to; ++i) {
-    const double d = squared_distance(ring[i % n], ring[from % n], ring[to % n]);
+    const double d = squared_distance_to_segment(ring[i % n], ring[from % n], ring[to % n]);
     if (d > best.squared) best = {i, d};
   }
   return best;

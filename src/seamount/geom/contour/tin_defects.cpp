@@ -7,6 +7,7 @@
 #include "seamount/base/text.h"
 #include "seamount/geom/contour/marching_triangles.h"
 #include "seamount/geom/contour/nesting.h"
+#include "seamount/geom/polygon/predicates.h"
 #include "seamount/geom/tin/tin_border.h"
 
 namespace seamount::geom {
@@ -47,7 +48,7 @@ std::optional<std::string> triangle_defect(const Tin& tin) {
     const Vec2 a = tin.nodes[static_cast<size_t>(t[0])];
     const Vec2 b = tin.nodes[static_cast<size_t>(t[1])];
     const Vec2 c = tin.nodes[static_cast<size_t>(t[2])];
-    if (!(cross(b - a, c - a) > 0.0))
+    if (orientation_sign(a, b, c) <= 0)
       return "triangle " + std::to_string(i) + " at " + place(a) + " does not run counter-clockwise";
   }
   return std::nullopt;

@@ -41,7 +41,7 @@ Variation make_variation(const Borders& b, double variation) {
 SEAMOUNT_INLINE float faded(float distance, float scale, float smooth) {
   const float linear = 1.0F - (distance > 0.0F ? distance : 0.0F) * scale;
   const float pass = linear > 0.0F ? linear : 0.0F;
-  return pass + smooth * (pass * pass * (3.0F - 2.0F * pass) - pass);
+  return pass + smooth * (smoothstep(pass) - pass);
 }
 
 /// Turns rows of two noises (in `low` and `middle`) and slope in degrees (in `high`) into shares.

@@ -10,6 +10,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
 #include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/polygon/grid_edge.h"
 #include "seamount/geom/polygon/polygon.h"
 
 namespace seamount::geom {
@@ -18,21 +19,7 @@ namespace {
 constexpr int kLeaf = 4;    ///< cells along a leaf
 constexpr int kTile = 128;  ///< cells along a tile, the unit of parallel work; kLeaf times a power of two
 
-/// An edge in cell units (x right, y down, cell centres at whole numbers).
-struct Edge {
-  double x, y, dx, dy;
-  double inverse;  ///< 1 / (dx^2 + dy^2), 0 for a point
-};
-
-SEAMOUNT_INLINE double squared_distance(const Edge& edge, double x, double y) {
-  const double px = x - edge.x;
-  const double py = y - edge.y;
-  double t = (px * edge.dx + py * edge.dy) * edge.inverse;
-  t = t > 0.0 ? (t < 1.0 ? t : 1.0) : 0.0;
-  const double ex = px - t * edge.dx;
-  const double ey = py - t * edge.dy;
-  return ex * ex + ey * ey;
-}
+using Edge = GridEdge<double>;
 
 SEAMOUNT_VECTORISED void centre_distances(const Edge* edges, size_t count, double x, double y, double* squared) {
   for (size_t i = 0; i < count; ++i) squared[i] = squared_distance(edges[i], x, y);

@@ -3,41 +3,9 @@
 
 #include <numeric>
 
+#include "seamount/geom/scalar/segment.h"
+
 namespace seamount::geom {
-namespace {
-
-double orientation(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
-
-bool in_box(Vec2 a, Vec2 b, Vec2 p) {
-  return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
-         p.y <= std::max(a.y, b.y);
-}
-
-/// Where two segments cross or touch.
-std::optional<Vec2> segments_meet(const RingEdge& e, const RingEdge& f) {
-  const double a = orientation(f.a, f.b, e.a);
-  const double b = orientation(f.a, f.b, e.b);
-  const double c = orientation(e.a, e.b, f.a);
-  const double d = orientation(e.a, e.b, f.b);
-  if (((a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0)) && ((c > 0.0 && d < 0.0) || (c < 0.0 && d > 0.0))) {
-    return e.a + (a / (a - b)) * (e.b - e.a);
-  }
-  if (a == 0.0 && in_box(f.a, f.b, e.a)) return e.a;
-  if (b == 0.0 && in_box(f.a, f.b, e.b)) return e.b;
-  if (c == 0.0 && in_box(e.a, e.b, f.a)) return f.a;
-  if (d == 0.0 && in_box(e.a, e.b, f.b)) return f.b;
-  return std::nullopt;
-}
-
-/// The edge after e: a defect only where it runs back over e.
-std::optional<Vec2> runs_back(const RingEdge& e, const RingEdge& next) {
-  const Vec2 back = e.a - e.b;
-  const Vec2 on = next.b - next.a;
-  if (cross(back, on) == 0.0 && dot(back, on) > 0.0) return e.b;
-  return std::nullopt;
-}
-
-}  // namespace
 
 void add_ring_edges(const Ring& ring, size_t number, std::vector<RingEdge>& edges) {
   const size_t first = edges.size();
@@ -51,13 +19,14 @@ void add_ring_edges(const Ring& ring, size_t number, std::vector<RingEdge>& edge
 
 EdgeGrid::EdgeGrid(const std::vector<RingEdge>& edges) : edges_(edges) {
   if (edges.empty()) return;
-  Ring ends;
-  ends.reserve(edges.size());
-  for (const RingEdge& edge : edges) ends.push_back(edge.a);
-  const Box box = bounding_box(ends);
-  low_ = box.low;
+  low_ = edges[0].a;
+  Vec2 high = low_;
+  for (const RingEdge& edge : edges) {
+    low_ = {std::min({low_.x, edge.a.x, edge.b.x}), std::min({low_.y, edge.a.y, edge.b.y})};
+    high = {std::max({high.x, edge.a.x, edge.b.x}), std::max({high.y, edge.a.y, edge.b.y})};
+  }
   side_ = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(edges.size()))), 1, 2048);
-  const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  const double extent = std::max(high.x - low_.x, high.y - low_.y);
   scale_ = extent > 0.0 ? side_ / extent : 1.0;
   starts_.assign(static_cast<size_t>(side_) * static_cast<size_t>(side_) + 1, 0);
   for (const RingEdge& edge : edges) for_each_cell(edge, [&](size_t cell) { ++starts_[cell + 1]; });
@@ -70,25 +39,48 @@ EdgeGrid::EdgeGrid(const std::vector<RingEdge>& edges) : edges_(edges) {
 std::optional<Vec2> EdgeGrid::meet(size_t first, size_t second) const {
   const RingEdge& e = edges_[first];
   const RingEdge& f = edges_[second];
-  if (e.next == second) return runs_back(e, f);
-  if (f.next == first) return runs_back(f, e);
-  return segments_meet(e, f);
+  if (e.next == second) return turns_back(e.a, e.b, f.b) ? std::optional(e.b) : std::nullopt;
+  if (f.next == first) return turns_back(f.a, f.b, e.b) ? std::optional(f.b) : std::nullopt;
+  return segments_meet(e.a, e.b, f.a, f.b) ? std::optional(meeting_place(e.a, e.b, f.a, f.b)) : std::nullopt;
 }
 
-/// Row by row the cells that the part of the edge within the row passes, one more on either side against rounding.
+/// REQUIRES: the edge spans the height of p.
+bool EdgeGrid::lies_west_of(Vec2 p, const RingEdge& edge) {
+  return orientation_sign(edge.a, edge.b, p) == (edge.a.y < edge.b.y ? 1 : -1);
+}
+
+/// Of two edges that do not cross, whether the first lies east of the other at the heights that both span: by the
+/// higher of their lower ends or, where that is shared, by the lower of their upper ones.
+bool EdgeGrid::lies_east(const RingEdge& edge, const RingEdge& other) {
+  const auto [low, high] = std::minmax(edge.a, edge.b, [](Vec2 a, Vec2 b) { return a.y < b.y; });
+  const auto [other_low, other_high] = std::minmax(other.a, other.b, [](Vec2 a, Vec2 b) { return a.y < b.y; });
+  int west =
+      low.y >= other_low.y ? orientation_sign(other_low, other_high, low) : -orientation_sign(low, high, other_low);
+  if (west == 0) {
+    west = high.y <= other_high.y ? orientation_sign(other_low, other_high, high)
+                                  : -orientation_sign(low, high, other_high);
+  }
+  return west < 0;
+}
+
+double EdgeGrid::x_at(const RingEdge& edge, double y) {
+  return edge.a.x + (y - edge.a.y) / (edge.b.y - edge.a.y) * (edge.b.x - edge.a.x);
+}
+
+/// Row by row the cells that the part of the edge within the row passes, and those within kSlack of it.
 template <class Visit>
 void EdgeGrid::for_each_cell(const RingEdge& edge, Visit&& visit) const {
   const Vec2 a = edge.a.y <= edge.b.y ? edge.a - low_ : edge.b - low_;
   const Vec2 b = edge.a.y <= edge.b.y ? edge.b - low_ : edge.a - low_;
-  const int last = cell_of(b.y);
-  for (int row = cell_of(a.y); row <= last; ++row) {
-    const auto x_at = [&](double y) {
+  const double slack = kSlack / scale_;
+  const int last = cell_of(b.y + slack);
+  for (int row = cell_of(a.y - slack); row <= last; ++row) {
+    const auto x_at_row = [&](double y) {
       return b.y > a.y ? a.x + (b.x - a.x) * std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0) : a.x;
     };
-    double from = x_at(row / scale_);
-    double to = b.y > a.y ? x_at((row + 1) / scale_) : b.x;
+    double from = x_at_row(row / scale_ - slack);
+    double to = b.y > a.y ? x_at_row((row + 1) / scale_ + slack) : b.x;
     if (from > to) std::swap(from, to);
-    const double slack = 1e-6 / scale_;
     const int end = cell_of(to + slack);
     for (int column = cell_of(from - slack); column <= end; ++column) {
       visit(static_cast<size_t>(row) * static_cast<size_t>(side_) + static_cast<size_t>(column));
@@ -104,10 +96,7 @@ double EdgeGrid::distance(Vec2 p, double most) const {
     const size_t row = static_cast<size_t>(y) * static_cast<size_t>(side_);
     for (size_t i = starts_[row + static_cast<size_t>(left)]; i < starts_[row + static_cast<size_t>(right) + 1]; ++i) {
       const RingEdge& edge = edges_[members_[i]];
-      const Vec2 d = edge.b - edge.a;
-      const double t = std::clamp(dot(p - edge.a, d) / dot(d, d), 0.0, 1.0);
-      const Vec2 away = p - (edge.a + t * d);
-      nearest = std::min(nearest, dot(away, away));
+      nearest = std::min(nearest, squared_distance_to_segment(p, edge.a, edge.b));
     }
   }
   return std::sqrt(nearest);

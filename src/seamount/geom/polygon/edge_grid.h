@@ -1,5 +1,5 @@
 // Edges of rings in a square grid of about as many cells as edges, so that what meets an edge, or lies beside a place,
-// is found among a handful. For the checks of polygon.h and contour_nesting.h.
+// is found among a handful. For the checks of polygon.h and contour/nesting.h. What it decides is exact (predicates.h).
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/polygon/predicates.h"
 
 namespace seamount::geom {
 
@@ -65,31 +66,35 @@ class EdgeGrid {
   double distance(Vec2 p, double most) const;
 
   /// The edge that a ray from p towards the west meets first, of those wanted(edge) allows. Edges hold their lower end
-  /// and not their upper one, so a ray through a shared end meets one of the two, or both or none where it is a tip.
+  /// and not their upper one, as if the ray lay a hair further north; an edge through p counts. REQUIRES: no two of
+  /// them cross or touch, but for ends shared by neighbours.
   template <class Wanted>
   std::optional<size_t> first_to_the_west(Vec2 p, Wanted&& wanted) const {
     if (members_.empty()) return std::nullopt;
     const size_t row = static_cast<size_t>(cell_of(p.y - low_.y)) * static_cast<size_t>(side_);
     std::optional<size_t> best;
-    double best_x = 0.0;
     for (int column = cell_of(p.x - low_.x); column >= 0; --column) {
       const size_t cell = row + static_cast<size_t>(column);
       for (size_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
         const RingEdge& edge = edges_[members_[i]];
         if (!(std::min(edge.a.y, edge.b.y) <= p.y && p.y < std::max(edge.a.y, edge.b.y)) || !wanted(edge)) continue;
-        const double x = edge.a.x + (p.y - edge.a.y) / (edge.b.y - edge.a.y) * (edge.b.x - edge.a.x);
-        if (x > p.x || (best && (x < best_x || (x == best_x && members_[i] >= *best)))) continue;
+        if (lies_west_of(p, edge) || (best && !lies_east(edge, edges_[*best]))) continue;
         best = members_[i];
-        best_x = x;
       }
-      if (best && best_x > low_.x + column / scale_) break;
+      if (best && x_at(edges_[*best], p.y) > low_.x + (column + 2.0 * kSlack) / scale_) break;
     }
     return best;
   }
 
  private:
+  /// By how much of a cell edges are held beyond their own, so that rounding hides no meeting.
+  static constexpr double kSlack = 1e-6;
+
   std::optional<Vec2> meet(size_t first, size_t second) const;
-  int cell_of(double offset) const { return std::clamp(static_cast<int>(offset * scale_), 0, side_ - 1); }
+  static bool lies_west_of(Vec2 p, const RingEdge& edge);
+  static bool lies_east(const RingEdge& edge, const RingEdge& other);
+  static double x_at(const RingEdge& edge, double y);
+  int cell_of(double offset) const { return static_cast<int>(std::clamp(offset * scale_, 0.0, side_ - 1.0)); }
   template <class Visit>
   void for_each_cell(const RingEdge& edge, Visit&& visit) const;
 

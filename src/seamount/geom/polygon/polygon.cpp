@@ -5,6 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include "seamount/geom/polygon/predicates.h"
+#include "seamount/geom/scalar/segment.h"
+
 namespace seamount::geom {
 namespace {
 
@@ -28,12 +31,7 @@ Vec2 centroid(const Ring& ring) {
   return doubled != 0.0 ? ring[0] + (1.0 / (3.0 * doubled)) * sum : ring[0];
 }
 
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double squared = dot(d, d);
-  const double t = squared > 0.0 ? std::clamp(dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
-  return length(p - (a + t * d));
-}
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) { return length(p - nearest_on_segment(p, a, b)); }
 
 /// Marks the points of line[first, last] that Douglas-Peucker keeps, the two ends excepted.
 void mark_kept(const Polyline& line, size_t first, size_t last, double tolerance, std::vector<char>& kept) {
@@ -135,7 +133,7 @@ bool contains(const Ring& ring, Vec2 p) {
     const Vec2 a = ring[i];
     const Vec2 b = ring[i + 1 < ring.size() ? i + 1 : 0];
     if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) inside = !inside;
+    if (orientation_sign(a, b, p) == (b.y > a.y ? 1 : -1)) inside = !inside;  // p lies west of the edge
   }
   return inside;
 }

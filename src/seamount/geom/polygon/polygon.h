@@ -35,7 +35,7 @@ Box bounding_box(const Ring& ring);
 /// Makes the outer ring run counter-clockwise and holes clockwise.
 void orient(Polygon& polygon);
 
-/// Is p inside, by the even-odd rule? On the border either answer. Linear time.
+/// Is p inside, by the even-odd rule? Exact (predicates.h); on the border either answer. Linear time.
 bool contains(const Ring& ring, Vec2 p);
 /// Inside the outer ring and in no hole.
 bool contains(const Polygon& polygon, Vec2 p);

@@ -28,10 +28,9 @@ SEAMOUNT_INLINE uint32_t lattice_hash(uint32_t h) {
   return h * 0x2c1b3c6dU;
 }
 
-/// Scalar product of (x, y) with a gradient of hashed direction, x given as
-/// kSidewise 2^-31 x. The hash's upper bits as a
-/// number s in [-1, 1) give (sine, cosine) of a quarter turn each way by a cubic and a parabola, (kSidewise s (kCubic -
-/// kLong s^2), kLong (1 - s^2)), of length 0.95 to 1; another bit gives the half plane.
+/// Scalar product of (x, y) with a gradient of hashed direction, x given as kSidewise 2^-31 x. The hash's upper bits as
+/// a number s in [-1, 1) give (sine, cosine) of a quarter turn each way by a cubic and a parabola,
+/// (kSidewise s (kCubic - kLong s^2), kLong (1 - s^2)), of length 0.95 to 1; another bit gives the half plane.
 constexpr double kLong = 0.97;
 constexpr double kSidewise = 0.495;
 constexpr double kCubic = 2.95;

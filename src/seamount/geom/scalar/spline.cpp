@@ -6,6 +6,7 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
+#include "seamount/geom/scalar/segment.h"
 
 namespace seamount::geom {
 namespace {
@@ -89,7 +90,7 @@ Closest closest_on_polyline(const Polyline& line, Vec2 p) {
     const Vec2 a = line[i];
     const Vec2 d = line[i + 1] - a;
     const double squared = dot(d, d);
-    const double t = squared > 0.0 ? std::clamp(dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
+    const double t = nearest_share(p, a, line[i + 1]);
     const Vec2 off = p - (a + t * d);
     const double segment = std::sqrt(squared);
     if (dot(off, off) < best_squared) {

@@ -1,4 +1,4 @@
-// Surfaces on which water never stays where it is not meant to.
+// Removal of pits by breaching: afterwards water stays only where it is meant to.
 #pragma once
 
 #include <cstdint>

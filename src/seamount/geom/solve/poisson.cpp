@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
+#include "seamount/model/same_size.h"
 
 namespace seamount::geom {
 namespace {
@@ -300,12 +300,8 @@ class Solver {
 
 void solve(ScalarField& u, const Grid<uint8_t>& fixed, const ScalarField* rhs, const RunContext& run,
            const PoissonOptions& options) {
-  const bool same = u.width() == fixed.width() && u.height() == fixed.height() &&
-                    (rhs == nullptr || (rhs->width() == u.width() && rhs->height() == u.height()));
-  if (!same) {
-    throw IncompatibleInputs("Poisson problem: the field is " + std::to_string(u.width()) + " x " +
-                             std::to_string(u.height()) + ", its mask or right-hand side is not");
-  }
+  check_same_size("fixed cells", fixed.frame(), u.frame(), "field");
+  if (rhs != nullptr) check_same_size("right-hand side", rhs->frame(), u.frame(), "field");
   if (u.empty()) return;
   RunContext quiet = run;
   quiet.progress = nullptr;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "seamount/base/rng.h"
+#include "seamount/geom/polygon/predicates.h"
 
 namespace seamount::geom {
 namespace {
@@ -47,10 +48,10 @@ std::vector<Edge> border_edges(const Tin& tin) {
   return alone;
 }
 
-/// Whether b comes before c on the way round counter-clockwise from a, all directions.
-bool turns_first(Vec2 a, Vec2 b, Vec2 c) {
-  const auto half = [&](Vec2 d) { return cross(a, d) > 0.0 || (cross(a, d) == 0.0 && dot(a, d) > 0.0) ? 0 : 1; };
-  return half(b) != half(c) ? half(b) < half(c) : cross(b, c) > 0.0;
+/// Whether b comes before c on the way round a node counter-clockwise from a. Exact.
+bool turns_first(Vec2 node, Vec2 a, Vec2 b, Vec2 c) {
+  const auto half = [&](Vec2 p) { return orientation_sign(node, a, p) > 0 || turns_back(a, node, p) ? 0 : 1; };
+  return half(b) != half(c) ? half(b) < half(c) : orientation_sign(node, b, c) > 0;
 }
 
 }  // namespace
@@ -61,13 +62,13 @@ std::vector<std::vector<int32_t>> border_rings(const Tin& tin) {
   const auto place = [&](int32_t node) { return tin.nodes[static_cast<size_t>(node)]; };
   // The next edge of a ring leaves where the gap beside the network ends.
   const auto follow = [&](const Edge& edge) {
-    const Vec2 back = place(edge.first) - place(edge.second);
+    const Vec2 node = place(edge.second), from = place(edge.first);
     size_t best = edges.size();
     const auto first = std::lower_bound(edges.begin(), edges.end(), Edge{edge.second, 0});
     for (auto next = first; next != edges.end() && next->first == edge.second; ++next) {
       const auto i = static_cast<size_t>(next - edges.begin());
-      const auto way = [&](size_t e) { return place(edges[e].second) - place(edges[e].first); };
-      if (used[i] == 0 && (best == edges.size() || turns_first(back, way(i), way(best)))) best = i;
+      const auto to = [&](size_t e) { return place(edges[e].second); };
+      if (used[i] == 0 && (best == edges.size() || turns_first(node, from, to(i), to(best)))) best = i;
     }
     return best;
   };

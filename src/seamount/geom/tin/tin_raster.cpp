@@ -9,7 +9,7 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
-#include "seamount/geom/solve/fall_beyond.h"
+#include "seamount/geom/solve/extrapolation.h"
 #include "seamount/geom/tin/tin_border.h"
 
 namespace seamount::geom {
@@ -96,7 +96,7 @@ HeightField rasterise_tin(const Tin& tin, const GridFrame& frame, const RunConte
   std::transform(cells.begin(), cells.end(), covered.cells().begin(), [](float z) { return std::isnan(z) ? 0 : 1; });
   if (std::all_of(cells.begin(), cells.end(), [](float z) { return std::isnan(z); }))
     throw IncompatibleInputs("the network's triangles cover no cell of the terrain");
-  fall_beyond(heights, covered, kFall, run);
+  extrapolate_ground(heights, covered, kFall, run);
   return heights;
 }
 

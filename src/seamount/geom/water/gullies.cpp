@@ -23,6 +23,7 @@
 #include "seamount/geom/grid/pyramid.h"
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/scalar/noise.h"
+#include "seamount/model/same_size.h"
 
 namespace seamount::geom {
 namespace {
@@ -297,11 +298,7 @@ void blur_surface(const Grid<float>& base, const Grid<float>& added, float share
 }
 
 void check(const HeightField& height, const Gullies& gullies, const ScalarField& strength) {
-  if (strength.width() != height.width() || strength.height() != height.height()) {
-    throw IncompatibleInputs("gullies: the strength is " + std::to_string(strength.width()) + " x " +
-                             std::to_string(strength.height()) + ", the terrain " + std::to_string(height.width()) +
-                             " x " + std::to_string(height.height()));
-  }
+  check_same_size("strength", strength.frame(), height.frame());
   if (!(gullies.wavelength_m > 0.0)) {
     throw InvalidArgument("wavelength_m", format_number(gullies.wavelength_m) + " is not above 0");
   }

@@ -7,6 +7,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/scalar/noise.h"
+#include "seamount/model/same_size.h"
 #include "seamount/ops/erosion/coast.h"
 #include "seamount/ops/erosion/drainage.h"
 #include "seamount/ops/erosion/fans.h"
@@ -37,8 +38,7 @@ int steps_for(const GridFrame& frame) {
 }
 
 void check_map(const ScalarField& map, const GridFrame& frame, const char* name) {
-  if (map.empty() || (map.width() == frame.width && map.height() == frame.height)) return;
-  throw IncompatibleInputs(std::string(name) + " and terrain differ in size");
+  if (!map.empty()) check_same_size(name, map.frame(), frame);
 }
 
 void limit(ScalarField& map, float low, float high) {

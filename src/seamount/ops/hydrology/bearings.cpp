@@ -5,9 +5,11 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <vector>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/surface.h"
+#include "seamount/geom/scalar/quantile.h"
 
 namespace seamount::hydrology {
 namespace {
@@ -64,11 +66,9 @@ double circular_wasserstein(const Bearings& a, const Bearings& b) {
     gap += static_cast<double>(a.counts[i]) / all_a - static_cast<double>(b.counts[i]) / all_b;
     gaps[i] = gap;
   }
-  std::array<double, Bearings::kBins> sorted = gaps;
-  auto* middle = sorted.data() + sorted.size() / 2;
-  std::nth_element(sorted.data(), middle, sorted.data() + sorted.size());
+  const double middle = geom::median(std::vector<double>(gaps.begin(), gaps.end()));
   double area = 0.0;
-  for (const double each : gaps) area += std::abs(each - *middle) * Bearings::kBinDeg;
+  for (const double each : gaps) area += std::abs(each - middle) * Bearings::kBinDeg;
   return area;
 }
 

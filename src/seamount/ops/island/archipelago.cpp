@@ -8,8 +8,8 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/grid/placed_rows.h"
 #include "seamount/geom/grid/sample_rows.h"
+#include "seamount/geom/grid/similarity.h"
 #include "seamount/geom/scalar/blend.h"
 
 namespace seamount::island {

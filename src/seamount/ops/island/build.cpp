@@ -6,7 +6,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/grid/lattice_rows.h"
+#include "seamount/geom/grid/upsample_rows.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/water/gullies.h"
 #include "seamount/ops/island/coordinate.h"
@@ -145,7 +145,7 @@ HeightField carving_change(const Making& making, const GridFrame& frame, const B
 void profile_with_change(const Making& making, const HeightField& change, Island& island, const RunContext& run) {
   const GridFrame& frame = island.terrain.frame();
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
-    geom::LatticeRows rows(change);
+    geom::RowUpsampler rows(change);
     std::vector<float> added(static_cast<size_t>(frame.width));
     for (int y = begin; y < end; ++y) {
       making.profile.evaluate(island.coordinate.row(y), island.terrain.row(y));

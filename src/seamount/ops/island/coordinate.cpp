@@ -8,9 +8,10 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/grid/lattice_rows.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/grid/upsample_rows.h"
 #include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/solve/poisson.h"
 
 namespace seamount::island {
@@ -116,8 +117,7 @@ SEAMOUNT_VECTORISED void dome_loop(const float* field, float offset, const float
   for (int i = 0; i < count; ++i) {
     const float inside = offset - field[i] - shift[i];
     const float depth = inside > 0.0F ? inside : 0.0F;
-    float t = clamp01(depth / rim);
-    t = t * t * (3.0F - 2.0F * t);
+    const float t = geom::smoothstep(depth / rim);
     const float near_rim = slope[i] * depth;
     const float rest = 1.0F - (near_rim + t * (u[i] - near_rim));
     out[i] = base + std::sqrt(rest > 0.0F ? rest : 0.0F);
@@ -280,10 +280,10 @@ void RegionCoordinate::area_row(double x0, double dx, double y, std::span<const 
                                 std::span<float> out) const {
   const auto count = static_cast<int>(out.size());
   std::vector<std::vector<float>> rows(fields_.size(), std::vector<float>(out.size()));
-  for (size_t f = 0; f < fields_.size(); ++f) geom::LatticeRows(fields_[f]).read(x0, dx, y, rows[f]);
+  for (size_t f = 0; f < fields_.size(); ++f) geom::RowUpsampler(fields_[f]).read(x0, dx, y, rows[f]);
   std::vector<float> u(out.size()), slope(out.size());
-  geom::LatticeRows(dome_.u).read(x0, dx, y, u);
-  geom::LatticeRows(dome_.slope).read(x0, dx, y, slope);
+  geom::RowUpsampler(dome_.u).read(x0, dx, y, u);
+  geom::RowUpsampler(dome_.slope).read(x0, dx, y, slope);
   const auto field_row = [&](const Level& level) { return rows[static_cast<size_t>(level.field)].data(); };
   dome_loop(field_row(levels_[0]), static_cast<float>(levels_[0].offset_m), u.data(), slope.data(), shift_m.data(),
             static_cast<float>(4.0 * dome_.u.cell_m()), static_cast<float>(first_), count, out.data());

@@ -11,6 +11,7 @@
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/scalar/curve.h"
 #include "seamount/geom/scalar/noise.h"
+#include "seamount/model/same_size.h"
 #include "seamount/ops/island/coordinate.h"
 #include "seamount/ops/island/reef_passes.h"
 
@@ -156,12 +157,8 @@ Reefed coral(const HeightField& terrain, const LabelMap& labels, const ScalarFie
   check_params(params);
   check_breakpoints(params);
   const GridFrame& frame = terrain.frame();
-  const auto differs = [&](const GridFrame& other) {
-    return other.width != frame.width || other.height != frame.height;
-  };
-  if (differs(labels.frame())) throw IncompatibleInputs("labels and terrain differ in size");
-  if (coordinate != nullptr && differs(coordinate->frame()))
-    throw IncompatibleInputs("coordinate and terrain differ in size");
+  check_same_size("labels", labels.frame(), frame);
+  if (coordinate != nullptr) check_same_size("coordinate", coordinate->frame(), frame);
   ScalarField derived;
   if (coordinate == nullptr) {
     derived = coordinate_from_labels(labels, run.part(0.0, 0.3));

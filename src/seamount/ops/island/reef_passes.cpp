@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "seamount/geom/scalar/segment.h"
+
 namespace seamount::island {
 namespace {
 
@@ -101,11 +103,9 @@ void ReefPasses::row(const GridFrame& frame, int y, std::span<float> out) const 
     const double east = std::max(pass.inner.x, pass.outer.x) + reach;
     const int begin = std::clamp(static_cast<int>(frame.column(west)), 0, frame.width);
     const int end = std::clamp(static_cast<int>(frame.column(east)) + 2, 0, frame.width);
-    const Vec2 along = pass.outer - pass.inner;
     for (int x = begin; x < end; ++x) {
       const Vec2 p{frame.x(x), py};
-      const double t = std::clamp(dot(p - pass.inner, along) / dot(along, along), 0.0, 1.0);
-      const double d = std::sqrt(squared_distance(p, pass.inner + t * along)) / pass.half_width_m;
+      const double d = std::sqrt(geom::squared_distance_to_segment(p, pass.inner, pass.outer)) / pass.half_width_m;
       const double weight = 1.0 / (1.0 + std::pow(d, 6.0));
       out[static_cast<size_t>(x)] = std::max(
           out[static_cast<size_t>(x)], static_cast<float>(d < 1.6 ? weight * (1.0 - std::pow(d / 1.6, 8.0)) : 0.0));

@@ -6,7 +6,7 @@
 
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
-#include "seamount/geom/grid/lattice_rows.h"
+#include "seamount/geom/grid/upsample_rows.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 
@@ -34,7 +34,7 @@ class StrokeField {
     void read(double x0, double dx, double y, std::span<float> east, std::span<float> north);
 
    private:
-    std::vector<geom::LatticeRows> east_, north_;
+    std::vector<geom::RowUpsampler> east_, north_;
     std::vector<float> line_;
   };
 

@@ -8,6 +8,7 @@
 #include "seamount/base/simd.h"
 #include "seamount/geom/grid/sample_rows.h"
 #include "seamount/geom/scalar/curve.h"
+#include "seamount/model/same_size.h"
 #include "seamount/ops/island/coordinate.h"
 #include "seamount/ops/island/stroke_field.h"
 
@@ -110,12 +111,8 @@ class Sources {
 };
 
 void check_sizes(const HeightField& terrain, const LabelMap* labels, const ScalarField* coordinate) {
-  const auto same = [&](const GridFrame& frame) {
-    return frame.width == terrain.width() && frame.height == terrain.height();
-  };
-  if (labels != nullptr && !same(labels->frame())) throw IncompatibleInputs("labels and terrain differ in size");
-  if (coordinate != nullptr && !same(coordinate->frame()))
-    throw IncompatibleInputs("coordinate and terrain differ in size");
+  if (labels != nullptr) check_same_size("labels", labels->frame(), terrain.frame());
+  if (coordinate != nullptr) check_same_size("coordinate", coordinate->frame(), terrain.frame());
 }
 
 std::vector<Stroke> all_strokes(const WindParams& params, const GridFrame& frame, Seed seed) {

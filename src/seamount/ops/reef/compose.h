@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "seamount/base/rng.h"
-#include "seamount/geom/grid/lattice_rows.h"
+#include "seamount/geom/grid/upsample_rows.h"
 #include "seamount/geom/scalar/curve.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/model/grid.h"
@@ -50,7 +50,7 @@ class RowComposer {
   Seed seed_;
   double radius_m_;
   geom::Fbm fine_, relief_;
-  geom::LatticeRows distance_rows_, crowding_rows_, exposure_rows_, cay_rows_, above_rows_, below_rows_;
+  geom::RowUpsampler distance_rows_, crowding_rows_, exposure_rows_, cay_rows_, above_rows_, below_rows_;
   std::vector<float> distance_, crowding_, exposure_, cay_, above_, below_, fine_noise_, relief_noise_, normal_lift_,
       edge_lift_;
 };

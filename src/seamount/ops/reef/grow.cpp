@@ -8,6 +8,7 @@
 #include "seamount/geom/contour/contour.h"
 #include "seamount/geom/grid/pyramid.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/model/same_size.h"
 #include "seamount/ops/reef/compose.h"
 #include "seamount/ops/reef/nursery.h"
 #include "seamount/ops/reef/shape.h"
@@ -115,7 +116,7 @@ LabelMap label_regions(const Grown& grown, const LabelMap* before, const ScalarF
   const GridFrame& frame = grown.terrain.frame();
   LabelMap labels(frame);
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
-    geom::LatticeRows rows(to_open_sea);
+    geom::RowUpsampler rows(to_open_sea);
     std::vector<float> away(static_cast<size_t>(frame.width));
     const auto node = static_cast<float>(0.5 * to_open_sea.cell_m());
     for (int y = begin; y < end; ++y) {
@@ -137,8 +138,7 @@ LabelMap label_regions(const Grown& grown, const LabelMap* before, const ScalarF
 
 void check_inputs(const GrowInputs& in, const GrowParams& params) {
   check_params(params);
-  if (in.labels != nullptr && (in.labels->width() != in.terrain.width() || in.labels->height() != in.terrain.height()))
-    throw IncompatibleInputs("labels and terrain differ in size");
+  if (in.labels != nullptr) check_same_size("labels", in.labels->frame(), in.terrain.frame());
 }
 
 }  // namespace

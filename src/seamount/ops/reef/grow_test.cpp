@@ -271,9 +271,9 @@ TEST(ReefGrow, SaysWhatIsWrong) {
   const ScalarField nowhere(base.frame(), 0.0F), other(GridFrame::centred(3, 3, 1), 1.0F);
   EXPECT_THAT(message(base, p, {.terrain = base, .habitat = &nowhere}), HasSubstr("habitat: the mask has no"));
   EXPECT_THAT(message(base, p, {.terrain = base, .start = &nowhere}), HasSubstr("start: no lattice cell"));
-  EXPECT_THAT(message(base, p, {.terrain = base, .habitat = &other}), HasSubstr("habitat and terrain differ in size"));
+  EXPECT_THAT(message(base, p, {.terrain = base, .habitat = &other}), HasSubstr("habitat: 3 x 3 cells do not match"));
   const LabelMap labels(other.frame(), Region::abyss);
-  EXPECT_THAT(message(base, p, {.terrain = base, .labels = &labels}), HasSubstr("labels and terrain differ in size"));
+  EXPECT_THAT(message(base, p, {.terrain = base, .labels = &labels}), HasSubstr("labels: 3 x 3 cells do not match"));
   p.normalise = true;
   p.normalised_low_m = 300;
   EXPECT_THAT(message(base, p), HasSubstr("normalised_low_m: 300 is not below"));

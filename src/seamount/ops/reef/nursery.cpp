@@ -9,6 +9,7 @@
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/scalar/spline.h"
+#include "seamount/model/same_size.h"
 
 namespace seamount::reef {
 namespace {
@@ -27,8 +28,7 @@ std::string window_text(const GrowParams& p) {
 }
 
 void check_size(const ScalarField* field, const HeightField& terrain, const char* name) {
-  if (field != nullptr && (field->width() != terrain.width() || field->height() != terrain.height()))
-    throw IncompatibleInputs(std::string(name) + " and terrain differ in size");
+  if (field != nullptr) check_same_size(name, field->frame(), terrain.frame());
 }
 
 ScalarField on_lattice(const ScalarField& field, const HeightField& terrain, const GridFrame& lattice,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "seamount/geom/scalar/blend.h"
 #include "seamount/model/drawn.h"
 
 namespace seamount::render {
@@ -31,10 +32,7 @@ inline Rgb exp_of(Rgb c) { return {std::exp(c.r), std::exp(c.g), std::exp(c.b)};
 inline float clamp01(float x) { return x < 0.0F ? 0.0F : (x > 1.0F ? 1.0F : x); }
 
 /// 0 below `low`, 1 above `high`, smooth between; also for low > high (falling).
-inline float ramp(float low, float high, float x) {
-  const float t = clamp01((x - low) / (high - low));
-  return t * t * (3.0F - 2.0F * t);
-}
+inline float ramp(float low, float high, float x) { return geom::smoothstep((x - low) / (high - low)); }
 
 /// sRGB transfer function and its inverse on [0, 1].
 float srgb_from_linear(float linear);

@@ -6,6 +6,7 @@
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
 #include "seamount/geom/water/flat_sea.h"
+#include "seamount/model/same_size.h"
 #include "seamount/ops/render/detail_noise.h"
 #include "seamount/ops/render/lava.h"
 #include "seamount/ops/render/style.h"
@@ -111,11 +112,7 @@ Grid<LayerTexel> layer_texels(const HeightField& heights, const GroundOptions& o
 
 void check_visible(const HeightField& terrain, const LabelMap* labels, const RunContext& run) {
   if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");
-  if (labels != nullptr && (labels->width() != terrain.width() || labels->height() != terrain.height())) {
-    throw IncompatibleInputs("labels: " + std::to_string(labels->width()) + " x " + std::to_string(labels->height()) +
-                             " cells do not match the terrain's " + std::to_string(terrain.width()) + " x " +
-                             std::to_string(terrain.height()));
-  }
+  if (labels != nullptr) check_same_size("labels", labels->frame(), terrain.frame());
   parallel_rows(run, terrain.width(), terrain.height(), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       float sum = 0.0F;  // becomes nan or inf with any height that is

@@ -6,16 +6,13 @@
 
 #include "seamount/geom/contour/contour.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/scalar/quantile.h"
 
 namespace seamount::sketch {
 namespace {
 
 float percentile_of(const ScalarField& field, double percentile) {
-  std::vector<float> values(field.cells().begin(), field.cells().end());
-  const auto rank = static_cast<int64_t>(std::floor(percentile / 100.0 * static_cast<double>(values.size())));
-  const auto at = values.begin() + std::min(rank, static_cast<int64_t>(values.size()) - 1);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return geom::quantile(std::vector<float>(field.cells().begin(), field.cells().end()), percentile / 100.0);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
 #include "seamount/geom/scalar/blend.h"
+#include "seamount/model/same_size.h"
 
 namespace seamount::terrain {
 namespace {
@@ -36,12 +37,7 @@ SEAMOUNT_VECTORISED void weigh_row(float strength, int count, const float* __res
 }
 
 void check_fits(const char* name, const GridFrame& other, const GridFrame& frame) {
-  if (other.width != frame.width || other.height != frame.height) {
-    throw IncompatibleInputs(std::string(name) + ": " + std::to_string(other.width) + " x " +
-                             std::to_string(other.height) + " cells do not match the first terrain's " +
-                             std::to_string(frame.width) + " x " + std::to_string(frame.height) +
-                             "; terrain.resample brings terrains to one size");
-  }
+  check_same_size(name, other, frame, "first terrain", "; terrain.resample brings terrains to one size");
   if (std::abs(other.cell_m - frame.cell_m) > 1e-6 * frame.cell_m) {
     throw IncompatibleInputs(std::string(name) + ": cells of " + format_number(other.cell_m) +
                              " m do not match the first terrain's " + format_number(frame.cell_m) +

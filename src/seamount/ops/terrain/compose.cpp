@@ -7,9 +7,9 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
-#include "seamount/geom/grid/placed_rows.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/geom/grid/sample_rows.h"
+#include "seamount/geom/grid/similarity.h"
 #include "seamount/geom/scalar/blend.h"
 
 namespace seamount::terrain {

@@ -10,6 +10,7 @@
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/scalar/noise.h"
+#include "seamount/model/same_size.h"
 
 namespace seamount::terrain {
 namespace {
@@ -209,15 +210,9 @@ class Judge {
 void check_inputs(const MaskInputs& in) {
   const GridFrame& frame = in.terrain.frame();
   if (in.terrain.empty()) throw InvalidArgument("terrain", "has no cells");
-  const auto check = [&](const char* name, const GridFrame& other) {
-    if (other.width == frame.width && other.height == frame.height) return;
-    throw IncompatibleInputs(std::string(name) + ": " + std::to_string(other.width) + " x " +
-                             std::to_string(other.height) + " cells do not match the terrain's " +
-                             std::to_string(frame.width) + " x " + std::to_string(frame.height));
-  };
-  if (in.labels != nullptr) check("labels", in.labels->frame());
-  if (in.values != nullptr) check("values", in.values->frame());
-  if (in.mask != nullptr) check("mask", in.mask->frame());
+  if (in.labels != nullptr) check_same_size("labels", in.labels->frame(), frame);
+  if (in.values != nullptr) check_same_size("values", in.values->frame(), frame);
+  if (in.mask != nullptr) check_same_size("mask", in.mask->frame(), frame);
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-#include "seamount/io/mesh.h"
+#include "seamount/io/mesh_file.h"
 
 #include <algorithm>
 #include <filesystem>
 
+#include "seamount/geom/mesh/terrain_mesh.h"
 #include "seamount/recipe/format.h"
 #include "seamount/recipe/formats/formats.h"
 #include "seamount/recipe/kinds.h"
@@ -36,14 +37,16 @@ bool has_texture(const Json& params, const std::string& path) {
 
 void write_mesh(const MeshParams& params, const OutputCall& call) {
   const auto texture = call.prepared.find("texture");
-  const io::MeshOptions options{
-      .max_triangles = params.max_triangles,
-      .vertical_scale = params.vertical_scale,
-      .base_m = params.base_m,
-      .water = params.water,
-      .texture = texture == call.prepared.end() ? nullptr : &texture->second.get<kinds::Image>(),
-      .provenance = call.provenance};
-  io::write_mesh(call.value.get<kinds::Terrain>(), call.path, options, call.run);
+  const Mesh mesh = geom::make_mesh(call.value.get<kinds::Terrain>(),
+                                    {.max_triangles = params.max_triangles,
+                                     .vertical_scale = params.vertical_scale,
+                                     .base_m = params.base_m,
+                                     .water = params.water},
+                                    call.run.part(0.0, 0.8));
+  io::write_mesh(mesh, call.path,
+                 {.texture = texture == call.prepared.end() ? nullptr : &texture->second.get<kinds::Image>(),
+                  .provenance = call.provenance});
+  call.run.report(1.0);
 }
 
 }  // namespace

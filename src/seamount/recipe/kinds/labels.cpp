@@ -13,9 +13,9 @@ namespace {
 
 /// A label raster, or a painted picture laid over the frame if nothing beside it says where it lies.
 LabelMap read_labels(const FileCall& call) {
-  if (io::extension_of(call.path) == ".png" && !std::filesystem::exists(call.path + ".json"))
-    return read_label_picture(call.path, call.frame, call.run);
-  return io::read_labels(call.path);
+  if (io::extension_of(call.path) != ".png") return io::read_labels(call.path);
+  if (!std::filesystem::exists(call.path + ".json")) return read_label_picture(call.path, call.frame, call.run);
+  return read_placed_labels(call.path, call.run);
 }
 
 }  // namespace

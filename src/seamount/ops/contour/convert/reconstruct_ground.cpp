@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "seamount/geom/scalar/quantile.h"
+
 namespace seamount::contour {
 namespace {
 
@@ -34,9 +36,7 @@ double usual_interval(const ContourSet& set) {
   std::vector<double> steps;
   steps.reserve(heights.size());
   for (size_t i = 1; i < heights.size(); ++i) steps.push_back(heights[i] - heights[i - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return geom::median(std::move(steps));
 }
 
 Ground make_ground(const ContourSet& set, double summits, const GridFrame& frame, const RunContext& run) {

@@ -14,8 +14,9 @@
 #include <cmath>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/solve/bounded_plate.h"
+#include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/solve/drain.h"
+#include "seamount/geom/solve/thin_plate.h"
 #include "seamount/ops/contour/convert/reconstruct_ground.h"
 
 namespace seamount::contour {
@@ -113,8 +114,7 @@ class Blend {
     const float across = std::max(low + high, 1e-6F);
     const float up = saturated_late(slope_of(ground_.between.low_edge(x, y), rise / across) * low / rise);
     const float down = saturated_late(slope_of(ground_.between.high_edge(x, y), rise / across) * high / rise);
-    const float t = low / across;
-    return foot + rise * (up + (1.0F - down - up) * (t * t * (3.0F - 2.0F * t)));
+    return foot + rise * (up + (1.0F - down - up) * geom::smoothstep(low / across));
   }
 
  private:
@@ -164,7 +164,7 @@ HeightField settle(const Ground& ground, HeightField heights, Bounds bounds, con
   constexpr int kFirstSweeps = 3;
   constexpr int kSweeps = 7;
   constexpr int kRounds = 2;
-  heights = geom::bounded_plate(std::move(heights), bounds.low, bounds.high, kFirstSweeps, run.part(0.0, 0.2));
+  heights = geom::smooth_thin_plate(std::move(heights), bounds.low, bounds.high, kFirstSweeps, run.part(0.0, 0.2));
   for (int round = 0; round < kRounds; ++round) {
     geom::drain(heights, basin_floors(ground, heights), run.part(0.2 + 0.3 * round, 0.3 + 0.3 * round));
     // Where a channel was cut or a floor raised, the surface may not go back.
@@ -180,8 +180,8 @@ HeightField settle(const Ground& ground, HeightField heights, Bounds bounds, con
         }
       }
     });
-    heights = geom::bounded_plate(std::move(heights), bounds.low, bounds.high, kSweeps,
-                                  run.part(0.3 + 0.3 * round, 0.5 + 0.3 * round));
+    heights = geom::smooth_thin_plate(std::move(heights), bounds.low, bounds.high, kSweeps,
+                                      run.part(0.3 + 0.3 * round, 0.5 + 0.3 * round));
   }
   geom::drain(heights, basin_floors(ground, heights), run.part(0.8, 1.0));
   return heights;

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "seamount/base/parallel.h"
 #include "seamount/base/text.h"
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/ops/contour/move/drag.h"
+#include "seamount/ops/contour/move/fading.h"
 #include "seamount/ops/contour/move/move.h"
 #include "seamount/ops/contour/move/places.h"
 #include "seamount/ops/contour/move/roughen.h"
@@ -120,27 +121,13 @@ void apply(const SmoothTool& tool, ContourSet& set, const ToolContext& context) 
 namespace {
 
 /// 1 in the middle, smoothly 0 at the border of the areas and of the frame.
-ScalarField fading_weight(const std::vector<Polygon>& within, const GridFrame& domain, double fade_m,
+ScalarField weight_within(const std::vector<Polygon>& within, const GridFrame& domain, double fade_m,
                           const RunContext& run) {
-  constexpr int kMostCells = 1024;
-  const double longest = std::max(domain.width_m(), domain.height_m());
-  GridFrame frame = domain;
-  frame.cell_m = std::max(fade_m / 8.0, longest / kMostCells);
-  frame.width = std::max(2, static_cast<int>(std::ceil(domain.width_m() / frame.cell_m)));
-  frame.height = std::max(2, static_cast<int>(std::ceil(domain.height_m() / frame.cell_m)));
-  ScalarField weight = within.empty() ? ScalarField(frame, 0.0F) : geom::signed_distance(within, frame, run);
-  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < frame.width; ++x) {
-        const int cells = std::min(std::min(x, frame.width - 1 - x), std::min(y, frame.height - 1 - y));
-        double inside = cells * frame.cell_m;
-        if (!within.empty()) inside = std::min(inside, -static_cast<double>(weight(x, y)));
-        const double t = std::clamp(inside / std::max(fade_m, 2.0 * frame.cell_m), 0.0, 1.0);
-        weight(x, y) = static_cast<float>(t * t * (3.0 - 2.0 * t));
-      }
-    }
-  });
-  return weight;
+  const GridFrame frame = fading_frame(domain, fade_m, 1024);
+  if (within.empty())
+    return fading_weight(frame, fade_m, run, [](int, int) { return std::numeric_limits<double>::infinity(); });
+  const ScalarField outside = geom::signed_distance(within, frame, run);
+  return fading_weight(frame, fade_m, run, [&](int x, int y) { return -static_cast<double>(outside(x, y)); });
 }
 
 }  // namespace
@@ -151,7 +138,7 @@ void apply(const FractalizeTool& tool, ContourSet& set, const ToolContext& conte
     check_inside(polygon.outer, set.frame, context.name + ".within");
   }
   if (tool.amplitude_m == 0.0) return;
-  const ScalarField weight = fading_weight(tool.within, set.frame, tool.fade_m, context.run);
+  const ScalarField weight = weight_within(tool.within, set.frame, tool.fade_m, context.run);
   const double slope = 1.5 / std::max(tool.fade_m, 2.0 * weight.cell_m());
   const Roughen roughen({tool.amplitude_m, tool.wavelength_m, tool.octaves, tool.gain}, weight, slope, context.seed);
   const GridFrame& frame = weight.frame();

@@ -11,6 +11,7 @@
 #include "seamount/geom/contour/nesting.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/solve/poisson.h"
 #include "seamount/ops/contour/edit/selection.h"
@@ -321,8 +322,7 @@ void fill_polygon(const Polygon& outline, const FillTool& tool, ContourSet& set,
   const double rim = std::max(0.25 * tool.wavelength_m, 4.0 * frame.cell_m);
   ScalarField share(frame);
   for (size_t i = 0; i < share.size(); ++i) {
-    const double t = std::clamp(static_cast<double>(site.inward.cells()[i]) / rim, 0.0, 1.0);
-    share.cells()[i] = static_cast<float>(t * t * (3.0 - 2.0 * t));
+    share.cells()[i] = static_cast<float>(geom::smoothstep(static_cast<double>(site.inward.cells()[i]) / rim));
   }
   ScalarField heights = stretched(site, share, 1.5 / rim, tool.wavelength_m, seed.derive("stretch"), run);
   const ScalarField noise = geom::fbm_grid(frame, seed.derive("fill"), landforms(tool.wavelength_m, frame.cell_m), run);

@@ -7,6 +7,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/solve/poisson.h"
 #include "seamount/ops/contour/edit/ground.h"
 #include "seamount/ops/contour/edit/pattern.h"
@@ -71,11 +72,6 @@ void stretch_membrane(ScalarField& values, const ScalarField& inward, const RunC
   geom::solve_laplace(values, fixed, run);
 }
 
-float smooth_step(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return static_cast<float>(t * t * (3.0 - 2.0 * t));
-}
-
 void replace(ContourSet& set, const Site& site, const ScalarField& heights, const std::string& name,
              const RunContext& run) {
   const auto [low, high] = std::minmax_element(heights.cells().begin(), heights.cells().end());
@@ -111,7 +107,7 @@ void paste_pattern(const Drawing& pattern, const PasteTool& tool, ContourSet& se
   ScalarField heights = site.ground;
   const double width = std::max(tool.blend_m, frame.cell_m);
   for (size_t i = 0; i < heights.size(); ++i) {
-    const float share = smooth_step(static_cast<double>(site.inward.cells()[i]) / width);
+    const float share = static_cast<float>(geom::smoothstep(static_cast<double>(site.inward.cells()[i]) / width));
     const float pasted = laid.cells()[i] + fit.cells()[i] + static_cast<float>(tool.raise_m);
     heights.cells()[i] += share * (pasted - heights.cells()[i]);
   }

@@ -6,9 +6,9 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
+#include "seamount/geom/contour/marching_open_triangles.h"
 #include "seamount/geom/contour/nesting.h"
 #include "seamount/geom/polygon/polygon.h"
-#include "seamount/ops/contour/edit/level_chains.h"
 #include "seamount/ops/contour/edit/patch_border.h"
 #include "seamount/ops/contour/move/places.h"
 
@@ -33,7 +33,7 @@ class PatchMesh {
     }
   }
 
-  const LevelMesh& mesh() const { return mesh_; }
+  const geom::HeightMesh& mesh() const { return mesh_; }
   /// The cut at a node of the mesh, or -1.
   int cut_at(int32_t node) const { return node >= 0 ? cut_of_node_[static_cast<size_t>(node)] : -1; }
 
@@ -133,7 +133,7 @@ class PatchMesh {
   Grid<int32_t> nodes_;
   std::vector<int32_t> cut_node_;
   std::vector<int> cut_of_node_;
-  LevelMesh mesh_;
+  geom::HeightMesh mesh_;
   double tiny_ = 0.0, gap_ = 0.0;
 };
 
@@ -141,7 +141,7 @@ class PatchMesh {
 Polyline thinned(const Polyline& points, double tolerance_m) { return geom::simplify_line(points, tolerance_m); }
 
 /// Joins outer pieces through the chains between them.
-void join_pieces(const CutContours& cut, const std::vector<const LevelChain*>& chain_from, const PatchMesh& mesh,
+void join_pieces(const CutContours& cut, const std::vector<const geom::LevelChain*>& chain_from, const PatchMesh& mesh,
                  double tolerance_m, const std::string& name, std::vector<Contour>& contours) {
   std::vector<int> piece_from(cut.cuts.size(), -1);
   for (size_t i = 0; i < cut.pieces.size(); ++i) piece_from[cut.pieces[i].from] = static_cast<int>(i);
@@ -158,7 +158,7 @@ void join_pieces(const CutContours& cut, const std::vector<const LevelChain*>& c
       used[i] = 1;
       const OuterPiece& piece = cut.pieces[i];
       made.ring.insert(made.ring.end(), piece.between.begin(), piece.between.end());
-      const LevelChain* chain = chain_from[piece.to];
+      const geom::LevelChain* chain = chain_from[piece.to];
       if (chain == nullptr) fail(piece.to);
       const int leaves = mesh.cut_at(chain->last_node);
       if (leaves < 0 || piece_from[static_cast<size_t>(leaves)] < 0) fail(piece.to);
@@ -195,14 +195,14 @@ void replace_patch(ContourSet& set, const Patch& patch, const ScalarField& heigh
   if (!cut) throw Error(name + ": a contour passes through a corner of the patch");
   run.check_cancelled();
   const PatchMesh mesh(patch, heights, levels, *cut);
-  const std::vector<LevelChain> chains = level_chains(mesh.mesh(), levels);
+  const std::vector<geom::LevelChain> chains = geom::march_open_triangles(mesh.mesh(), levels);
   run.check_cancelled();
   const double tolerance = 0.03 * patch.nodes.cell_m;
   // What a few nodes more or less would make come and go is no landform.
   const double least_area = 2.0 * patch.nodes.cell_m * patch.nodes.cell_m;
   std::vector<Contour> contours = cut->whole;
-  std::vector<const LevelChain*> chain_from(cut->cuts.size(), nullptr);
-  for (const LevelChain& chain : chains) {
+  std::vector<const geom::LevelChain*> chain_from(cut->cuts.size(), nullptr);
+  for (const geom::LevelChain& chain : chains) {
     if (chain.closed) {
       Ring ring = geom::simplify(chain.points, tolerance);
       if (ring.size() >= 3 && std::abs(geom::signed_area(ring)) >= least_area)

@@ -6,6 +6,7 @@
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/polygon/predicates.h"
 #include "seamount/ops/contour/edit/selection.h"
 #include "seamount/ops/contour/edit/site.h"
 
@@ -48,10 +49,10 @@ class Clipper {
     Polyline line;
     for (size_t i = 0; i < n; ++i) {
       const Vec2 a = contour.ring[i];
-      const Vec2 d = contour.ring[(i + 1) % n] - a;
+      const Vec2 b = contour.ring[(i + 1) % n];
       if (inside) line.push_back(a);
-      for (const double t : crossings(a, d, contour.height_m)) {
-        line.push_back(a + t * d);
+      for (const double t : crossings(a, b, contour.height_m)) {
+        line.push_back(a + t * (b - a));
         if (inside) finish(line, contour.height_m, false);
         inside = !inside;
       }
@@ -98,19 +99,19 @@ class Clipper {
     if (outer) length_ = along;
   }
 
-  /// Where a + t d crosses the outline, ascending. Ends count by which side they are on, so a touch is never one
+  /// Where a + t (b - a) crosses the outline, ascending. Ends count by which side they are on, so a touch is never one
   /// crossing.
-  const std::vector<double>& crossings(Vec2 a, Vec2 d, double height) {
+  const std::vector<double>& crossings(Vec2 a, Vec2 b, double height) {
     at_.clear();
-    const Vec2 b = a + d;
+    const Vec2 d = b - a;
     if (std::min(a.x, b.x) > box_.high.x || std::max(a.x, b.x) < box_.low.x || std::min(a.y, b.y) > box_.high.y ||
         std::max(a.y, b.y) < box_.low.y)
       return at_;
     for (const OutlineEdge& edge : edges_) {
-      const bool a_left = cross(edge.d, a - edge.a) > 0.0;
-      const bool b_left = cross(edge.d, b - edge.a) > 0.0;
-      const bool from_left = cross(d, edge.a - a) > 0.0;
-      const bool to_left = cross(d, edge.b - a) > 0.0;
+      const bool a_left = geom::orientation_sign(edge.a, edge.b, a) > 0;
+      const bool b_left = geom::orientation_sign(edge.a, edge.b, b) > 0;
+      const bool from_left = geom::orientation_sign(a, b, edge.a) > 0;
+      const bool to_left = geom::orientation_sign(a, b, edge.b) > 0;
       if (a_left == b_left || from_left == to_left) continue;
       const double t = cross(edge.a - a, edge.d) / cross(d, edge.d);
       at_.push_back(std::clamp(t, 0.0, 1.0));

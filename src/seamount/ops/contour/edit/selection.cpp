@@ -6,6 +6,7 @@
 
 #include "seamount/base/text.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/segment.h"
 #include "seamount/ops/contour/move/places.h"
 
 namespace seamount::contour {
@@ -14,12 +15,7 @@ namespace {
 double squared_distance(const Ring& ring, Vec2 p) {
   double best = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 a = ring[i];
-    const Vec2 d = ring[i + 1 < ring.size() ? i + 1 : 0] - a;
-    const double squared = dot(d, d);
-    const double t = squared > 0.0 ? std::clamp(dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
-    const Vec2 off = p - (a + t * d);
-    best = std::min(best, dot(off, off));
+    best = std::min(best, geom::squared_distance_to_segment(p, ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]));
   }
   return best;
 }

@@ -2,26 +2,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seamount/geom/scalar/weighted_bag.h"
+#include "seamount/geom/scalar/weighted_sampler.h"
 #include "seamount/ops/contour/growth/growth.h"
 
 namespace seamount::contour {
 
-using geom::WeightedBag;
+using geom::WeightedSampler;
 
 uint32_t growth_weight(double probability) {
-  return static_cast<uint32_t>(std::lround(std::clamp(probability, 0.001, 0.999) * WeightedBag::kMost));
+  return static_cast<uint32_t>(std::lround(std::clamp(probability, 0.001, 0.999) * WeightedSampler::kMost));
 }
 
 void eden_growth(const RegionGraph& graph, std::span<const int32_t> seeds, std::span<const uint32_t> weights,
                  bool against, Rng rng, std::span<uint32_t> step, const RunContext& run) {
   constexpr uint32_t kStepsPerCheck = 1 << 13;
-  WeightedBag frontier;
+  WeightedSampler frontier;
   uint32_t steps = 0;
   const auto reach = [&](int32_t node) {
     const auto n = static_cast<size_t>(node);
     step[n] = ++steps;
-    frontier.add(static_cast<uint32_t>(node), against ? WeightedBag::kMost - weights[n] : weights[n]);
+    frontier.add(static_cast<uint32_t>(node), against ? WeightedSampler::kMost - weights[n] : weights[n]);
   };
   for (const int32_t node : seeds) {
     if (step[static_cast<size_t>(node)] == 0) reach(node);
@@ -29,7 +29,7 @@ void eden_growth(const RegionGraph& graph, std::span<const int32_t> seeds, std::
   std::vector<int32_t> free;
   for (uint32_t draws = 0; !frontier.empty(); ++draws) {
     if (draws % kStepsPerCheck == 0) run.check_cancelled();
-    const WeightedBag::Place place = frontier.draw(rng);
+    const WeightedSampler::Place place = frontier.draw(rng);
     const auto node = static_cast<int32_t>(frontier.item(place));
     free.clear();
     for (const int32_t neighbour : graph.around(node)) {

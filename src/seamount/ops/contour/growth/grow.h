@@ -84,18 +84,18 @@ struct GrowParams {
 /// The network of the regions in the part of the domain that they cover, with a rim of two spacings around it and
 /// beyond the domain's edge; rank per node, no heights. `probability`: in [0, 1] wherever nodes lie, read bilinearly,
 /// over any frame (clamped at its edge); null: params.probability. `rivers`: laid into the network (rivers.h), besides
-/// params.rivers. Throws InvalidArgument for params out of range, more
-/// than kMostNodes nodes (with the estimate of memory and the spacing that would do), a region into which no node falls
-/// (with the spacing that would do), what prepare_rivers throws, IncompatibleInputs for probabilities that are not
-/// numbers in [0, 1]. Growth of one region is serial, the rest parallel; about 1.5 us and 200 bytes per node.
+/// params.rivers. Throws InvalidArgument for params out of range, more than kMostNodes nodes (with the estimate of
+/// memory and the spacing that would do), a region into which no node falls (with the spacing that would do), what
+/// prepare_rivers throws, IncompatibleInputs for probabilities that are not numbers in [0, 1].
+/// Growth of one region is serial, the rest parallel; about 1.5 us and 200 bytes per node.
 Tin grow(RegionTree tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
          GrowParams params, Seed seed, const RunContext& run);
 
 // Its two halves, for networks whose regions are not a person's own (refine.h). Params are not checked.
 
 /// Nodes, triangles, beds and the region of each node; regions may be without nodes.
-Tin strew_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<RiverLine> rivers,
-                const GrowParams& params, Seed seed, const RunContext& run);
+Tin scatter_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<RiverLine> rivers,
+                  const GrowParams& params, Seed seed, const RunContext& run);
 /// Ranks for them.
 void grow_nodes(Tin& tin, const ScalarField* probability, const GrowParams& params, Seed seed, const RunContext& run);
 

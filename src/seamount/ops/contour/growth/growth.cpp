@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/solve/graph_blend.h"
+#include "seamount/geom/solve/graph_laplace.h"
 
 namespace seamount::contour {
 namespace {
@@ -149,7 +149,7 @@ class RegionGrowth {
         level[slot] = fixed[slot] == 0 ? share : std::min(level[slot], share);
         fixed[slot] = 1;
       }
-      geom::blend_over_graph(starts, neighbours, fixed, level, run);
+      geom::solve_graph_laplace(starts, neighbours, fixed, level, run);
       for (size_t i = 0; i < members_.size(); ++i) {
         (upper ? work.high : work.low)[at(members_[i])] = static_cast<float>(level[i]);
       }

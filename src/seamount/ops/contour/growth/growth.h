@@ -45,7 +45,7 @@ std::vector<float> grow_ranks(std::span<const std::array<int32_t, 3>> triangles,
 
 /// One Open Eden Growth over the graph from `seeds`, which come first and in their order. step[i] = 1, 2, ... in the
 /// order in which nodes are reached; nodes whose step is not 0 at first are not entered. weights: in
-/// [1, WeightedBag::kMost] per node; `against` draws in proportion to kMost - weight instead.
+/// [1, WeightedSampler::kMost] per node; `against` draws in proportion to kMost - weight instead.
 void eden_growth(const RegionGraph& graph, std::span<const int32_t> seeds, std::span<const uint32_t> weights,
                  bool against, Rng rng, std::span<uint32_t> step, const RunContext& run);
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "seamount/geom/scalar/weighted_bag.h"
+#include "seamount/geom/scalar/weighted_sampler.h"
 
 namespace seamount::contour {
 namespace {
@@ -107,8 +107,8 @@ TEST(EdenGrowth, EntersOnlyFreeNodes) {
 TEST(GrowthWeight, IsClamped) {
   EXPECT_EQ(growth_weight(0.0), growth_weight(0.001));
   EXPECT_EQ(growth_weight(1.0), growth_weight(0.999));
-  EXPECT_LT(growth_weight(1.0), geom::WeightedBag::kMost);
-  EXPECT_EQ(growth_weight(0.5), geom::WeightedBag::kMost / 2);
+  EXPECT_LT(growth_weight(1.0), geom::WeightedSampler::kMost);
+  EXPECT_EQ(growth_weight(0.5), geom::WeightedSampler::kMost / 2);
 }
 
 std::vector<TinRegion> nested(const std::vector<std::pair<int, bool>>& parents_and_basins) {

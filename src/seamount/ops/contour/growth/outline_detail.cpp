@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/quantile.h"
 #include "seamount/geom/scalar/spline.h"
 #include "seamount/ops/contour/move/roughen.h"
 
@@ -39,9 +40,7 @@ double usual_side(const RegionTree& tree, const std::vector<RiverLine>& rivers, 
   for (const RiverLine& river : rivers) {
     for (size_t i = 1; i < river.points.size(); ++i) add(river.points[i - 1], river.points[i]);
   }
-  const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
-  std::nth_element(sides.begin(), middle, sides.end());
-  return std::max(*middle, domain.cell_m);
+  return std::max(geom::median(std::move(sides)), domain.cell_m);
 }
 
 /// The closed spline through a ring's points: that of the ring with three points more at both ends, without what those

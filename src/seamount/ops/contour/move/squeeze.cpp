@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
+#include "seamount/geom/scalar/segment.h"
 #include "seamount/geom/scalar/spline.h"
 
 namespace seamount::contour {
@@ -46,11 +47,7 @@ Squeeze::Squeeze(const Polyline& stroke, double radius_m, int k)
 }
 
 double Squeeze::squared_distance(size_t piece, Vec2 place, Vec2& nearest) const {
-  const Vec2 a = line_[piece];
-  const Vec2 d = line_[piece + 1] - a;
-  const double squared = dot(d, d);
-  const double t = squared > 0.0 ? std::clamp(dot(place - a, d) / squared, 0.0, 1.0) : 0.0;
-  nearest = a + t * d;
+  nearest = geom::nearest_on_segment(place, line_[piece], line_[piece + 1]);
   const Vec2 off = place - nearest;
   return dot(off, off);
 }

@@ -7,12 +7,12 @@
 #include <iterator>
 #include <utility>
 
-#include "seamount/base/parallel.h"
 #include "seamount/base/text.h"
 #include "seamount/geom/contour/nesting.h"
 #include "seamount/geom/polygon/distance.h"
-#include "seamount/geom/polygon/frame_closing.h"
+#include "seamount/geom/polygon/frame_clipping.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/ops/contour/move/fading.h"
 #include "seamount/ops/contour/move/local_nesting.h"
 #include "seamount/ops/contour/move/move.h"
 #include "seamount/ops/contour/move/roughen.h"
@@ -28,7 +28,6 @@ constexpr double kShortestWave = 2.5;  ///< in fine spacings
 constexpr double kAmplitude = 0.25;    ///< in coarse spacings
 constexpr double kGain = 0.55;         ///< of an octave over the one before
 constexpr double kFade = 2.0;          ///< over which detail ends at what stays, in coarse spacings
-constexpr int kMostWeightCells = 2048;
 
 /// The contours on their way, in one order.
 struct Held {
@@ -50,7 +49,7 @@ Held close(const std::vector<HeldOutline>& outlines, const std::vector<Contour>&
   for (const Contour& contour : found) rings.push_back(contour.ring);
   Held held;
   held.set.frame = frame;
-  for (geom::ClosedRing& closed : geom::close_at_frame(rings, frame, reach_m)) {
+  for (geom::ClippedRing& closed : geom::clip_to_frame(rings, frame, reach_m)) {
     const bool given = closed.of < outlines.size();
     const double height = given ? *outlines[closed.of].region.height_m : found[closed.of - outlines.size()].height_m;
     held.set.contours.push_back({height, std::move(closed.ring), -1});
@@ -130,25 +129,10 @@ void drop_small(Held& held, double least_area_m2) {
 /// 1 away from what stays and from the frame's edge, 0 there.
 ScalarField detail_weight(const GridFrame& domain, const std::vector<Polyline>& fixed, double fade_m,
                           const RunContext& run) {
-  GridFrame frame = domain;
-  const double longest = std::max(domain.width_m(), domain.height_m());
-  frame.cell_m = std::max(fade_m / 8.0, longest / kMostWeightCells);
-  frame.width = std::max(2, static_cast<int>(std::ceil(domain.width_m() / frame.cell_m)));
-  frame.height = std::max(2, static_cast<int>(std::ceil(domain.height_m() / frame.cell_m)));
-  ScalarField weight = geom::distance_to_lines(fixed, frame, run);
-  const double fade = std::max(fade_m, 2.0 * frame.cell_m);
+  const GridFrame frame = fading_frame(domain, fade_m, 2048);
+  const ScalarField distance = geom::distance_to_lines(fixed, frame, run);
   const double none = 1.5 * frame.cell_m;  // so that it is 0 at all four cells about a place on a line
-  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < frame.width; ++x) {
-        const int cells = std::min(std::min(x, frame.width - 1 - x), std::min(y, frame.height - 1 - y));
-        const double far = std::min(cells * frame.cell_m, static_cast<double>(weight(x, y)) - none);
-        const double t = std::clamp(far / fade, 0.0, 1.0);
-        weight(x, y) = static_cast<float>(t * t * (3.0 - 2.0 * t));
-      }
-    }
-  });
-  return weight;
+  return fading_weight(frame, fade_m, run, [&](int x, int y) { return static_cast<double>(distance(x, y)) - none; });
 }
 
 bool stays(const Held& held, const std::vector<HeldOutline>& outlines, size_t i) {

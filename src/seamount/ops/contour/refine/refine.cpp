@@ -98,7 +98,7 @@ class Refining {
     grow.rivers = params_.rivers;
     const RegionTree tree = hold_contours(ground.outlines, found, ground.frame,
                                           {ground.spacing_m, final_, params_.roughness}, seed.derive("detail"), run);
-    Tin tin = strew_nodes(tree, ground.frame, inputs_.rivers, grow, seed, run.part(0.2, 0.6));
+    Tin tin = scatter_nodes(tree, ground.frame, inputs_.rivers, grow, seed, run.part(0.2, 0.6));
     fit_regions(tin);
     const std::vector<int32_t> region = regions_at(regions_of(tin), ground.places, run);
     set_peaks(tin, ground, region);
