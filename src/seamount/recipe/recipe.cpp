@@ -8,6 +8,7 @@
 #include <fstream>
 #include <set>
 
+#include "seamount/recipe/bypass.h"
 #include "seamount/recipe/domain.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/output_files.h"
@@ -20,6 +21,7 @@ struct DraftStep {
   Step step;
   ReadPlace place;
   const Json* in = nullptr;
+  bool bypass = false;
 };
 
 std::optional<std::string> text_member(const Json& object, const std::string& key, const ReadPlace& place,
@@ -70,6 +72,7 @@ class RecipeReader {
     read_domain(root_.value("domain", Json::object()));
     read_steps();
     order_steps();
+    leave_out_bypassed();
     read_outputs();
   }
 
@@ -115,7 +118,7 @@ class RecipeReader {
   void read_step(const Json& json, DraftStep& draft) {
     const ReadPlace& place = draft.place;
     if (!json.is_object()) return place.expected("a step {\"id\", \"op\", \"in\", \"params\"}", json);
-    refuse_unknown_keys(json, {"id", "op", "in", "params", "seed", "about"}, "member", place);
+    refuse_unknown_keys(json, {"id", "op", "in", "params", "seed", "bypass", "about"}, "member", place);
     draft.step.id = text_member(json, "id", place, true).value_or("");
     if (!draft.step.id.empty() && !good_id(draft.step.id)) {
       place.at("id").fail("'" + draft.step.id + "' is no id: up to 64 letters, digits, '_' and '-'");
@@ -133,6 +136,8 @@ class RecipeReader {
       draft.step.params = draft.step.op->complete(json.value("params", Json::object()), place.at("params"));
     }
     if (const auto in = json.find("in"); in != json.end()) draft.in = &*in;
+    if (const auto bypass = json.find("bypass"); bypass != json.end())
+      read_json(*bypass, draft.bypass, place.at("bypass"));
   }
 
   void connect(DraftStep& draft) {
@@ -148,12 +153,17 @@ class RecipeReader {
       const auto member = in.find(port.name);
       if (member != in.end()) {
         if (auto source = read_source(*member, place.at(port.name), {port.kind})) draft.step.in[port.name] = *source;
-      } else if (port.required) {
-        (draft.in == nullptr ? draft.place : place)
-            .fail(fmt::format("{} needs the input '{}': {}", op->name, port.name, port.help));
+      } else if (port.required && !draft.bypass) {
+        leave_open(draft.step, draft.in == nullptr ? draft.place : place,
+                   fmt::format("{} needs the input '{}': {}", op->name, port.name, port.help));
       }
     }
     refuse_unknown_keys(in, names, "input", place);
+  }
+
+  static void leave_open(Step& step, const ReadPlace& place, const std::string& why) {
+    place.diagnostics.add_open(place.pointer, why);
+    if (step.incomplete.empty()) step.incomplete = why;
   }
 
   /// "step.port", or {"file": name}. Checks that it exists and fits one of `kinds` (none: anything).
@@ -242,6 +252,37 @@ class RecipeReader {
     return path;
   }
 
+  /// Connects what was connected to bypassed steps to what these pass on.
+  void leave_out_bypassed() {
+    std::vector<Step> kept;
+    for (Step& step : recipe_.steps) {
+      const DraftStep* draft = find_draft(step.id);
+      for (auto input = step.in.begin(); input != step.in.end();) {
+        const auto followed = follow(recipe_.bypassed, input->second);
+        if (followed) {
+          (input++)->second = *followed;
+          continue;
+        }
+        report_nothing(step, *input, draft->place.at("in").at(input->first), draft->bypass);
+        input = step.in.erase(input);
+      }
+      (draft->bypass ? recipe_.bypassed : kept).push_back(std::move(step));
+    }
+    recipe_.steps = std::move(kept);
+  }
+
+  /// An input gets nothing from a bypassed step. A port that could pass nothing on is an error in any case.
+  void report_nothing(Step& step, const std::pair<const std::string, Source>& input, const ReadPlace& place,
+                      bool bypass) {
+    const Operator& producer = *find_draft(input.second.step)->step.op;
+    const std::string why = why_nothing(recipe_.bypassed, input.second);
+    if (stand_in(producer, *producer.find_out(input.second.port)) == nullptr) {
+      place.fail(why);
+    } else if (step.op->find_in(input.first)->required && !bypass) {
+      leave_open(step, place, fmt::format("{} needs the input '{}': {}", step.op->name, input.first, why));
+    }
+  }
+
   void read_outputs() {
     const auto outputs = root_.find("outputs");
     if (outputs == root_.end()) return;
@@ -276,11 +317,13 @@ class RecipeReader {
       place.at("from").fail("an output comes from a step");
       return false;
     }
-    output.from = *source;
+    const auto followed = follow_for_output(*source, place.at("from"));
+    if (!followed) return false;
+    output.from = *followed;
     output.path = relative.string();
     const Kind& kind = *find_draft(source->step)->step.op->find_out(source->port)->kind;
     if (!choose_format(kind, as, output, place)) return false;
-    const std::optional<Source> labels = labels_for(json, *source, place);
+    const std::optional<Source> labels = labels_for(json, *followed, place);
     Json params = json;
     for (const char* key : {"from", "path", "as", "labels", "about"}) params.erase(key);
     const size_t before = place.diagnostics.items().size();
@@ -293,6 +336,26 @@ class RecipeReader {
         prepare(wanted, kind, labels, output);
     }
     return true;
+  }
+
+  /// The step that an output really comes from; reports a bypassed one that passes on nothing, or a file.
+  std::optional<Source> follow_for_output(const Source& source, const ReadPlace& place) {
+    const auto followed = follow(recipe_.bypassed, source);
+    if (!followed) {
+      const Operator& producer = *find_draft(source.step)->step.op;
+      const bool open = stand_in(producer, *producer.find_out(source.port)) != nullptr;
+      const std::string why = why_nothing(recipe_.bypassed, source);
+      if (open) {
+        place.diagnostics.add_open(place.pointer, why);
+      } else {
+        place.fail(why);
+      }
+    } else if (followed->from_file()) {
+      place.fail(fmt::format("an output comes from a step; '{}.{}' is bypassed and passes on the file '{}'",
+                             source.step, source.port, followed->file));
+      return std::nullopt;
+    }
+    return followed;
   }
 
   /// Adds the step that makes something of an output's value, unless there is one already that makes the same.
@@ -353,7 +416,10 @@ class RecipeReader {
   /// "labels" as given, or the labels output of the same step.
   std::optional<Source> labels_for(const Json& json, const Source& from, const ReadPlace& place) {
     if (const auto given = json.find("labels"); given != json.end()) {
-      return read_source(*given, place.at("labels"), {&kinds::Labels::kind()});
+      const auto source = read_source(*given, place.at("labels"), {&kinds::Labels::kind()});
+      if (source && source->from_file()) place.at("labels").fail("the labels of an output come from a step");
+      if (!source || source->from_file()) return std::nullopt;
+      return follow_for_output(*source, place.at("labels"));
     }
     for (const Port& port : find_draft(from.step)->step.op->out) {
       if (port.kind == &kinds::Labels::kind()) return Source{from.step, port.name, ""};
@@ -370,16 +436,22 @@ class RecipeReader {
 
 }  // namespace
 
-Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
-                    const RecipeChanges& changes, const Registry& registry) {
-  JsonDocument document = parse_json(text, file);
-  apply_changes(document.root, changes);
+Recipe read_document(const Json& root, const std::string& file, const std::string& folder, Diagnostics& diagnostics,
+                     const Registry& registry) {
   Recipe recipe;
   recipe.file = file;
   recipe.folder = folder;
   recipe.registry = &registry;
+  RecipeReader(root, recipe, diagnostics).read();
+  return recipe;
+}
+
+Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
+                    const RecipeChanges& changes, const Registry& registry) {
+  JsonDocument document = parse_json(text, file);
+  apply_changes(document.root, changes);
   Diagnostics diagnostics;
-  RecipeReader(document.root, recipe, diagnostics).read();
+  Recipe recipe = read_document(document.root, file, folder, diagnostics, registry);
   if (!diagnostics.empty()) {
     place_diagnostics(diagnostics, document);
     throw RecipeError(file, diagnostics.items());
@@ -387,7 +459,7 @@ Recipe parse_recipe(const std::string& text, const std::string& file, const std:
   return recipe;
 }
 
-Recipe read_recipe(const std::string& path, const RecipeChanges& changes, const Registry& registry) {
+std::string read_recipe_text(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw IoError(path, "is a folder, not a recipe");
   std::ifstream file(path, std::ios::binary);
@@ -398,7 +470,12 @@ Recipe read_recipe(const std::string& path, const RecipeChanges& changes, const 
     file.read(block.data(), block.size());
     text.append(block.data(), static_cast<size_t>(file.gcount()));
   }
-  return parse_recipe(text, path, std::filesystem::path(path).parent_path().string(), changes, registry);
+  return text;
+}
+
+Recipe read_recipe(const std::string& path, const RecipeChanges& changes, const Registry& registry) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return parse_recipe(read_recipe_text(path), path, folder, changes, registry);
 }
 
 }  // namespace seamount::recipe
