@@ -9,54 +9,16 @@
 #include <mutex>
 
 #include "seamount/base/background.h"
-#include "seamount/recipe/bypass.h"
+#include "seamount/recipe/engine_view.h"
 #include "seamount/recipe/output_files.h"
 
 namespace seamount::recipe {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Outcome = Scheduler::Outcome;
 
 /// How long an export takes to notice that it should stop.
 constexpr int kPollMilliseconds = 5;
-
-/// The results of one revision at one quality that somebody wants to see.
-struct View {
-  uint64_t revision = 0;
-  bool coarse = false;
-  std::string gesture;               ///< of the edit that led to the revision
-  std::map<Source, Source> sources;  ///< what is wanted, and where it really comes from
-  std::shared_ptr<const Plan> plan;
-};
-
-/// The newest result of something wanted.
-struct Latest {
-  Finished finished;
-  Digest key;
-
-  /// Is a view's result newer or better, or another one since a file has changed?
-  bool gives_way_to(const View& view, const Digest& other) const {
-    const std::pair mine(finished.revision, !finished.coarse), theirs(view.revision, !view.coarse);
-    return theirs > mine || (theirs == mine && !(other == key));
-  }
-};
-
-/// What there is of the wanted sources in a recipe, by what was asked for.
-std::map<Source, Source> find_sources(const Recipe& recipe, const std::vector<Source>& wanted) {
-  std::map<Source, Source> found;
-  for (const Source& source : wanted) {
-    const auto of_step = [&](const Step& step) { return step.id == source.step; };
-    const auto bypassed = std::find_if(recipe.bypassed.begin(), recipe.bypassed.end(), of_step);
-    if (bypassed != recipe.bypassed.end() && bypassed->op->find_out(source.port) == nullptr) continue;
-    const auto followed = follow(recipe.bypassed, source);
-    if (!followed || followed->from_file()) continue;
-    const auto step = std::find_if(recipe.steps.begin(), recipe.steps.end(),
-                                   [&](const Step& candidate) { return candidate.id == followed->step; });
-    if (step != recipe.steps.end() && step->op->find_out(followed->port) != nullptr) found[source] = *followed;
-  }
-  return found;
-}
 
 std::string message_of(const std::exception_ptr& failure) {
   try {

@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "seamount/recipe/bypass.h"
 #include "seamount/recipe/domain.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/output_files.h"
+#include "seamount/recipe/step_order.h"
 
 namespace seamount::recipe {
 namespace {
@@ -213,43 +212,14 @@ class RecipeReader {
 
   /// Steps in an order in which each follows what it needs; names the steps of a cycle.
   void order_steps() {
-    std::set<std::string> placed;
-    std::vector<DraftStep*> waiting;
-    for (DraftStep& draft : drafts_) waiting.push_back(&draft);
-    const auto ready = [&](const DraftStep* draft) {
-      for (const auto& [port, source] : draft->step.in) {
-        if (!source.from_file() && !placed.contains(source.step)) return false;
-      }
-      return true;
-    };
-    while (!waiting.empty()) {
-      const auto next = std::find_if(waiting.begin(), waiting.end(), ready);
-      if (next == waiting.end()) break;
-      placed.insert((*next)->step.id);
-      recipe_.steps.push_back((*next)->step);
-      waiting.erase(next);
-    }
-    if (waiting.empty()) return;
-    const std::vector<std::string> cycle = find_cycle(waiting);
-    std::string chain;
-    for (const std::string& id : cycle) chain += id + " -> ";
-    find_draft(cycle.front())->place.at("in").fail("the steps need each other in a circle: " + chain + cycle.front());
-  }
-
-  static std::vector<std::string> find_cycle(const std::vector<DraftStep*>& waiting) {
-    std::map<std::string, const DraftStep*> by_id;
-    for (const DraftStep* draft : waiting) by_id[draft->step.id] = draft;
-    std::vector<std::string> path;
-    std::string id = waiting.front()->step.id;
-    while (std::find(path.begin(), path.end(), id) == path.end()) {
-      path.push_back(id);
-      for (const auto& [port, source] : by_id[id]->step.in) {
-        if (by_id.contains(source.step)) id = source.step;
-      }
-    }
-    path.erase(path.begin(), std::find(path.begin(), path.end(), id));
-    std::reverse(path.begin(), path.end());
-    return path;
+    std::vector<Step> steps;
+    for (const DraftStep& draft : drafts_) steps.push_back(draft.step);
+    StepOrder order = order_of(std::move(steps));
+    recipe_.steps = std::move(order.steps);
+    if (order.cycle.empty()) return;
+    const std::string& first = order.cycle.front();
+    find_draft(first)->place.at("in").fail(
+        fmt::format("the steps need each other in a circle: {} -> {}", fmt::join(order.cycle, " -> "), first));
   }
 
   /// Connects what was connected to bypassed steps to what these pass on.
@@ -444,38 +414,6 @@ Recipe read_document(const Json& root, const std::string& file, const std::strin
   recipe.registry = &registry;
   RecipeReader(root, recipe, diagnostics).read();
   return recipe;
-}
-
-Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
-                    const RecipeChanges& changes, const Registry& registry) {
-  JsonDocument document = parse_json(text, file);
-  apply_changes(document.root, changes);
-  Diagnostics diagnostics;
-  Recipe recipe = read_document(document.root, file, folder, diagnostics, registry);
-  if (!diagnostics.empty()) {
-    place_diagnostics(diagnostics, document);
-    throw RecipeError(file, diagnostics.items());
-  }
-  return recipe;
-}
-
-std::string read_recipe_text(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw IoError(path, "is a folder, not a recipe");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw IoError(path, std::filesystem::exists(path, ignored) ? "cannot be read" : "no such file");
-  std::string text;
-  while (file && text.size() <= kLargestText) {
-    std::array<char, 1 << 16> block{};
-    file.read(block.data(), block.size());
-    text.append(block.data(), static_cast<size_t>(file.gcount()));
-  }
-  return text;
-}
-
-Recipe read_recipe(const std::string& path, const RecipeChanges& changes, const Registry& registry) {
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  return parse_recipe(read_recipe_text(path), path, folder, changes, registry);
 }
 
 }  // namespace seamount::recipe

@@ -11,13 +11,11 @@
 #include "seamount/base/background.h"
 #include "seamount/base/parallel.h"
 #include "seamount/recipe/cache.h"
-#include "seamount/recipe/result_store.h"
+#include "seamount/recipe/plan_walk.h"
 #include "seamount/recipe/step_work.h"
 
 namespace seamount::recipe {
 namespace {
-
-using Outcome = Scheduler::Outcome;
 
 /// More steps than this at once would only take more memory: each has parallel loops of its own.
 constexpr int kMostSteps = 16;
@@ -44,80 +42,6 @@ struct Job {
   const Step& step() const { return plan->recipe->steps[index]; }
   const PlannedStep& planned() const { return plan->steps[index]; }
 };
-
-/// One look over what a plan needs, from its targets up, as far as results are missing.
-class Walk {
- public:
-  Walk(const Plan& plan, ResultStore& results) : plan_(plan), results_(results), seen_(plan.steps.size()) {}
-
-  Outcome all() {
-    Outcome worst = Outcome::done;
-    for (const size_t target : plan_.targets) worst = worse(worst, visit(target));
-    return worst;
-  }
-
-  /// The first step that can be worked on now, and whether it is to be computed (or looked for on disk).
-  std::optional<std::pair<size_t, bool>> next;
-  std::exception_ptr failure;
-
- private:
-  /// Waiting outweighs failed: something can still be done.
-  static Outcome worse(Outcome a, Outcome b) {
-    if (a == Outcome::waiting || b == Outcome::waiting) return Outcome::waiting;
-    return a == Outcome::failed || b == Outcome::failed ? Outcome::failed : Outcome::done;
-  }
-
-  Outcome visit(size_t index) {
-    if (!seen_[index]) seen_[index] = look(index);
-    return *seen_[index];
-  }
-
-  Outcome fail(const std::exception_ptr& why) {
-    if (!failure) failure = why;
-    return Outcome::failed;
-  }
-
-  Outcome look(size_t index) {
-    const PlannedStep& planned = plan_.steps[index];
-    if (planned.defect) return fail(planned.defect);
-    Result& result = results_.at(planned.key);
-    if (result.values) return Outcome::done;
-    if (result.failure) return fail(result.failure);
-    if (result.running) return Outcome::waiting;
-    if (!result.not_on_disk) return offer(index, false);
-    Outcome inputs = Outcome::done;
-    for (const size_t from : planned.reads) inputs = worse(inputs, visit(from));
-    return inputs == Outcome::done ? offer(index, true) : inputs;
-  }
-
-  Outcome offer(size_t index, bool compute) {
-    if (!next) next = {index, compute};
-    return Outcome::waiting;
-  }
-
-  const Plan& plan_;
-  ResultStore& results_;
-  std::vector<std::optional<Outcome>> seen_;
-};
-
-/// Calls visit(key, result) for what a plan's targets rest on: results that are not there, and the first ones above
-/// them that are.
-template <class Visit>
-void for_each_open_end(const Plan& plan, const ResultStore& results, Visit visit) {
-  std::vector<bool> seen(plan.steps.size());
-  std::vector<size_t> ahead = plan.targets;
-  while (!ahead.empty()) {
-    const size_t index = ahead.back();
-    ahead.pop_back();
-    if (seen[index]) continue;
-    seen[index] = true;
-    const PlannedStep& planned = plan.steps[index];
-    if (planned.defect) continue;
-    const Result* result = results.find(planned.key);
-    visit(planned, result);
-    if (result == nullptr || !result->values) ahead.insert(ahead.end(), planned.reads.begin(), planned.reads.end());
-  }
-}
 
 }  // namespace
 
@@ -171,7 +95,7 @@ class Scheduler::Work {
     std::unique_lock lock(mutex_);
     return wake_.wait_for(lock, std::chrono::milliseconds(milliseconds), [&] {
       return std::all_of(plans_.begin(), plans_.end(),
-                         [&](const auto& plan) { return Walk(*plan, results_).all() != Outcome::waiting; });
+                         [&](const auto& plan) { return PlanWalk(*plan, results_).outcome() != Outcome::waiting; });
     });
   }
 
@@ -201,9 +125,8 @@ class Scheduler::Work {
 
   std::pair<Outcome, std::exception_ptr> outcome(const Plan& plan) {
     const std::lock_guard lock(mutex_);
-    Walk walk(plan, results_);
-    const Outcome outcome = walk.all();
-    return {outcome, walk.failure};
+    const PlanWalk walk(plan, results_);
+    return {walk.outcome(), walk.failure()};
   }
 
   double fraction(const Plan& plan) {
@@ -261,10 +184,10 @@ class Scheduler::Work {
 
   std::optional<Job> next_job() {
     for (const auto& plan : plans_) {
-      Walk walk(*plan, results_);
-      if (walk.all() != Outcome::waiting) continue;
-      if (!walk.next) return std::nullopt;  // the plans behind it wait until it is settled
-      return Job{plan, walk.next->first, walk.next->second};
+      const PlanWalk walk(*plan, results_);
+      if (walk.outcome() != Outcome::waiting) continue;
+      if (!walk.next()) return std::nullopt;  // the plans behind it wait until it is settled
+      return Job{plan, walk.next()->index, walk.next()->compute};
     }
     return std::nullopt;
   }
@@ -420,7 +343,7 @@ void Scheduler::forget_failures() { work_->forget_failures(); }
 bool Scheduler::wait_for(int milliseconds) const { return work_->wait_for(milliseconds); }
 StepProgress Scheduler::progress(const Digest& key) const { return work_->progress(key); }
 std::optional<Values> Scheduler::values(const Digest& key) const { return work_->values(key); }
-Scheduler::Outcome Scheduler::outcome(const Plan& plan) const { return work_->outcome(plan).first; }
+Outcome Scheduler::outcome(const Plan& plan) const { return work_->outcome(plan).first; }
 std::exception_ptr Scheduler::failure(const Plan& plan) const { return work_->outcome(plan).second; }
 double Scheduler::fraction(const Plan& plan) const { return work_->fraction(plan); }
 std::vector<bool> Scheduler::ahead(const Plan& plan) const { return work_->ahead(plan); }

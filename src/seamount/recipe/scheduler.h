@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "seamount/recipe/plan.h"
+#include "seamount/recipe/plan_walk.h"
 #include "seamount/recipe/value.h"
 
 namespace seamount::recipe {
@@ -67,8 +67,6 @@ class Scheduler {
   /// The outputs of a key that are in memory.
   std::optional<Values> values(const Digest& key) const;
 
-  enum class Outcome { waiting, done, failed };
-  /// How it stands with the targets of a plan: failed if one of them did and the others are settled.
   Outcome outcome(const Plan& plan) const;
   /// The failure that keeps a plan from being done; the first in the plan's order.
   std::exception_ptr failure(const Plan& plan) const;
