@@ -14,15 +14,11 @@ struct Diagnostic {
   std::string message;
   int line = 0;
   int column = 0;
-  bool open = false;  ///< nothing is wrong yet, something is missing: a required input
 };
 
 class Diagnostics {
  public:
   void add(std::string pointer, std::string message) { items_.push_back({std::move(pointer), std::move(message)}); }
-  void add_open(std::string pointer, std::string message) {
-    items_.push_back({std::move(pointer), std::move(message), 0, 0, true});
-  }
   bool empty() const { return items_.empty(); }
   std::vector<Diagnostic>& items() { return items_; }
   const std::vector<Diagnostic>& items() const { return items_; }

@@ -10,14 +10,11 @@
 namespace seamount::recipe {
 namespace {
 
-bool is_open(const Diagnostic& item) { return item.open; }
-
 /// Throws RecipeError for every defect but open inputs; places are looked for in the document's own text.
 void check(const OrderedJson& root, const std::string& file, const std::string& folder, const Registry& registry) {
-  Diagnostics diagnostics;
-  read_document(Json(root), file, folder, diagnostics, registry);
-  std::erase_if(diagnostics.items(), is_open);
-  if (!diagnostics.empty()) throw RecipeError(file, diagnostics.items());
+  Diagnostics defects, missing;
+  read_document(Json(root), file, folder, defects, missing, registry);
+  if (!defects.empty()) throw RecipeError(file, defects.items());
 }
 
 }  // namespace
@@ -31,12 +28,11 @@ Document::Document(const Registry& registry)
 Document::Document(const std::string& text, std::string file, std::string folder, const Registry& registry)
     : registry_(&registry), file_(std::move(file)), folder_(std::move(folder)) {
   const JsonDocument document = parse_json(text, file_);
-  Diagnostics diagnostics;
-  read_document(document.root, file_, folder_, diagnostics, *registry_);
-  std::erase_if(diagnostics.items(), is_open);
-  if (!diagnostics.empty()) {
-    place_diagnostics(diagnostics, document);
-    throw RecipeError(file_, diagnostics.items());
+  Diagnostics defects, missing;
+  read_document(document.root, file_, folder_, defects, missing, *registry_);
+  if (!defects.empty()) {
+    place_diagnostics(defects, document);
+    throw RecipeError(file_, defects.items());
   }
   root_ = OrderedJson::parse(text);
 }
@@ -97,16 +93,16 @@ void Document::save(const std::string& path) const { io::write_text(path, text()
 Recipe Document::recipe(std::optional<int> size) const {
   Json root(root_);
   apply_changes(root, {.sets = {}, .seed = {}, .size = size});
-  Diagnostics ignored;  // open inputs: the steps say so too
-  return read_document(root, file_, folder_, ignored, *registry_);
+  Diagnostics none, missing;  // the steps say what is missing too
+  return read_document(root, file_, folder_, none, missing, *registry_);
 }
 
 std::vector<Diagnostic> Document::missing() const {
   const JsonDocument document = parse_json(text(), file_);
-  Diagnostics diagnostics;
-  read_document(document.root, file_, folder_, diagnostics, *registry_);
-  place_diagnostics(diagnostics, document);
-  return diagnostics.items();
+  Diagnostics none, missing;
+  read_document(document.root, file_, folder_, none, missing, *registry_);
+  place_diagnostics(missing, document);
+  return missing.items();
 }
 
 }  // namespace seamount::recipe

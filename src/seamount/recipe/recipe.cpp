@@ -59,8 +59,8 @@ bool good_id(const std::string& id) {
 
 class RecipeReader {
  public:
-  RecipeReader(const Json& root, Recipe& recipe, Diagnostics& diagnostics)
-      : root_(root), recipe_(recipe), registry_(*recipe.registry), top_{"", diagnostics} {}
+  RecipeReader(const Json& root, Recipe& recipe, Diagnostics& defects, Diagnostics& missing)
+      : root_(root), recipe_(recipe), registry_(*recipe.registry), top_{"", defects}, missing_(missing) {}
 
   void read() {
     if (!root_.is_object()) return top_.expected("a recipe: an object", root_);
@@ -160,8 +160,8 @@ class RecipeReader {
     refuse_unknown_keys(in, names, "input", place);
   }
 
-  static void leave_open(Step& step, const ReadPlace& place, const std::string& why) {
-    place.diagnostics.add_open(place.pointer, why);
+  void leave_open(Step& step, const ReadPlace& place, const std::string& why) {
+    missing_.add(place.pointer, why);
     if (step.incomplete.empty()) step.incomplete = why;
   }
 
@@ -316,7 +316,7 @@ class RecipeReader {
       const bool open = stand_in(producer, *producer.find_out(source.port)) != nullptr;
       const std::string why = why_nothing(recipe_.bypassed, source);
       if (open) {
-        place.diagnostics.add_open(place.pointer, why);
+        missing_.add(place.pointer, why);
       } else {
         place.fail(why);
       }
@@ -401,18 +401,19 @@ class RecipeReader {
   Recipe& recipe_;
   const Registry& registry_;
   ReadPlace top_;
+  Diagnostics& missing_;
   std::vector<DraftStep> drafts_;
 };
 
 }  // namespace
 
-Recipe read_document(const Json& root, const std::string& file, const std::string& folder, Diagnostics& diagnostics,
-                     const Registry& registry) {
+Recipe read_document(const Json& root, const std::string& file, const std::string& folder, Diagnostics& defects,
+                     Diagnostics& missing, const Registry& registry) {
   Recipe recipe;
   recipe.file = file;
   recipe.folder = folder;
   recipe.registry = &registry;
-  RecipeReader(root, recipe, diagnostics).read();
+  RecipeReader(root, recipe, defects, missing).read();
   return recipe;
 }
 

@@ -58,11 +58,11 @@ struct RecipeChanges {
   std::optional<int> size;  ///< cells along the longer side of the domain
 };
 
-/// Reads a document that may be wrong or incomplete: every defect goes to `diagnostics`, those of `incomplete` steps
-/// marked as open. Without other defects the recipe is sound but for those steps. `folder`: where its relative file
+/// Reads a document that may be wrong or incomplete: open inputs that are required go to `missing`, every other defect
+/// to `defects`. Without defects the recipe is sound but for its `incomplete` steps. `folder`: where its relative file
 /// names start.
-Recipe read_document(const Json& root, const std::string& file, const std::string& folder, Diagnostics& diagnostics,
-                     const Registry& registry = standard_registry());
+Recipe read_document(const Json& root, const std::string& file, const std::string& folder, Diagnostics& defects,
+                     Diagnostics& missing, const Registry& registry = standard_registry());
 
 /// Reads recipe text. Throws RecipeError with every defect found. `folder`: where its relative file names start.
 /// `registry` must outlive the recipe.

@@ -13,7 +13,7 @@ Recipe parse_recipe(const std::string& text, const std::string& file, const std:
   JsonDocument document = parse_json(text, file);
   apply_changes(document.root, changes);
   Diagnostics diagnostics;
-  Recipe recipe = read_document(document.root, file, folder, diagnostics, registry);
+  Recipe recipe = read_document(document.root, file, folder, diagnostics, diagnostics, registry);
   if (!diagnostics.empty()) {
     place_diagnostics(diagnostics, document);
     throw RecipeError(file, diagnostics.items());

@@ -232,7 +232,16 @@ class Scheduler::Work {
     lock.unlock();
     announce();
     lock.lock();
-    while (!unsaved_.empty() && (options_.memory_bytes == 0 || unsaved_.size() > kMostUnsaved)) save_one(lock);
+    while (must_save()) save_one(lock);
+  }
+
+  /// Do results that wait to be written take too much of the memory?
+  bool must_save() const {
+    uint64_t bytes = 0;
+    for (const Unsaved& unsaved : unsaved_) {
+      for (const auto& [port, value] : unsaved.values) bytes += value.bytes();
+    }
+    return !unsaved_.empty() && (unsaved_.size() > kMostUnsaved || bytes > options_.memory_bytes / 4);
   }
 
   /// Writes a computed result to the disk, where that keeps nobody from seeing it or from going on with it.
