@@ -23,9 +23,7 @@ const std::string kReef = R"({
       "id": "worn",
       "op": "island.wind",
       "in": { "terrain": "isle.terrain", "labels": "isle.labels", "coordinate": "isle.coordinate" },
-      "params": {
-        "strokes": [{ "points": [[-2000, 500], [0, 500.5], [2000, 0]], "width_m": 300, "strength_m": 100 }]
-      }
+      "params": { "strokes": [{ "points": [[-2000, 500], [0, 500.5], [2000, 0]], "width_m": 300, "strength_m": 100 }] }
     },
     { "id": "reef", "op": "island.coral", "in": { "terrain": "worn.terrain", "labels": "worn.labels" } }
   ],
@@ -174,7 +172,7 @@ TEST(Document, AGestureIsUndoneAsOne) {
   document.apply(set_parameter("isle", "peak_m", 800));
   document.apply(set_parameter("isle", "peak_m", 900.5));
   EXPECT_EQ(document.done(), 4U);
-  EXPECT_EQ(document.history()[0].changes.size(), 1U);  // from the first value to the last
+  EXPECT_EQ(document.history()[0].changes.size(), 2U);  // the first makes "params", the other nine are one
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(document.undo());
   EXPECT_EQ(at(document, "/steps/0/params/peak_m"), "900");
   EXPECT_EQ(at(document, "/steps/2/params/subsidence"), "0.5");

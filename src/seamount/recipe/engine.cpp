@@ -116,8 +116,9 @@ class Engine::Work {
     }
   }
 
-  std::optional<Finished> value(const Source& source) const {
+  std::optional<Finished> value(const Source& source) {
     const std::lock_guard lock(mutex_);
+    collect();
     const auto found = latest_.find(source);
     return found == latest_.end() ? std::nullopt : std::optional(found->second.finished);
   }
@@ -212,13 +213,17 @@ class Engine::Work {
   void look_for_results() {
     {
       const std::lock_guard lock(mutex_);
-      for (const View& view : views_) {
-        for (const auto& [asked, source] : view.sources) keep_newest(view, asked, source);
-      }
+      collect();
     }
     if (!options_.changed) return;
     const std::lock_guard lock(calling_);
     options_.changed();
+  }
+
+  void collect() {
+    for (const View& view : views_) {
+      for (const auto& [asked, source] : view.sources) keep_newest(view, asked, source);
+    }
   }
 
   void keep_newest(const View& view, const Source& asked, const Source& source) {
