@@ -139,8 +139,8 @@ Grid<float> read(const std::string& path, const ReadOptions& options, Meaning me
   check_readable(path);
   if (is_gdal_format(extension_of(path)))
     return finish(read_gdal(path, path, options, meaning == Meaning::heights), path, options, std::nullopt, meaning);
-  const std::optional<Sidecar> sidecar = read_sidecar(path);
   const std::vector<uint8_t> bytes = read_file(path);
+  const std::optional<Sidecar> sidecar = read_sidecar(path, bytes);
   return finish(decode(bytes, path, options, sidecar, meaning), path, options, sidecar, meaning);
 }
 
@@ -234,8 +234,9 @@ void count_values(const Grid<float>& grid, RasterInfo& info) {
 RasterInfo raster_info(const std::string& path) {
   check_readable(path);
   if (is_gdal_format(extension_of(path))) return gdal_info(path);
-  const std::optional<Sidecar> sidecar = read_sidecar(path);
-  const Stored stored = decode(read_file(path), path, ReadOptions{}, sidecar, Meaning::field);
+  const std::vector<uint8_t> bytes = read_file(path);
+  const std::optional<Sidecar> sidecar = read_sidecar(path, bytes);
+  const Stored stored = decode(bytes, path, ReadOptions{}, sidecar, Meaning::field);
   RasterInfo info;
   info.width = stored.values.width();
   info.height = stored.values.height();
@@ -265,9 +266,11 @@ ScalarField read_field(const std::string& path, const ReadOptions& options) {
 Mask read_mask(const std::string& path, const ReadOptions& options) { return read(path, options, Meaning::mask); }
 
 PlacedImage read_placed_image(const std::string& path, const ReadOptions& options) {
-  Image image = read_image(path);
+  const std::vector<uint8_t> bytes = read_file(path);
+  const std::optional<Sidecar> sidecar = read_sidecar(path, bytes);
+  Image image = read_image(bytes, path);
   Stored size{Grid<float>(GridFrame{image.width, image.height}), false, 0.0, "PNG", "uint8"};
-  place(size, path, options, read_sidecar(path));
+  place(size, path, options, sidecar);
   return {std::move(image), size.values.frame()};
 }
 
@@ -314,6 +317,7 @@ void write_labels(const LabelMap& labels, const std::string& path, const WriteOp
     sidecar.frame = labels.frame();
     sidecar.max_m = kRegionCount - 1;
     sidecar.heights = false;
+    sidecar.for_painting = true;
     sidecar.provenance = options.provenance;
     finish_sidecar(sidecar, path, options);
     return;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "seamount/base/hash.h"
 #include "seamount/base/run_context.h"
@@ -18,11 +17,7 @@ LabelMap read_label_picture(const std::string& path, const GridFrame& domain, co
 /// The same where its side-car says that it lies.
 LabelMap read_placed_labels(const std::string& path, const RunContext& run);
 
-/// Files beside a file that belong to it and are there. None for a file that is missing.
-std::vector<std::string> companions_of(const std::string& path);
-
-/// Hash of a file's content, and of the files that belong to it (a Shapefile's .shx, .dbf and .prj, a side-car .json).
-/// Throws IoError.
+/// Hash of a file's content and of the files that belong to it (io/file_digest.h). Throws IoError.
 Digest file_digest(const std::string& path);
 
 }  // namespace seamount::recipe

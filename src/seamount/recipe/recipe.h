@@ -64,17 +64,19 @@ struct RecipeChanges {
 Recipe read_document(const Json& root, const std::string& file, const std::string& folder, Diagnostics& defects,
                      Diagnostics& missing, const Registry& registry = standard_registry());
 
-/// Reads recipe text. Throws RecipeError with every defect found. `folder`: where its relative file names start.
-/// `registry` must outlive the recipe.
+/// Reads recipe text. Throws RecipeError with every defect found, Cancelled. `folder`: where its relative file names
+/// start. `registry` must outlive the recipe.
 Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
-                    const RecipeChanges& changes = {}, const Registry& registry = standard_registry());
+                    const RecipeChanges& changes = {}, const Registry& registry = standard_registry(),
+                    const RunContext& run = {});
 
-/// The text of a recipe file, up to the length that is read at all. Throws IoError.
-std::string read_recipe_text(const std::string& path);
+/// The text of a recipe file, or of /dev/stdin, up to the length that is read at all. Throws IoError, Cancelled.
+std::string read_recipe_text(const std::string& path, const RunContext& run = {});
 
-/// Reads a recipe file; its relative file names are relative to it. Throws IoError or RecipeError.
+/// Reads a recipe file, or a recipe from /dev/stdin; its relative file names are relative to it. Throws IoError,
+/// RecipeError or Cancelled.
 Recipe read_recipe(const std::string& path, const RecipeChanges& changes = {},
-                   const Registry& registry = standard_registry());
+                   const Registry& registry = standard_registry(), const RunContext& run = {});
 
 /// JSON Schema (2020-12) of recipes with every operator and output format.
 Json recipe_schema(const Registry& registry = standard_registry());

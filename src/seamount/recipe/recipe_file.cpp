@@ -1,16 +1,15 @@
 // Recipes from text and files; recipe.cpp reads the document that the text is.
-#include <array>
 #include <filesystem>
-#include <fstream>
 
+#include "seamount/io/input_file.h"
 #include "seamount/recipe/domain.h"
 #include "seamount/recipe/recipe.h"
 
 namespace seamount::recipe {
 
 Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
-                    const RecipeChanges& changes, const Registry& registry) {
-  JsonDocument document = parse_json(text, file);
+                    const RecipeChanges& changes, const Registry& registry, const RunContext& run) {
+  JsonDocument document = parse_json(text, file, run);
   apply_changes(document.root, changes);
   Diagnostics diagnostics;
   Recipe recipe = read_document(document.root, file, folder, diagnostics, diagnostics, registry);
@@ -21,23 +20,14 @@ Recipe parse_recipe(const std::string& text, const std::string& file, const std:
   return recipe;
 }
 
-std::string read_recipe_text(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw IoError(path, "is a folder, not a recipe");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw IoError(path, std::filesystem::exists(path, ignored) ? "cannot be read" : "no such file");
-  std::string text;
-  while (file && text.size() <= kLargestText) {
-    std::array<char, 1 << 16> block{};
-    file.read(block.data(), block.size());
-    text.append(block.data(), static_cast<size_t>(file.gcount()));
-  }
-  return text;
+std::string read_recipe_text(const std::string& path, const RunContext& run) {
+  return io::read_text(path, kLargestText + 1, run);
 }
 
-Recipe read_recipe(const std::string& path, const RecipeChanges& changes, const Registry& registry) {
+Recipe read_recipe(const std::string& path, const RecipeChanges& changes, const Registry& registry,
+                   const RunContext& run) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  return parse_recipe(read_recipe_text(path), path, folder, changes, registry);
+  return parse_recipe(read_recipe_text(path, run), path, folder, changes, registry, run);
 }
 
 }  // namespace seamount::recipe
