@@ -377,7 +377,7 @@ TEST(Sidecar, IsBelievedWithoutADigestAndForPicturesThatArePainted) {
   labels.cells()[40] = Region::mountain;
   write_labels(labels, folder("labels.png"));
   write_bytes(sidecar_path(folder("labels.png")), sidecar);
-  EXPECT_EQ(read_labels(folder("labels.png")).cell_m(), 7);
+  EXPECT_EQ(read_placed_image(folder("labels.png")).frame.cell_m, 7);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "seamount/io/file_digest.h"
 #include "seamount/recipe/file_values.h"
 
 namespace seamount::recipe {
@@ -34,7 +35,7 @@ struct Signature {
 Signature signature_of(const std::string& path) {
   Signature signature;
   signature.add(path);
-  for (const std::string& companion : companions_of(path)) signature.add(companion);
+  for (const std::string& companion : io::companions_of(path)) signature.add(companion);
   return signature;
 }
 

@@ -132,8 +132,7 @@ bool contains(const Ring& ring, Vec2 p) {
   for (size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i];
     const Vec2 b = ring[i + 1 < ring.size() ? i + 1 : 0];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (orientation_sign(a, b, p) == (b.y > a.y ? 1 : -1)) inside = !inside;  // p lies west of the edge
+    if (ray_crosses(p, a, b)) inside = !inside;
   }
   return inside;
 }

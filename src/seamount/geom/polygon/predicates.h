@@ -31,6 +31,12 @@ inline int orientation_sign(Vec2 a, Vec2 b, Vec2 c) {
   return left == 0.0 && right == 0.0 ? 0 : exact_orientation_sign(a, b, c);
 }
 
+/// Whether a ray from p due east crosses the edge (a, b), which holds its lower end and not its upper one: a place is
+/// inside a ring whose edges it crosses an odd number of times. Exact. REQUIRES: finite coordinates.
+inline bool ray_crosses(Vec2 p, Vec2 a, Vec2 b) {
+  return (a.y > p.y) != (b.y > p.y) && orientation_sign(a, b, p) == (b.y > a.y ? 1 : -1);
+}
+
 /// Whether two segments have a place in common: they cross, touch or lie over each other. Either may be a single
 /// point. The same whichever is named first and whichever way they run. REQUIRES: finite coordinates.
 bool segments_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d);

@@ -5,6 +5,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/polygon/predicates.h"
 #include "seamount/ops/contour/growth/regions.h"
 
 namespace seamount::contour {
@@ -44,8 +45,7 @@ class EdgeRows {
         ring = edge.region;
         inside = false;
       }
-      if ((edge.a.y > p.y) == (edge.b.y > p.y)) continue;
-      if (p.x < edge.a.x + (edge.b.x - edge.a.x) * ((p.y - edge.a.y) / (edge.b.y - edge.a.y))) inside = !inside;
+      if (geom::ray_crosses(p, edge.a, edge.b)) inside = !inside;
     }
     return inside ? ring : found;
   }
