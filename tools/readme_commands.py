@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 SKIPPED = 77
 BLOCK = re.compile(r"^```sh\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\((?!\w+:|#)([^)#\s]+)")
-NAMED = re.compile(r"`((?:\.ci|apps|bench|data|docs|models|out|recipes|src|studio|tests|tools)/[\w./-]*)`")
+NAMED = re.compile(r"`((?:\.ci|apps|bench|data|docs|examples|models|out|packages|recipes|src|studio|tests|tools)/[\w./-]*)`")
 
 
 def checkout(folder, program):
