@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
+#include "seamount/recipe/bypass.h"
 #include "seamount/recipe/domain.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/output_files.h"
+#include "seamount/recipe/step_order.h"
 
 namespace seamount::recipe {
 namespace {
@@ -20,6 +20,7 @@ struct DraftStep {
   Step step;
   ReadPlace place;
   const Json* in = nullptr;
+  bool bypass = false;
 };
 
 std::optional<std::string> text_member(const Json& object, const std::string& key, const ReadPlace& place,
@@ -58,8 +59,8 @@ bool good_id(const std::string& id) {
 
 class RecipeReader {
  public:
-  RecipeReader(const Json& root, Recipe& recipe, Diagnostics& diagnostics)
-      : root_(root), recipe_(recipe), registry_(*recipe.registry), top_{"", diagnostics} {}
+  RecipeReader(const Json& root, Recipe& recipe, Diagnostics& defects, Diagnostics& missing)
+      : root_(root), recipe_(recipe), registry_(*recipe.registry), top_{"", defects}, missing_(missing) {}
 
   void read() {
     if (!root_.is_object()) return top_.expected("a recipe: an object", root_);
@@ -70,6 +71,7 @@ class RecipeReader {
     read_domain(root_.value("domain", Json::object()));
     read_steps();
     order_steps();
+    leave_out_bypassed();
     read_outputs();
   }
 
@@ -115,7 +117,7 @@ class RecipeReader {
   void read_step(const Json& json, DraftStep& draft) {
     const ReadPlace& place = draft.place;
     if (!json.is_object()) return place.expected("a step {\"id\", \"op\", \"in\", \"params\"}", json);
-    refuse_unknown_keys(json, {"id", "op", "in", "params", "seed", "about"}, "member", place);
+    refuse_unknown_keys(json, {"id", "op", "in", "params", "seed", "bypass", "about"}, "member", place);
     draft.step.id = text_member(json, "id", place, true).value_or("");
     if (!draft.step.id.empty() && !good_id(draft.step.id)) {
       place.at("id").fail("'" + draft.step.id + "' is no id: up to 64 letters, digits, '_' and '-'");
@@ -133,6 +135,8 @@ class RecipeReader {
       draft.step.params = draft.step.op->complete(json.value("params", Json::object()), place.at("params"));
     }
     if (const auto in = json.find("in"); in != json.end()) draft.in = &*in;
+    if (const auto bypass = json.find("bypass"); bypass != json.end())
+      read_json(*bypass, draft.bypass, place.at("bypass"));
   }
 
   void connect(DraftStep& draft) {
@@ -148,12 +152,17 @@ class RecipeReader {
       const auto member = in.find(port.name);
       if (member != in.end()) {
         if (auto source = read_source(*member, place.at(port.name), {port.kind})) draft.step.in[port.name] = *source;
-      } else if (port.required) {
-        (draft.in == nullptr ? draft.place : place)
-            .fail(fmt::format("{} needs the input '{}': {}", op->name, port.name, port.help));
+      } else if (port.required && !draft.bypass) {
+        leave_open(draft.step, draft.in == nullptr ? draft.place : place,
+                   fmt::format("{} needs the input '{}': {}", op->name, port.name, port.help));
       }
     }
     refuse_unknown_keys(in, names, "input", place);
+  }
+
+  void leave_open(Step& step, const ReadPlace& place, const std::string& why) {
+    missing_.add(place.pointer, why);
+    if (step.incomplete.empty()) step.incomplete = why;
   }
 
   /// "step.port", or {"file": name}. Checks that it exists and fits one of `kinds` (none: anything).
@@ -203,43 +212,45 @@ class RecipeReader {
 
   /// Steps in an order in which each follows what it needs; names the steps of a cycle.
   void order_steps() {
-    std::set<std::string> placed;
-    std::vector<DraftStep*> waiting;
-    for (DraftStep& draft : drafts_) waiting.push_back(&draft);
-    const auto ready = [&](const DraftStep* draft) {
-      for (const auto& [port, source] : draft->step.in) {
-        if (!source.from_file() && !placed.contains(source.step)) return false;
-      }
-      return true;
-    };
-    while (!waiting.empty()) {
-      const auto next = std::find_if(waiting.begin(), waiting.end(), ready);
-      if (next == waiting.end()) break;
-      placed.insert((*next)->step.id);
-      recipe_.steps.push_back((*next)->step);
-      waiting.erase(next);
-    }
-    if (waiting.empty()) return;
-    const std::vector<std::string> cycle = find_cycle(waiting);
-    std::string chain;
-    for (const std::string& id : cycle) chain += id + " -> ";
-    find_draft(cycle.front())->place.at("in").fail("the steps need each other in a circle: " + chain + cycle.front());
+    std::vector<Step> steps;
+    for (const DraftStep& draft : drafts_) steps.push_back(draft.step);
+    StepOrder order = order_of(std::move(steps));
+    recipe_.steps = std::move(order.steps);
+    if (order.cycle.empty()) return;
+    const std::string& first = order.cycle.front();
+    find_draft(first)->place.at("in").fail(
+        fmt::format("the steps need each other in a circle: {} -> {}", fmt::join(order.cycle, " -> "), first));
   }
 
-  static std::vector<std::string> find_cycle(const std::vector<DraftStep*>& waiting) {
-    std::map<std::string, const DraftStep*> by_id;
-    for (const DraftStep* draft : waiting) by_id[draft->step.id] = draft;
-    std::vector<std::string> path;
-    std::string id = waiting.front()->step.id;
-    while (std::find(path.begin(), path.end(), id) == path.end()) {
-      path.push_back(id);
-      for (const auto& [port, source] : by_id[id]->step.in) {
-        if (by_id.contains(source.step)) id = source.step;
+  /// Connects what was connected to bypassed steps to what these pass on.
+  void leave_out_bypassed() {
+    std::vector<Step> kept;
+    for (Step& step : recipe_.steps) {
+      const DraftStep* draft = find_draft(step.id);
+      for (auto input = step.in.begin(); input != step.in.end();) {
+        const auto followed = follow(recipe_.bypassed, input->second);
+        if (followed) {
+          (input++)->second = *followed;
+          continue;
+        }
+        report_nothing(step, *input, draft->place.at("in").at(input->first), draft->bypass);
+        input = step.in.erase(input);
       }
+      (draft->bypass ? recipe_.bypassed : kept).push_back(std::move(step));
     }
-    path.erase(path.begin(), std::find(path.begin(), path.end(), id));
-    std::reverse(path.begin(), path.end());
-    return path;
+    recipe_.steps = std::move(kept);
+  }
+
+  /// An input gets nothing from a bypassed step. A port that could pass nothing on is an error in any case.
+  void report_nothing(Step& step, const std::pair<const std::string, Source>& input, const ReadPlace& place,
+                      bool bypass) {
+    const Operator& producer = *find_draft(input.second.step)->step.op;
+    const std::string why = why_nothing(recipe_.bypassed, input.second);
+    if (stand_in(producer, *producer.find_out(input.second.port)) == nullptr) {
+      place.fail(why);
+    } else if (step.op->find_in(input.first)->required && !bypass) {
+      leave_open(step, place, fmt::format("{} needs the input '{}': {}", step.op->name, input.first, why));
+    }
   }
 
   void read_outputs() {
@@ -276,11 +287,13 @@ class RecipeReader {
       place.at("from").fail("an output comes from a step");
       return false;
     }
-    output.from = *source;
+    const auto followed = follow_for_output(*source, place.at("from"));
+    if (!followed) return false;
+    output.from = *followed;
     output.path = relative.string();
     const Kind& kind = *find_draft(source->step)->step.op->find_out(source->port)->kind;
     if (!choose_format(kind, as, output, place)) return false;
-    const std::optional<Source> labels = labels_for(json, *source, place);
+    const std::optional<Source> labels = labels_for(json, *followed, place);
     Json params = json;
     for (const char* key : {"from", "path", "as", "labels", "about"}) params.erase(key);
     const size_t before = place.diagnostics.items().size();
@@ -293,6 +306,26 @@ class RecipeReader {
         prepare(wanted, kind, labels, output);
     }
     return true;
+  }
+
+  /// The step that an output really comes from; reports a bypassed one that passes on nothing, or a file.
+  std::optional<Source> follow_for_output(const Source& source, const ReadPlace& place) {
+    const auto followed = follow(recipe_.bypassed, source);
+    if (!followed) {
+      const Operator& producer = *find_draft(source.step)->step.op;
+      const bool open = stand_in(producer, *producer.find_out(source.port)) != nullptr;
+      const std::string why = why_nothing(recipe_.bypassed, source);
+      if (open) {
+        missing_.add(place.pointer, why);
+      } else {
+        place.fail(why);
+      }
+    } else if (followed->from_file()) {
+      place.fail(fmt::format("an output comes from a step; '{}.{}' is bypassed and passes on the file '{}'",
+                             source.step, source.port, followed->file));
+      return std::nullopt;
+    }
+    return followed;
   }
 
   /// Adds the step that makes something of an output's value, unless there is one already that makes the same.
@@ -353,7 +386,10 @@ class RecipeReader {
   /// "labels" as given, or the labels output of the same step.
   std::optional<Source> labels_for(const Json& json, const Source& from, const ReadPlace& place) {
     if (const auto given = json.find("labels"); given != json.end()) {
-      return read_source(*given, place.at("labels"), {&kinds::Labels::kind()});
+      const auto source = read_source(*given, place.at("labels"), {&kinds::Labels::kind()});
+      if (source && source->from_file()) place.at("labels").fail("the labels of an output come from a step");
+      if (!source || source->from_file()) return std::nullopt;
+      return follow_for_output(*source, place.at("labels"));
     }
     for (const Port& port : find_draft(from.step)->step.op->out) {
       if (port.kind == &kinds::Labels::kind()) return Source{from.step, port.name, ""};
@@ -365,40 +401,20 @@ class RecipeReader {
   Recipe& recipe_;
   const Registry& registry_;
   ReadPlace top_;
+  Diagnostics& missing_;
   std::vector<DraftStep> drafts_;
 };
 
 }  // namespace
 
-Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
-                    const RecipeChanges& changes, const Registry& registry) {
-  JsonDocument document = parse_json(text, file);
-  apply_changes(document.root, changes);
+Recipe read_document(const Json& root, const std::string& file, const std::string& folder, Diagnostics& defects,
+                     Diagnostics& missing, const Registry& registry) {
   Recipe recipe;
   recipe.file = file;
   recipe.folder = folder;
   recipe.registry = &registry;
-  Diagnostics diagnostics;
-  RecipeReader(document.root, recipe, diagnostics).read();
-  if (!diagnostics.empty()) {
-    place_diagnostics(diagnostics, document);
-    throw RecipeError(file, diagnostics.items());
-  }
+  RecipeReader(root, recipe, defects, missing).read();
   return recipe;
-}
-
-Recipe read_recipe(const std::string& path, const RecipeChanges& changes, const Registry& registry) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw IoError(path, "is a folder, not a recipe");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw IoError(path, std::filesystem::exists(path, ignored) ? "cannot be read" : "no such file");
-  std::string text;
-  while (file && text.size() <= kLargestText) {
-    std::array<char, 1 << 16> block{};
-    file.read(block.data(), block.size());
-    text.append(block.data(), static_cast<size_t>(file.gcount()));
-  }
-  return parse_recipe(text, path, std::filesystem::path(path).parent_path().string(), changes, registry);
 }
 
 }  // namespace seamount::recipe

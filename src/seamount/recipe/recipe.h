@@ -17,7 +17,7 @@ struct Source {
   std::string port;
   std::string file;  ///< non-empty: a file, and step and port are empty
   bool from_file() const { return !file.empty(); }
-  bool operator==(const Source&) const = default;
+  auto operator<=>(const Source&) const = default;
 };
 
 struct Step {
@@ -27,6 +27,7 @@ struct Step {
   std::map<std::string, Source> in;  ///< by input port
   Json params;                       ///< complete: every parameter, defaults filled in
   Seed seed;
+  std::string incomplete;  ///< why it cannot run yet: a required input is open; empty wherever a recipe is run
 };
 
 struct Output {
@@ -44,7 +45,8 @@ struct Recipe {
   const Registry* registry = nullptr;
   GridFrame domain;
   Seed seed;
-  std::vector<Step> steps;  ///< every step after those that it needs; those that prepare outputs last
+  std::vector<Step> steps;     ///< every step after those that it needs; those that prepare outputs last
+  std::vector<Step> bypassed;  ///< steps left out: what was connected to them is connected to what they pass on
   std::vector<Output> outputs;
 };
 
@@ -56,10 +58,19 @@ struct RecipeChanges {
   std::optional<int> size;  ///< cells along the longer side of the domain
 };
 
+/// Reads a document that may be wrong or incomplete: open inputs that are required go to `missing`, every other defect
+/// to `defects`. Without defects the recipe is sound but for its `incomplete` steps. `folder`: where its relative file
+/// names start.
+Recipe read_document(const Json& root, const std::string& file, const std::string& folder, Diagnostics& defects,
+                     Diagnostics& missing, const Registry& registry = standard_registry());
+
 /// Reads recipe text. Throws RecipeError with every defect found. `folder`: where its relative file names start.
 /// `registry` must outlive the recipe.
 Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
                     const RecipeChanges& changes = {}, const Registry& registry = standard_registry());
+
+/// The text of a recipe file, up to the length that is read at all. Throws IoError.
+std::string read_recipe_text(const std::string& path);
 
 /// Reads a recipe file; its relative file names are relative to it. Throws IoError or RecipeError.
 Recipe read_recipe(const std::string& path, const RecipeChanges& changes = {},

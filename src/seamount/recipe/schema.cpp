@@ -36,6 +36,7 @@ Json step_schema(const Operator& op) {
         {"op", {{"const", op.name}}},
         {"about", {{"type", "string"}}},
         {"seed", {{"type", "integer"}, {"minimum", 0}}},
+        {"bypass", {{"type", "boolean"}, {"description", "leave the step out: what it would be given is passed on"}}},
         {"in", {{"type", "object"}, {"properties", in}, {"required", required}, {"additionalProperties", false}}},
         {"params", params_schema(op.params)}}},
       {"required", {"id", "op"}},
