@@ -136,8 +136,11 @@ void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder,
     for (const auto& output : report.outputs)
       summary["outputs"].push_back({{"path", output.path}, {"as", output.format}});
     for (const auto& step : report.steps) {
-      summary["steps"].push_back(
-          {{"id", step.id}, {"op", step.op}, {"seconds", step.seconds}, {"cached", step.cached}});
+      summary["steps"].push_back({{"id", step.id},
+                                  {"op", step.op},
+                                  {"seconds", step.seconds},
+                                  {"cached", step.cached},
+                                  {"notes", step.notes}});
     }
     std::cout << summary.dump(2) << "\n";
   } else {

@@ -21,7 +21,7 @@ struct RunContext {
   const std::atomic<bool>* cancelled = nullptr;
 
   /// Called with one line that the user should know although the work goes on: a strength that had to be limited, say.
-  /// Optional. A step that comes from a cache says nothing again.
+  /// Optional. The cache keeps it with the result of a step, and it is said again whenever that is used.
   std::function<void(const std::string&)> note;
 
   /// Throws Cancelled once the caller asked to stop. Cheap: call it for every row or block.

@@ -8,6 +8,7 @@
 
 #include "seamount/io/atomic_file.h"
 #include "seamount/recipe/value_bytes.h"
+#include "seamount/recipe/value_stream.h"
 
 namespace seamount::recipe {
 namespace fs = std::filesystem;
@@ -15,6 +16,10 @@ namespace fs = std::filesystem;
 Cache::Cache(std::string folder, uint64_t limit_bytes) : folder_(std::move(folder)), limit_bytes_(limit_bytes) {}
 
 std::string Cache::path_of(const Digest& key) const { return (fs::path(folder_) / (key.hex() + ".step")).string(); }
+
+std::string Cache::notes_path_of(const Digest& key) const {
+  return (fs::path(folder_) / (key.hex() + ".notes")).string();
+}
 
 std::optional<Values> Cache::load(const Digest& key, const std::vector<Port>& ports, const Registry& registry) const {
   if (folder_.empty()) return std::nullopt;
@@ -32,11 +37,37 @@ std::optional<Values> Cache::load(const Digest& key, const std::vector<Port>& po
   return values;
 }
 
-bool Cache::store(const Digest& key, const Values& values) {
+std::vector<std::string> Cache::notes(const Digest& key) const {
+  std::ifstream file(notes_path_of(key), std::ios::binary);
+  if (folder_.empty() || !file) return {};
+  try {
+    Reader reader(file);
+    if (reader.text() != key.hex()) return {};
+    std::vector<std::string> notes(reader.count(sizeof(uint64_t)));
+    for (std::string& note : notes) note = reader.text();
+    reader.finish();
+    return notes;
+  } catch (const Damaged&) {
+    return {};
+  }
+}
+
+bool Cache::store(const Digest& key, const Values& values, const std::vector<std::string>& notes) {
   uint64_t bytes = 0;
   for (const auto& [name, value] : values) bytes += value.bytes();
   if (folder_.empty() || bytes > limit_bytes_ / 2) return false;
   try {
+    if (!notes.empty()) {  // before the values: who finds these finds the notes too
+      io::write_atomically(notes_path_of(key), [&](const std::string& temporary) {
+        std::ofstream file(temporary, std::ios::binary);
+        Writer writer(file);
+        writer.text(key.hex());
+        writer.plain(static_cast<uint64_t>(notes.size()));
+        for (const std::string& note : notes) writer.text(note);
+        writer.finish();
+        if (!file.flush()) throw IoError(temporary, "cannot be written");
+      });
+    }
     io::write_atomically(path_of(key), [&](const std::string& temporary) {
       std::ofstream file(temporary, std::ios::binary);
       write_values(file, values);
@@ -68,6 +99,7 @@ void Cache::trim() const {
   for (const Entry& entry : entries) {
     if (total <= limit_bytes_) break;
     fs::remove(entry.path, ignored);
+    fs::remove(fs::path(entry.path).replace_extension(".notes"), ignored);
     total -= entry.bytes;
   }
 }

@@ -22,14 +22,19 @@ class Cache {
   std::optional<Values> load(const Digest& key, const std::vector<Port>& ports,
                              const Registry& registry = standard_registry()) const;
 
-  /// Stores outputs. A failure to write (a full disk) is not an error of the run: it returns false.
-  bool store(const Digest& key, const Values& values);
+  /// Stores outputs, and what the operator said. A failure to write (a full disk) is not an error of the run: it
+  /// returns false.
+  bool store(const Digest& key, const Values& values, const std::vector<std::string>& notes = {});
+
+  /// What the operator said when it made the outputs of a key.
+  std::vector<std::string> notes(const Digest& key) const;
 
   /// $SEAMOUNT_CACHE, or $XDG_CACHE_HOME/seamount, or ~/.cache/seamount; empty if there is no home.
   static std::string default_folder();
 
  private:
   std::string path_of(const Digest& key) const;
+  std::string notes_path_of(const Digest& key) const;
   void trim() const;
 
   std::string folder_;

@@ -1,0 +1,57 @@
+#include "seamount/recipe/step_work.h"
+
+#include <fmt/format.h>
+
+#include "seamount/recipe/kinds.h"
+#include "seamount/recipe/plan.h"
+
+namespace seamount::recipe {
+namespace {
+
+/// "step 'reef' (island.coral): " before a message; the kind of error stays.
+[[noreturn]] void rethrow_with_step(const Step& step) {
+  const std::string name = step.output.empty() ? fmt::format("step '{}' ({})", step.id, step.op->name)
+                                               : fmt::format("output '{}' ({})", step.output, step.op->name);
+  try {
+    throw;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const IoError&) {
+    throw;  // it names its file
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(name, error.what());
+  } catch (const IncompatibleInputs& error) {
+    throw IncompatibleInputs(name + ": " + error.what());
+  } catch (const std::bad_alloc&) {
+    throw Error(name + ": not enough memory");
+  } catch (const std::exception& error) {
+    throw Error(name + ": " + error.what());
+  }
+}
+
+Value read_file(const Port& port, const std::string& path, const GridFrame& frame, const RunContext& run) {
+  run.check_cancelled();
+  if (!port.kind->read_file) throw IoError(path, "a " + port.kind->name + " is written, never read");
+  return {*port.kind, port.kind->read_file({path, frame, run})};
+}
+
+}  // namespace
+
+Values run_step(const Recipe& recipe, const Step& step, Values connected, const RunContext& run) {
+  try {
+    Values in = std::move(connected);
+    GridFrame frame = recipe.domain;
+    for (const Port& port : step.op->in) {  // in their order: a terrain before the labels that may be painted over it
+      const auto source = step.in.find(port.name);
+      if (source == step.in.end()) continue;
+      if (source->second.from_file())
+        in[port.name] = read_file(port, resolve_file(recipe, source->second.file), frame, run);
+      if (port.kind == &kinds::Terrain::kind()) frame = *in[port.name].frame();
+    }
+    return step.op->run(step.params, in, {recipe.domain, step.seed, recipe.folder, run});
+  } catch (...) {
+    rethrow_with_step(step);
+  }
+}
+
+}  // namespace seamount::recipe
