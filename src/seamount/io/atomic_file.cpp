@@ -7,10 +7,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 
 #include "seamount/base/error.h"
+#include "seamount/io/input_file.h"
 #include "seamount/io/private_folder.h"
 #include "seamount/io/replace_file.h"
 
@@ -31,7 +31,13 @@ void write_atomically(const std::string& path, const std::function<void(const st
   if (!mode) make_folders(folder, path, "its folder cannot be made");
   const PrivateFolder own(folder, path);
   const fs::path temporary = own.path() / target.filename();
-  write(temporary.string());
+  try {
+    write(temporary.string());
+  } catch (const WriteError&) {
+    throw;
+  } catch (const IoError& error) {  // of a library that knows one kind only
+    throw WriteError(error.path(), std::string(error.what()).substr(error.path().size() + 2));
+  }
   take_over_mode(temporary, mode, path);
   sync_to_disk(temporary, path);
   if (::rename(temporary.c_str(), target.c_str()) != 0) throw WriteError(path, "cannot be written: " + reason(errno));
@@ -70,28 +76,15 @@ void FileWriter::close() {
   if (std::fclose(file) != 0) throw WriteError(path_, "cannot be written: " + reason(errno));
 }
 
-void check_readable(const std::string& path) {
-  if (path.empty()) throw IoError("(no name)", "a file name is needed");
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw IoError(path, "no such file");
-  if (fs::is_directory(status)) throw IoError(path, "is a folder, not a file");
-  if (!fs::is_regular_file(status)) throw IoError(path, "is not a regular file");
-  if (::access(path.c_str(), R_OK) != 0) throw IoError(path, "cannot be read: " + reason(errno));
-}
+void check_readable(const std::string& path) { const InputFile file(path); }
 
 std::vector<uint8_t> read_file(const std::string& path, uint64_t max_bytes) {
-  check_readable(path);
-  std::error_code error;
-  const uintmax_t size = fs::file_size(path, error);
-  if (error) throw IoError(path, "cannot be read: " + error.message());
+  InputFile file(path);
+  const auto size = static_cast<uint64_t>(file.status().st_size);
   if (size > max_bytes)
     throw IoError(path, "has " + std::to_string(size) + " bytes; at most " + std::to_string(max_bytes) + " are read");
-  const auto close = [](std::FILE* file) { std::fclose(file); };
-  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
-  if (!file) throw IoError(path, "cannot be read: " + reason(errno));
   std::vector<uint8_t> bytes(size);
-  if (std::fread(bytes.data(), 1, size, file.get()) != size) throw IoError(path, "cannot be read to its end");
+  if (file.read(std::as_writable_bytes(std::span(bytes))) != size) throw IoError(path, "cannot be read to its end");
   return bytes;
 }
 

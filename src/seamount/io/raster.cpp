@@ -140,8 +140,8 @@ Grid<float> read(const std::string& path, const ReadOptions& options, Meaning me
   check_readable(path);
   if (is_gdal_format(extension_of(path)))
     return finish(read_gdal(path, path, options, meaning == Meaning::heights), path, options, std::nullopt, meaning);
-  const std::optional<Sidecar> sidecar = read_sidecar(path);
   const std::vector<uint8_t> bytes = read_file(path);
+  const std::optional<Sidecar> sidecar = read_sidecar(path, bytes);
   return finish(decode(bytes, path, options, sidecar, meaning), path, options, sidecar, meaning);
 }
 
@@ -235,8 +235,9 @@ void count_values(const Grid<float>& grid, RasterInfo& info) {
 RasterInfo raster_info(const std::string& path) {
   check_readable(path);
   if (is_gdal_format(extension_of(path))) return gdal_info(path);
-  const std::optional<Sidecar> sidecar = read_sidecar(path);
-  const Stored stored = decode(read_file(path), path, ReadOptions{}, sidecar, Meaning::field);
+  const std::vector<uint8_t> bytes = read_file(path);
+  const std::optional<Sidecar> sidecar = read_sidecar(path, bytes);
+  const Stored stored = decode(bytes, path, ReadOptions{}, sidecar, Meaning::field);
   RasterInfo info;
   info.width = stored.values.width();
   info.height = stored.values.height();
@@ -267,8 +268,9 @@ Mask read_mask(const std::string& path, const ReadOptions& options) { return rea
 
 LabelMap read_labels(const std::string& path, const ReadOptions& options) {
   if (extension_of(path) == ".png") {
-    const std::optional<Sidecar> sidecar = read_sidecar(path);
-    const Image image = read_image(path);
+    const std::vector<uint8_t> bytes = read_file(path);
+    const std::optional<Sidecar> sidecar = read_sidecar(path, bytes);
+    const Image image = read_image(bytes, path);
     Stored size{Grid<float>(GridFrame{image.width, image.height}), false, 0.0, "PNG", "uint8"};
     place(size, path, options, sidecar);
     return decode_labels(image, size.values.frame(), RunContext{}).labels;
@@ -315,6 +317,7 @@ void write_labels(const LabelMap& labels, const std::string& path, const WriteOp
     sidecar.frame = labels.frame();
     sidecar.max_m = kRegionCount - 1;
     sidecar.heights = false;
+    sidecar.for_painting = true;
     sidecar.provenance = options.provenance;
     finish_sidecar(sidecar, path, options);
     return;

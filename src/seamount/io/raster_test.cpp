@@ -330,6 +330,7 @@ TEST(Sidecar, ComesBackAndRefusesNonsense) {
   sidecar.import = {{"Terrain Height", "109.75"}};
   sidecar.provenance = {"Seamount 0.1.0", "isle.json", 0xffffffffffffffffULL};
   const std::string path = folder("x.raw");
+  write_text(path, "codes");
   write_sidecar(sidecar, path);
   const Sidecar back = *read_sidecar(path);
   EXPECT_EQ(back.frame, sidecar.frame);
@@ -345,6 +346,35 @@ TEST(Sidecar, ComesBackAndRefusesNonsense) {
     EXPECT_THAT(error_of([&] { read_sidecar(path); }), HasSubstr("x.raw.json: ")) << text;
   }
   EXPECT_EQ(read_sidecar(folder("other.raw")), std::nullopt);
+}
+
+/// Two runs into one folder, the second one killed between its raster and its side-car.
+TEST(Sidecar, IsBelievedForItsOwnRasterOnly) {
+  for (const std::string name : {"x.r16", "x.png", "x.exr", "x.npy"}) {
+    const TestFolder folder;
+    const std::string path = folder(name);
+    write_heights(test_terrain(GridFrame::centred(16, 16, 10), 1), path);
+    EXPECT_EQ(error_of([&] { read_heights(path); }), "");
+    const std::vector<uint8_t> earlier = read_file(sidecar_path(path));
+    write_heights(test_terrain(GridFrame::centred(16, 16, 10), 2), path);
+    write_bytes(sidecar_path(path), earlier);
+    for (const std::string& message : {error_of([&] { read_heights(path); }), error_of([&] { raster_info(path); })})
+      EXPECT_THAT(message, HasSubstr(name + ".json: does not belong to the '" + name + "' that is there")) << name;
+  }
+}
+
+TEST(Sidecar, IsBelievedWithoutADigestAndForPicturesThatArePainted) {
+  const TestFolder folder;
+  write_heights(test_terrain(GridFrame::centred(16, 16, 10)), folder("x.r16"));
+  write_text(sidecar_path(folder("x.r16")), R"({"width":16,"height":16,"cell_m":5,"low_m":0,"high_m":1})");
+  EXPECT_EQ(read_heights(folder("x.r16")).cell_m(), 5);
+  LabelMap labels(GridFrame::centred(16, 16, 7), Region::abyss);
+  write_labels(labels, folder("labels.png"));
+  const std::vector<uint8_t> sidecar = read_file(sidecar_path(folder("labels.png")));
+  labels.cells()[40] = Region::mountain;
+  write_labels(labels, folder("labels.png"));
+  write_bytes(sidecar_path(folder("labels.png")), sidecar);
+  EXPECT_EQ(read_labels(folder("labels.png")).cell_m(), 7);
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "seamount/base/error.h"
 #include "seamount/io/atomic_file.h"
+#include "seamount/io/file_digest.h"
 
 namespace seamount::io {
 namespace {
@@ -86,6 +88,24 @@ Sidecar sidecar_from(const Json& json, const std::string& file) {
   return sidecar;
 }
 
+/// The side-car of a raster, whose digest is computed if the side-car has one.
+std::optional<Sidecar> read_for(const std::string& raster_path, const std::function<Digest()>& digest) {
+  constexpr uint64_t kMostBytes = 1 << 20;
+  const std::string file = sidecar_path(raster_path);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+  const std::vector<uint8_t> bytes = read_file(file, kMostBytes);
+  const Json json = Json::parse(bytes.begin(), bytes.end(), nullptr, false);
+  if (json.is_discarded()) throw IoError(file, "is not valid JSON");
+  Sidecar sidecar = sidecar_from(json, file);
+  const std::string known = Member(json, file).text("digest");
+  if (!known.empty() && known != digest().hex())
+    throw IoError(file, "does not belong to the '" + std::filesystem::path(raster_path).filename().string() +
+                            "' that is there; run again what wrote the two, or delete this file; if you changed the "
+                            "raster by hand and the numbers still hold, take \"digest\" out of it");
+  return sidecar;
+}
+
 }  // namespace
 
 std::string sidecar_path(const std::string& raster_path) { return raster_path + ".json"; }
@@ -94,6 +114,7 @@ void write_sidecar(const Sidecar& sidecar, const std::string& raster_path) {
   Json json;
   json["seamount"] = "raster";
   json["file"] = std::filesystem::path(raster_path).filename().string();
+  if (!sidecar.for_painting) json["digest"] = content_digest(raster_path).hex();
   json["width"] = sidecar.frame.width;
   json["height"] = sidecar.frame.height;
   json["cell_m"] = sidecar.frame.cell_m;
@@ -118,15 +139,12 @@ void write_sidecar(const Sidecar& sidecar, const std::string& raster_path) {
   write_text(sidecar_path(raster_path), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
+std::optional<Sidecar> read_sidecar(const std::string& raster_path, std::span<const uint8_t> raster) {
+  return read_for(raster_path, [&] { return hash_bytes(std::as_bytes(raster)); });
+}
+
 std::optional<Sidecar> read_sidecar(const std::string& raster_path) {
-  constexpr uint64_t kMostBytes = 1 << 20;
-  const std::string file = sidecar_path(raster_path);
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
-  const std::vector<uint8_t> bytes = read_file(file, kMostBytes);
-  const Json json = Json::parse(bytes.begin(), bytes.end(), nullptr, false);
-  if (json.is_discarded()) throw IoError(file, "is not valid JSON");
-  return sidecar_from(json, file);
+  return read_for(raster_path, [&] { return content_digest(raster_path); });
 }
 
 }  // namespace seamount::io

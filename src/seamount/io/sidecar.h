@@ -1,8 +1,11 @@
 // The JSON file beside a raster that cannot say its own scale (PNG, R16, R32, EXR, NPY): "height.r16" has
-// "height.r16.json". Written with every such export, used by every such import.
+// "height.r16.json". Written with every such export, used by every such import. It knows the digest of its raster: one
+// run's numbers are not taken for those of another.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,15 +33,21 @@ struct Sidecar {
   bool heights = true;               ///< metres above sea level; else any other scalar
   std::string target;                ///< "unreal", "unity", ...; empty: none in particular
   std::vector<ImportNumber> import;  ///< what to type in there
+  bool for_painting = false;         ///< the raster is there to be changed by hand: its digest is not kept
   Provenance provenance;
 };
 
 /// "height.r16" -> "height.r16.json".
 std::string sidecar_path(const std::string& raster_path);
 
+/// Writes the side-car of a raster that is there already. Throws WriteError.
 void write_sidecar(const Sidecar& sidecar, const std::string& raster_path);
 
-/// The side-car of a raster, if there is one. Throws IoError if there is one that cannot be understood.
+/// The side-car of a raster whose bytes are at hand, if there is one. Throws IoError if it cannot be understood, or if
+/// it was written for other bytes; one without a digest, of an earlier version or made by hand, is believed.
+std::optional<Sidecar> read_sidecar(const std::string& raster_path, std::span<const uint8_t> raster);
+
+/// The same; reads the raster to compare it.
 std::optional<Sidecar> read_sidecar(const std::string& raster_path);
 
 }  // namespace seamount::io

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "seamount/base/hash.h"
 #include "seamount/base/run_context.h"
@@ -16,11 +15,7 @@ bool is_picture(const std::string& path);
 /// A painted label image (io/label_image.h) laid over the domain. Throws IoError.
 LabelMap read_label_picture(const std::string& path, const GridFrame& domain, const RunContext& run);
 
-/// Files beside a file that belong to it and are there. None for a file that is missing.
-std::vector<std::string> companions_of(const std::string& path);
-
-/// Hash of a file's content, and of the files that belong to it (a Shapefile's .shx, .dbf and .prj, a side-car .json).
-/// Throws IoError.
+/// Hash of a file's content and of the files that belong to it (io/file_digest.h). Throws IoError.
 Digest file_digest(const std::string& path);
 
 }  // namespace seamount::recipe

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <filesystem>
 
-#include "seamount/recipe/file_values.h"
+#include "seamount/io/file_digest.h"
 
 namespace seamount::recipe {
 namespace {
@@ -76,7 +76,7 @@ std::vector<std::string> read_files(const Recipe& recipe) {
     for_each_file(step.op->params, step.params, add);
   }
   for (size_t i = 0, named = files.size(); i < named; ++i) {
-    for (const std::string& companion : companions_of(files[i])) files.push_back(companion);
+    for (const std::string& companion : io::companions_of(files[i])) files.push_back(companion);
   }
   if (std::error_code ignored; fs::is_regular_file(recipe.file, ignored)) files.push_back(recipe.file);
   return files;
