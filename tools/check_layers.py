@@ -21,6 +21,7 @@ ONLY_IN = {
     "thread>": "base server",
     "nlohmann/": "io recipe server",
     "gdal": "io",
+    "sqlite3": "io",
     "dnnl": "ops/learned",
     "oneapi/dnnl": "ops/learned",
     "torch/": "train",

@@ -23,6 +23,16 @@ CPLHTTPResult* refuse_network(const char*, CSLConstList, GDALProgressFunc, void*
   return result;
 }
 
+/// For destructors: GDAL is C++ and may run out of memory while it closes something.
+template <class Function>
+void without_throwing(const Function& function) noexcept {
+  try {
+    function();
+  } catch (...) {
+    // Something stays open in a program that has no memory left.
+  }
+}
+
 /// Only what we read and write, which also leaves less to attack.
 void register_drivers() {
   static std::once_flag once;
@@ -53,8 +63,10 @@ GdalCall::GdalCall(std::string path) : path_(std::move(path)) {
 }
 
 GdalCall::~GdalCall() {
-  CPLPopErrorHandler();
-  CPLErrorReset();
+  without_throwing([] {
+    CPLPopErrorHandler();
+    CPLErrorReset();
+  });
 }
 
 void GdalCall::collect(CPLErr level, CPLErrorNum, const char* message) {
@@ -85,12 +97,18 @@ MemoryFile::MemoryFile(std::span<const uint8_t> bytes, const std::string& name) 
   VSIFCloseL(file);
 }
 
-MemoryFile::~MemoryFile() { VSIUnlink(path_.c_str()); }
+MemoryFile::~MemoryFile() {
+  without_throwing([this] { VSIUnlink(path_.c_str()); });
+}
+
+void DatasetCloser::operator()(GDALDataset* dataset) const noexcept {
+  without_throwing([dataset] { GDALClose(dataset); });
+}
 
 DatasetPtr open_dataset(const GdalCall& call, const std::string& place, unsigned kind, const char* const* drivers,
-                        const std::string& what) {
+                        const std::string& what, const char* const* options) {
   DatasetPtr dataset(static_cast<GDALDataset*>(
-      GDALOpenEx(place.c_str(), kind | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers, nullptr, nullptr)));
+      GDALOpenEx(place.c_str(), kind | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers, options, nullptr)));
   if (!dataset && call.said("not recognized")) throw IoError(call.path(), "is not " + what + ", or is cut short");
   if (!dataset) call.fail("cannot be read");
   return dataset;

@@ -56,14 +56,14 @@ class MemoryFile {
 
 /// GDAL's handle types, closed by RAII.
 struct DatasetCloser {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+  void operator()(GDALDataset* dataset) const noexcept;
 };
 using DatasetPtr = std::unique_ptr<GDALDataset, DatasetCloser>;
 
 /// Opens for reading with the given drivers ("GTiff", ...; nullptr last). Throws IoError, which calls the file not
 /// `what` ("a JPEG") if no driver knows it.
 DatasetPtr open_dataset(const GdalCall& call, const std::string& place, unsigned kind, const char* const* drivers,
-                        const std::string& what);
+                        const std::string& what, const char* const* options = nullptr);
 
 /// A system from our text; nullopt-like empty pointer for empty text. Longitude before latitude. Throws
 /// InvalidArgument{"crs"}.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/model/areas.h"
 
 namespace seamount::io {
@@ -22,16 +23,16 @@ struct VectorOptions {
 /// "elev", "height" or "height_m", else a shape's own z; other numbers become attributes.
 /// Shapes across the 180th meridian are joined. Self-intersections are the caller's to find.
 /// Throws IoError{path}: missing, truncated, nothing drawn, unknown feature (with the nearest name), more than 20
-/// degrees of longitude at once.
-Drawing read_drawing(const std::string& path, const VectorOptions& options = {});
+/// degrees of longitude at once, a GeoPackage whose schema cannot be trusted (geopackage.h); Cancelled.
+Drawing read_drawing(const std::string& path, const VectorOptions& options = {}, const RunContext& run = {});
 /// The same from the bytes of a GeoJSON file; `name` stands in messages.
 Drawing read_geojson(std::span<const uint8_t> bytes, const std::string& name, const VectorOptions& options = {});
 
 /// read_drawing() that must find at least one area.
-Drawing read_areas(const std::string& path, const VectorOptions& options = {});
+Drawing read_areas(const std::string& path, const VectorOptions& options = {}, const RunContext& run = {});
 
 /// Names of the features, for choosing one.
-std::vector<std::string> feature_names(const std::string& path);
+std::vector<std::string> feature_names(const std::string& path, const RunContext& run = {});
 
 /// By extension: .geojson/.json (longitude and latitude as RFC 7946 wants where a CRS is known, else metres and a
 /// "crs" member that says so), .gpkg (layers "areas", "lines" and "points" in the drawing's CRS), .svg (one unit a

@@ -13,13 +13,12 @@
 #include "seamount/io/projection.h"
 #include "seamount/io/vector.h"
 #include "seamount/io/vector_frame.h"
+#include "seamount/io/vector_open.h"
 #include "seamount/io/warp.h"
 
 namespace seamount::io {
 namespace {
 
-constexpr const char* const kDrivers[] = {"GeoJSON", "GPKG", "ESRI Shapefile", nullptr};
-constexpr const char* kWhat = "a GeoJSON, GeoPackage or Shapefile";
 constexpr size_t kMostPoints = 50'000'000;
 constexpr double kMostDegrees = 20.0;
 
@@ -305,13 +304,14 @@ struct Reading {
   bool heights = false;
 };
 
-void read_layer(OGRLayer& layer, const std::string& wanted, Reading& reading) {
+void read_layer(OGRLayer& layer, const std::string& wanted, const RunContext& run, Reading& reading) {
   constexpr size_t kMostNames = 10000;
   const OGRFeatureDefn& definition = *layer.GetLayerDefn();
   const int name_at = name_field(definition);
   const int value_at = find_field(definition, {"value", "height_m", "elevation", "elev", "height"});
   layer.ResetReading();
   while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
+    run.check_cancelled();
     const std::string name = field_text(*feature, name_at);
     if (!name.empty() && reading.names.size() < kMostNames) reading.names.push_back(name);
     if (!wanted.empty() && lower(name) != lower(wanted)) continue;
@@ -326,8 +326,9 @@ void read_layer(OGRLayer& layer, const std::string& wanted, Reading& reading) {
   reading.heights |= value_at >= 0 && lower(definition.GetFieldDefn(value_at)->GetNameRef()) == "height_m";
 }
 
-Drawing read_dataset(const std::string& place, const GdalCall& call, const VectorOptions& options) {
-  const DatasetPtr dataset = open_dataset(call, place, GDAL_OF_VECTOR, kDrivers, kWhat);
+Drawing read_dataset(const std::string& place, const GdalCall& call, const VectorOptions& options,
+                     const RunContext& run) {
+  const DatasetPtr dataset = open_vector(place, call, run);
   Reading reading{Collector(call), {}, false, false};
   std::vector<OGRLayer*> layers;
   if (options.layer.empty() && is_ours(*dataset)) {
@@ -335,7 +336,8 @@ Drawing read_dataset(const std::string& place, const GdalCall& call, const Vecto
   } else {
     layers.push_back(&choose_layer(*dataset, options.layer, call));
   }
-  for (OGRLayer* layer : layers) read_layer(*layer, options.feature, reading);
+  for (OGRLayer* layer : layers) read_layer(*layer, options.feature, run, reading);
+  run.check_cancelled();
   call.check("is damaged");
   if (!reading.found && !options.feature.empty())
     call.fail("has no feature '" + options.feature + "'" + suggestion(options.feature, reading.names));
@@ -349,40 +351,33 @@ Drawing read_dataset(const std::string& place, const GdalCall& call, const Vecto
   return drawing;
 }
 
-void check_extension(const std::string& path) {
-  const std::vector<std::string> known = {".geojson", ".json", ".gpkg", ".shp"};
-  const std::string extension = extension_of(path);
-  if (std::find(known.begin(), known.end(), extension) == known.end())
-    throw IoError(path, "'" + extension + "' is not a vector format" + suggestion(extension, known));
-}
-
 }  // namespace
 
-Drawing read_drawing(const std::string& path, const VectorOptions& options) {
+Drawing read_drawing(const std::string& path, const VectorOptions& options, const RunContext& run) {
   check_readable(path);
-  check_extension(path);
+  check_vector_extension(path);
   const GdalCall call(path);
-  return read_dataset(path, call, options);
+  return read_dataset(path, call, options, run);
 }
 
 Drawing read_geojson(std::span<const uint8_t> bytes, const std::string& name, const VectorOptions& options) {
   GdalCall call(name);
   const MemoryFile memory(bytes, "shapes.geojson");
   call.hide(memory.path());
-  return read_dataset(memory.path(), call, options);
+  return read_dataset(memory.path(), call, options, {});
 }
 
-Drawing read_areas(const std::string& path, const VectorOptions& options) {
-  Drawing drawing = read_drawing(path, options);
+Drawing read_areas(const std::string& path, const VectorOptions& options, const RunContext& run) {
+  Drawing drawing = read_drawing(path, options, run);
   if (drawing.areas.empty()) throw IoError(path, "has no areas in it");
   return drawing;
 }
 
-std::vector<std::string> feature_names(const std::string& path) {
+std::vector<std::string> feature_names(const std::string& path, const RunContext& run) {
   check_readable(path);
-  check_extension(path);
+  check_vector_extension(path);
   const GdalCall call(path);
-  const DatasetPtr dataset = open_dataset(call, path, GDAL_OF_VECTOR, kDrivers, kWhat);
+  const DatasetPtr dataset = open_vector(path, call, run);
   OGRLayer& layer = choose_layer(*dataset, "", call);
   const int name_at = name_field(*layer.GetLayerDefn());
   std::vector<std::string> names;
@@ -390,7 +385,9 @@ std::vector<std::string> feature_names(const std::string& path) {
   while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
     const std::string name = field_text(*feature, name_at);
     if (!name.empty()) names.push_back(name);
+    run.check_cancelled();
   }
+  run.check_cancelled();
   call.check("is damaged");
   return names;
 }

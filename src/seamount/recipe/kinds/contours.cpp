@@ -38,7 +38,7 @@ size_t size_of(const ContourSet& set) {
 
 ContourSet read_contour_file(const FileCall& call) {
   try {
-    return geom::contours_from_lines(io::read_drawing(call.path), call.frame, "contours");
+    return geom::contours_from_lines(io::read_drawing(call.path, {}, call.run), call.frame, "contours");
   } catch (const InvalidArgument& error) {
     throw IoError(call.path, error.what());
   }

@@ -94,7 +94,7 @@ const Kind& kinds::Drawing::kind() {
       .bytes = size_of,
       .write = write_drawing,
       .read = read_drawing,
-      .read_file = [](const FileCall& call) { return io::read_drawing(call.path); },
+      .read_file = [](const FileCall& call) { return io::read_drawing(call.path, {}, call.run); },
       .info = io::describe_vector,
   });
   return kind;

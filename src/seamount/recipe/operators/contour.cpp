@@ -24,7 +24,7 @@ Tin grow(const contour::GrowParams& params, const Call& call, const Drawing* reg
   const auto read_regions = [&](const FilePath& file) -> contour::RegionFile {
     const std::string path = call.resolve(file);
     if (is_picture(path)) return io::read_image(path);
-    return io::read_drawing(path, {.feature = params.feature, .layer = {}});
+    return io::read_drawing(path, {.feature = params.feature, .layer = {}}, call.run);
   };
   const auto read_picture = [&](const FilePath& file) { return io::read_image(call.resolve(file)); };
   return contour::grow({regions, contours, mask, probability, rivers, read_regions, read_picture}, params, call.domain,
@@ -40,7 +40,7 @@ Tin refine(const contour::RefineParams& params, const Call& call, const Tin* tin
 
 ContourSet edit(const contour::EditParams& params, const Call& call, const ContourSet& contours,
                 const Drawing* pattern) {
-  const auto read_file = [&call](const FilePath& file) { return io::read_drawing(call.resolve(file)); };
+  const auto read_file = [&call](const FilePath& file) { return io::read_drawing(call.resolve(file), {}, call.run); };
   return contour::edit(contours, params, {pattern, read_file}, call.seed, call.run);
 }
 
