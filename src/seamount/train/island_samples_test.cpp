@@ -152,10 +152,17 @@ class IslandSet : public ::testing::Test {
     fs::remove_all(folder_ + "_whole");
   }
   static IslandSetOptions options(const std::string& folder, uint64_t count, uint64_t seed = 9) {
-    return {folder, count, Seed{seed}, [seed](const IslandSample* sample) {
-              return sample == nullptr ? "set " + std::to_string(seed)
-                                       : std::to_string(sample->index) + " " + std::to_string(sample->subsidence);
-            }};
+    const auto write = [](const IslandSample& sample, const SampleFiles& files) {
+      return std::to_string(sample.index) + " " + files.labels_digest + " " + files.height_digest;
+    };
+    const auto read = [](const std::string& line) {
+      SampleRecord record;
+      std::istringstream words(line);
+      if (!(words >> record.index >> record.files.labels_digest >> record.files.height_digest))
+        throw Error("is damaged");
+      return record;
+    };
+    return {folder, count, Seed{seed}, "set " + std::to_string(seed), write, read};
   }
   static std::string content(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
@@ -191,6 +198,54 @@ TEST_F(IslandSet, RefusesAFolderOfAnotherSet) {
   make_island_set(small(), options(folder_, 2), {});
   EXPECT_THROW(make_island_set(small(), options(folder_, 4, 10), {}), InvalidArgument);
   EXPECT_EQ(make_island_set(small(), options(folder_, 2), {}).made, 0U);
+}
+
+TEST_F(IslandSet, MakesMissingFilesAgainAndLeavesOthersAlone) {
+  make_island_set(small(), options(folder_, 6), {});
+  const std::string labels = folder_ + "/000002_labels.png", height = folder_ + "/000004_height.png";
+  const std::string before = content(labels);
+  fs::remove(labels);
+  const IslandSetReport report = make_island_set(small(), options(folder_, 6), {});
+  EXPECT_EQ(report.made, 1U);
+  EXPECT_EQ(report.present, 5U);
+  EXPECT_EQ(content(labels), before);
+  std::ofstream(height, std::ios::binary | std::ios::app) << "x";
+  const std::string changed = content(height);
+  try {
+    make_island_set(small(), options(folder_, 8), {});
+    FAIL();
+  } catch (const IoError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              height + ": is not the file that the manifest describes; remove it, and it is made again");
+  }
+  EXPECT_EQ(content(height), changed);
+}
+
+TEST_F(IslandSet, ReadsEveryLineOfTheManifest) {
+  make_island_set(small(), options(folder_, 4), {});
+  const std::string manifest = folder_ + "/manifest.jsonl", all = content(manifest);
+  const auto refusal = [&](const std::string& text) {
+    std::ofstream(manifest, std::ios::binary) << text;
+    try {
+      make_island_set(small(), options(folder_, 6), {});
+    } catch (const IoError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const size_t second = all.find('\n', all.find('\n') + 1) + 1, third = all.find('\n', second) + 1;
+  const std::string remedy = "; take this line and all after it away, and their samples are made again";
+  EXPECT_EQ(refusal(all.substr(0, second) + all.substr(third)),
+            manifest + ": line 3: is of sample 2, not of 1" + remedy);
+  EXPECT_EQ(refusal(all.substr(0, second) + "x\n" + all.substr(third)), manifest + ": line 3: is damaged" + remedy);
+  EXPECT_EQ(refusal(all.substr(0, second)), "");
+  EXPECT_EQ(content(manifest).substr(0, all.size()), all);
+}
+
+TEST_F(IslandSet, SamplesWithoutAManifestAreNotOverwritten) {
+  make_island_set(small(), options(folder_, 2), {});
+  fs::remove(folder_ + "/manifest.jsonl");
+  EXPECT_THROW(make_island_set(small(), options(folder_, 2), {}), InvalidArgument);
 }
 
 TEST_F(IslandSet, StopsWhenCancelledAndKeepsWhatIsFinished) {
