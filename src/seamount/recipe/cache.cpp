@@ -7,27 +7,44 @@
 #include <fstream>
 
 #include "seamount/io/atomic_file.h"
+#include "seamount/io/private_folder.h"
 #include "seamount/recipe/value_bytes.h"
 
 namespace seamount::recipe {
 namespace fs = std::filesystem;
 
-Cache::Cache(std::string folder, uint64_t limit_bytes) : folder_(std::move(folder)), limit_bytes_(limit_bytes) {}
+namespace {
+
+/// The key that follows the values of an entry: a file that was renamed or copied is no entry of its new name.
+void write_key(std::ostream& file, const Digest& key) { file << key.hex(); }
+
+bool has_key(std::istream& file, const Digest& key) {
+  std::string found(key.hex().size(), '\0');
+  return file.read(found.data(), static_cast<std::streamsize>(found.size())) && found == key.hex() &&
+         file.peek() == std::istream::traits_type::eof();
+}
+
+}  // namespace
+
+Cache::Cache(std::string folder, uint64_t limit_bytes) : folder_(std::move(folder)), limit_bytes_(limit_bytes) {
+  if (!folder_.empty()) io::PrivateFolder::remove_abandoned(folder_);
+}
 
 std::string Cache::path_of(const Digest& key) const { return (fs::path(folder_) / (key.hex() + ".step")).string(); }
 
 std::optional<Values> Cache::load(const Digest& key, const std::vector<Port>& ports, const Registry& registry) const {
   if (folder_.empty()) return std::nullopt;
   const std::string path = path_of(key);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
+  std::error_code ignored;
+  std::ifstream file;
+  if (fs::is_regular_file(path, ignored)) file.open(path, std::ios::binary);
+  if (!file.is_open()) return std::nullopt;
   auto values = read_values(file, registry);
-  if (!values) return std::nullopt;
+  if (!values || !has_key(file, key)) return std::nullopt;
   for (const Port& port : ports) {
     const auto found = values->find(port.name);
     if (found == values->end() || &found->second.kind() != port.kind) return std::nullopt;
   }
-  std::error_code ignored;
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
   return values;
 }
@@ -40,7 +57,8 @@ bool Cache::store(const Digest& key, const Values& values) {
     io::write_atomically(path_of(key), [&](const std::string& temporary) {
       std::ofstream file(temporary, std::ios::binary);
       write_values(file, values);
-      if (!file.flush()) throw IoError(temporary, "cannot be written");
+      write_key(file, key);
+      if (!file.flush()) throw WriteError(temporary, "cannot be written");
     });
   } catch (const IoError&) {
     return false;

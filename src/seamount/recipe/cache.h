@@ -1,5 +1,5 @@
 // Results of steps on disk, by content: a key is a hash of everything that a result depends on, so an entry is never
-// stale, only unused. Entries are checksummed; a damaged one is computed again.
+// stale, only unused. Entries are checksummed and know their key; a damaged or swapped one is computed again.
 #pragma once
 
 #include <cstdint>

@@ -99,6 +99,19 @@ TEST_F(Execute, DamagedCacheEntriesAreComputedAgain) {
   EXPECT_EQ(content("reef.asc"), first);
 }
 
+TEST_F(Execute, ASwappedCacheEntryIsNotBelieved) {
+  const auto keep = [&](uint64_t key, float height) {
+    const HeightField grid(GridFrame::centred(4, 4, 1), height);
+    Cache((folder_ / "cache").string()).store({key, key}, {{"terrain", Value::of<kinds::Terrain>(grid)}});
+    return folder_ / "cache" / (Digest{key, key}.hex() + ".step");
+  };
+  const fs::path one = keep(1, 10), two = keep(2, 20);
+  fs::copy_file(two, one, fs::copy_options::overwrite_existing);
+  const Cache cache((folder_ / "cache").string());
+  EXPECT_FALSE(cache.load({1, 1}, {{"terrain", &kinds::Terrain::kind(), ""}}).has_value());
+  EXPECT_TRUE(cache.load({2, 2}, {{"terrain", &kinds::Terrain::kind(), ""}}).has_value());
+}
+
 TEST_F(Execute, FailureNamesTheStepAndLeavesEarlierResultsAlone) {
   computed(small());
   const std::string first = content("reef.asc");
