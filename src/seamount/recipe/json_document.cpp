@@ -2,115 +2,82 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include "seamount/base/printable.h"
+#include "seamount/recipe/json_places.h"
 
 namespace seamount::recipe {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr size_t kDeepest = 64;
 
-TextPlace place_of(std::string_view text, size_t offset) {
-  TextPlace place;
-  for (size_t i = 0; i < std::min(offset, text.size()); ++i) {
-    if (text[i] == '\n') {
-      ++place.line;
-      place.column = 1;
-    } else {
-      ++place.column;
-    }
-  }
-  return place;
-}
-
-/// Walks text that is known to be valid JSON and notes where each value starts.
-class PlaceScanner {
+/// Builds the tree, looks for what is not allowed, and stops when it is asked to.
+class TreeBuilder : public nlohmann::json_sax<Json> {
  public:
-  PlaceScanner(std::string_view text, JsonDocument& document, Diagnostics& diagnostics)
-      : text_(text), document_(document), diagnostics_(diagnostics) {}
+  TreeBuilder(Json& root, const RunContext& run) : root_(root), run_(run) {}
 
-  void scan() { value(""); }
+  bool too_deep() const { return too_deep_; }
+  bool has_duplicate_keys() const { return has_duplicate_keys_; }
+  size_t error_position() const { return error_position_; }
+  /// The number that no double can hold; empty: none.
+  const std::string& overflow() const { return overflow_; }
+  const std::string& problem() const { return problem_; }
+
+  bool null() override { return add(nullptr) != nullptr; }
+  bool boolean(bool value) override { return add(value) != nullptr; }
+  bool number_integer(int64_t value) override { return add(value) != nullptr; }
+  bool number_unsigned(uint64_t value) override { return add(value) != nullptr; }
+  bool number_float(double value, const std::string&) override { return add(value) != nullptr; }
+  bool string(std::string& value) override { return add(std::move(value)) != nullptr; }
+  bool binary(Json::binary_t&) override { return false; }  // no such thing in text
+
+  bool start_object(size_t) override { return open(add(Json::object())); }
+  bool start_array(size_t) override { return open(add(Json::array())); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(std::string& name) override {
+    const auto [member, is_new] = open_.back()->get_ref<Json::object_t&>().emplace(std::move(name), nullptr);
+    has_duplicate_keys_ |= !is_new;
+    member_ = &member->second;
+    return true;
+  }
+
+  bool parse_error(size_t position, const std::string& token, const nlohmann::detail::exception& error) override {
+    error_position_ = position;
+    if (dynamic_cast<const Json::out_of_range*>(&error) != nullptr) overflow_ = token;
+    problem_ = error.what();
+    return false;
+  }
 
  private:
-  void advance() {
-    if (text_[at_] == '\n') {
-      ++place_.line;
-      place_.column = 1;
-    } else {
-      ++place_.column;
-    }
-    ++at_;
+  /// The value in its place, or nullptr if it lies too deep.
+  Json* add(Json&& value) {
+    constexpr unsigned kPause = 4096;
+    if (++values_ % kPause == 0) run_.check_cancelled();
+    too_deep_ = open_.size() > kDeepest;
+    if (too_deep_) return nullptr;
+    if (open_.empty()) return &(root_ = std::move(value));
+    if (open_.back()->is_object()) return &(*member_ = std::move(value));
+    return &open_.back()->get_ref<Json::array_t&>().emplace_back(std::move(value));
   }
 
-  void skip_space() {
-    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n' || text_[at_] == '\r'))
-      advance();
+  bool open(Json* container) {
+    if (container != nullptr) open_.push_back(container);
+    return container != nullptr;
   }
 
-  std::string_view string_token() {
-    const size_t begin = at_;
-    advance();
-    while (text_[at_] != '"') {
-      if (text_[at_] == '\\') advance();
-      advance();
-    }
-    advance();
-    return text_.substr(begin, at_ - begin);
+  bool close() {
+    open_.pop_back();
+    return true;
   }
 
-  void value(const std::string& pointer) {
-    skip_space();
-    document_.places.try_emplace(pointer, place_);
-    if (text_[at_] == '{') {
-      object(pointer);
-    } else if (text_[at_] == '[') {
-      array(pointer);
-    } else if (text_[at_] == '"') {
-      string_token();
-    } else {
-      while (at_ < text_.size() && std::string_view(",]} \t\r\n").find(text_[at_]) == std::string_view::npos) advance();
-    }
-    skip_space();
-  }
-
-  void object(const std::string& pointer) {
-    std::set<std::string> keys;
-    advance();
-    skip_space();
-    while (text_[at_] != '}') {
-      skip_space();
-      const TextPlace key_place = place_;
-      const auto key = Json::parse(string_token()).get<std::string>();
-      const std::string member = pointer + "/" + pointer_token(key);
-      if (!keys.insert(key).second) {
-        diagnostics_.items().push_back(
-            {member, "the key '" + key + "' appears twice", key_place.line, key_place.column});
-      }
-      document_.places[member] = key_place;
-      skip_space();
-      advance();  // ':'
-      value(member);
-      if (text_[at_] == ',') advance();
-      skip_space();
-    }
-    advance();
-  }
-
-  void array(const std::string& pointer) {
-    advance();
-    skip_space();
-    for (size_t index = 0; text_[at_] != ']'; ++index) {
-      value(pointer + "/" + std::to_string(index));
-      if (text_[at_] == ',') advance();
-      skip_space();
-    }
-    advance();
-  }
-
-  std::string_view text_;
-  JsonDocument& document_;
-  Diagnostics& diagnostics_;
-  size_t at_ = 0;
-  TextPlace place_;
+  Json& root_;
+  const RunContext& run_;
+  std::vector<Json*> open_;  ///< the containers that the next value is in, outermost first
+  Json* member_ = nullptr;
+  unsigned values_ = 0;
+  bool too_deep_ = false, has_duplicate_keys_ = false;
+  size_t error_position_ = 0;
+  std::string overflow_, problem_;
 };
 
 [[noreturn]] void fail(const std::string& file, TextPlace place, std::string message) {
@@ -139,43 +106,32 @@ std::string pointer_token(std::string_view key) {
   return token;
 }
 
-JsonDocument parse_json(std::string_view text, const std::string& file) {
+JsonDocument parse_json(std::string_view text, const std::string& file, const RunContext& run) {
   if (text.size() > kLargestText) fail(file, {}, "longer than 64 MiB");
   JsonDocument document;
-  bool too_deep = false;
-  const auto limit_depth = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest) too_deep = true;
-    return !too_deep;
-  };
-  try {
-    document.root = Json::parse(text, limit_depth);
-  } catch (const Json::parse_error& error) {
-    fail(file, place_of(text, error.byte == 0 ? 0 : error.byte - 1), syntax_message(error.what()));
-  } catch (const Json::exception& error) {
-    // "[json.exception.out_of_range.406] number overflow parsing '1e999'": the only other one that parsing throws.
-    const std::string what = error.what();
-    const size_t quote = what.find('\'');
-    const std::string number = quote == std::string::npos ? what : what.substr(quote + 1, what.size() - quote - 2);
-    fail(file, place_of(text, text.find(number)), "the number " + number + " is too large");
+  TreeBuilder tree(document.root, run);
+  const bool valid = Json::sax_parse(text, &tree);
+  if (tree.too_deep()) fail(file, {}, fmt::format("nested deeper than {} levels", kDeepest));
+  if (!tree.overflow().empty())
+    fail(file, place_of(text, text.find(tree.overflow())), "the number " + tree.overflow() + " is too large");
+  if (!valid) {
+    const size_t position = tree.error_position();
+    fail(file, place_of(text, position == 0 ? 0 : position - 1), syntax_message(tree.problem()));
   }
-  if (too_deep) fail(file, {}, fmt::format("nested deeper than {} levels", kDeepest));
-  Diagnostics diagnostics;
-  PlaceScanner(text, document, diagnostics).scan();
-  if (!diagnostics.empty()) throw RecipeError(file, diagnostics.items());
+  if (tree.has_duplicate_keys()) throw RecipeError(file, find_duplicate_keys(text));
+  document.text = text;
   return document;
 }
 
 void place_diagnostics(Diagnostics& diagnostics, const JsonDocument& document) {
+  std::vector<std::string> pointers;
+  for (const Diagnostic& item : diagnostics.items())
+    if (item.line == 0) pointers.push_back(item.pointer);
+  const auto places = find_places(document.text, pointers);
   for (Diagnostic& item : diagnostics.items()) {
     if (item.line > 0) continue;
-    for (std::string pointer = item.pointer;; pointer.erase(pointer.rfind('/'))) {
-      if (const auto found = document.places.find(pointer); found != document.places.end()) {
-        item.line = found->second.line;
-        item.column = found->second.column;
-        break;
-      }
-      if (pointer.empty()) break;
-    }
+    item.line = places.at(item.pointer).line;
+    item.column = places.at(item.pointer).column;
   }
 }
 
@@ -184,11 +140,10 @@ RecipeError::RecipeError(const std::string& file, std::vector<Diagnostic> diagno
         std::string text;
         for (const Diagnostic& d : diagnostics) {
           if (!text.empty()) text += '\n';
-          text += file;
+          text += printable(file);
           if (d.line > 0) text += fmt::format(":{}:{}", d.line, d.column);
           text += ": ";
-          if (!d.pointer.empty()) text += d.pointer + ": ";
-          text += d.message;
+          text += printable(d.pointer.empty() ? d.message : d.pointer + ": " + d.message);
         }
         return text;
       }()),

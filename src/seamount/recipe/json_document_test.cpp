@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 namespace seamount::recipe {
 namespace {
 
@@ -14,14 +16,17 @@ std::string message_of(const std::string& text) {
   return "no error";
 }
 
-TEST(JsonDocument, KnowsTheirPlaces) {
-  const JsonDocument document =
-      parse_json("{\n  \"steps\": [\n    { \"id\": \"a\", \"x/y\": [1, {\"deep\": 2}] }\n  ]\n}", "a.json");
-  EXPECT_EQ(document.places.at("/steps").line, 2);
-  EXPECT_EQ(document.places.at("/steps").column, 3);
-  EXPECT_EQ(document.places.at("/steps/0/id").line, 3);
-  EXPECT_EQ(document.places.at("/steps/0/id").column, 7);
-  EXPECT_EQ(document.places.at("/steps/0/x~1y/1/deep").column, 30);
+TEST(JsonDocument, KnowsThePlacesOfItsValues) {
+  const std::string text = "{\n  \"steps\": [\n    { \"id\": \"a\", \"x/y\": [1, {\"deep\": 2}] }\n  ]\n}";
+  for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
+    Diagnostics diagnostics;
+    for (const char* pointer : {"", "/steps", "/steps/0/id", "/steps/0/x~1y/1/deep"}) diagnostics.add(pointer, "?");
+    place_diagnostics(diagnostics, parse_json(mark + text, "a.json"));
+    std::string places;
+    for (const Diagnostic& item : diagnostics.items())
+      places += std::to_string(item.line) + ":" + std::to_string(item.column) + " ";
+    EXPECT_EQ(places, (mark.empty() ? "1:1" : "1:4") + std::string(" 2:3 3:7 3:30 "));
+  }
 }
 
 TEST(JsonDocument, PlacesDiagnosticsAtTheNearestValue) {
@@ -42,6 +47,27 @@ TEST(JsonDocument, RefusesWhatIsNotStrictJsonWithItsPlace) {
   EXPECT_NE(message_of("{\"a\": NaN}"), "no error");
   EXPECT_NE(message_of("{} trailing"), "no error");
   EXPECT_NE(message_of(std::string("{\"a\": \"\xff\"}")), "no error");
+}
+
+TEST(JsonDocument, NamesEveryKeyThatAppearsTwice) {
+  EXPECT_EQ(message_of("{\"a\": [{\"b\": 1,\n\"b\": 2}], \"a\": 3}"),
+            "a.json:2:1: /a/0/b: the key 'b' appears twice\na.json:2:11: /a: the key 'a' appears twice");
+}
+
+/// Places were computed for every value before: 24 s for a text of the largest size.
+TEST(JsonDocument, LongTextCanBeCancelledAndItsDefectsAreFoundInOnePass) {
+  std::string text = "{\"a\": [";
+  for (int i = 0; i < 300000; ++i) text += std::to_string(i) + ",\n";
+  text += "0]}";
+  const std::atomic<bool> cancelled{true};
+  RunContext run;
+  run.cancelled = &cancelled;
+  EXPECT_THROW(parse_json(text, "a.json", run), Cancelled);
+  const JsonDocument document = parse_json(text, "a.json");
+  Diagnostics diagnostics;
+  for (int i = 0; i < 300000; i += 3) diagnostics.add("/a/" + std::to_string(i), "?");
+  place_diagnostics(diagnostics, document);
+  EXPECT_EQ(diagnostics.items().back().line, 299998);
 }
 
 TEST(JsonDocument, RefusesBottomlessNesting) {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
+
+#include "seamount/io/input_file.h"
 
 namespace seamount::recipe {
 namespace {
@@ -379,11 +379,12 @@ Json param_schema(const ParamInfo& info) {
 Json parse_flag(const ParamInfo& info, const std::string& text) {
   if (info.kind == "text" || info.kind == "file" || info.kind == "choice" || info.kind == "colour") return text;
   if (!text.empty() && text[0] == '@') {
-    std::ifstream file(text.substr(1));
-    std::stringstream content;
-    if (!file || !(content << file.rdbuf()))
-      throw InvalidArgument("--" + info.name, text.substr(1) + ": cannot be read");
-    return parse_json(content.str(), text.substr(1)).root;
+    const std::string file = text.substr(1);
+    try {
+      return parse_json(io::read_text(file, kLargestText + 1), file).root;
+    } catch (const IoError& error) {
+      throw InvalidArgument("--" + info.name, error.what());
+    }
   }
   try {
     return parse_json(text, "--" + info.name).root;

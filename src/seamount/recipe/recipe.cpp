@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
+#include "seamount/io/input_file.h"
 #include "seamount/recipe/domain.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/output_files.h"
@@ -371,8 +370,8 @@ class RecipeReader {
 }  // namespace
 
 Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
-                    const RecipeChanges& changes, const Registry& registry) {
-  JsonDocument document = parse_json(text, file);
+                    const RecipeChanges& changes, const Registry& registry, const RunContext& run) {
+  JsonDocument document = parse_json(text, file, run);
   apply_changes(document.root, changes);
   Recipe recipe;
   recipe.file = file;
@@ -387,18 +386,10 @@ Recipe parse_recipe(const std::string& text, const std::string& file, const std:
   return recipe;
 }
 
-Recipe read_recipe(const std::string& path, const RecipeChanges& changes, const Registry& registry) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw IoError(path, "is a folder, not a recipe");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw IoError(path, std::filesystem::exists(path, ignored) ? "cannot be read" : "no such file");
-  std::string text;
-  while (file && text.size() <= kLargestText) {
-    std::array<char, 1 << 16> block{};
-    file.read(block.data(), block.size());
-    text.append(block.data(), static_cast<size_t>(file.gcount()));
-  }
-  return parse_recipe(text, path, std::filesystem::path(path).parent_path().string(), changes, registry);
+Recipe read_recipe(const std::string& path, const RecipeChanges& changes, const Registry& registry,
+                   const RunContext& run) {
+  const std::string text = io::read_text(path, kLargestText + 1, run);
+  return parse_recipe(text, path, std::filesystem::path(path).parent_path().string(), changes, registry, run);
 }
 
 }  // namespace seamount::recipe

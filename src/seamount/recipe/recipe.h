@@ -56,14 +56,16 @@ struct RecipeChanges {
   std::optional<int> size;  ///< cells along the longer side of the domain
 };
 
-/// Reads recipe text. Throws RecipeError with every defect found. `folder`: where its relative file names start.
-/// `registry` must outlive the recipe.
+/// Reads recipe text. Throws RecipeError with every defect found, Cancelled. `folder`: where its relative file names
+/// start. `registry` must outlive the recipe.
 Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
-                    const RecipeChanges& changes = {}, const Registry& registry = standard_registry());
+                    const RecipeChanges& changes = {}, const Registry& registry = standard_registry(),
+                    const RunContext& run = {});
 
-/// Reads a recipe file; its relative file names are relative to it. Throws IoError or RecipeError.
+/// Reads a recipe file, or a recipe from /dev/stdin; its relative file names are relative to it. Throws IoError,
+/// RecipeError or Cancelled.
 Recipe read_recipe(const std::string& path, const RecipeChanges& changes = {},
-                   const Registry& registry = standard_registry());
+                   const Registry& registry = standard_registry(), const RunContext& run = {});
 
 /// JSON Schema (2020-12) of recipes with every operator and output format.
 Json recipe_schema(const Registry& registry = standard_registry());
