@@ -50,6 +50,7 @@ Vec2 vertex_tangent(const Polyline& line, size_t i) {
 }  // namespace
 
 Polyline sample_catmull_rom(const Polyline& control, double step_m) {
+  constexpr double kMostSamples = 10e6;
   if (!(step_m > 0.0)) throw InvalidArgument("step_m", format_number(step_m) + " is not above 0");
   const Polyline points = without_repeats(control);
   if (points.size() < 2) return points;
@@ -67,7 +68,13 @@ Polyline sample_catmull_rom(const Polyline& control, double step_m) {
       arc = std::max(arc, length(p - before) * kProbes);
       before = p;
     }
-    const int steps = std::max(1, static_cast<int>(std::ceil(arc / step_m)));
+    const double wanted = std::ceil(arc / step_m);
+    if (!(wanted + static_cast<double>(samples.size()) <= kMostSamples))
+      throw InvalidArgument("points", "the line is too long for its detail: from (" + format_number(p1.x) + ", " +
+                                          format_number(p1.y) + ") to (" + format_number(p2.x) + ", " +
+                                          format_number(p2.y) + ") it takes " + format_number(wanted) + " steps of " +
+                                          format_number(step_m) + " m");
+    const int steps = std::max(1, static_cast<int>(wanted));
     for (int k = 1; k < steps; ++k) {
       samples.push_back(centripetal_point(p0, p1, p2, p3, static_cast<double>(k) / steps));
     }

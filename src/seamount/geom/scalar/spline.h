@@ -11,7 +11,7 @@ namespace seamount::geom {
 /// Points at most about step_m apart along the centripetal Catmull-Rom spline through all control points, which are
 /// among them. The spline's ends are shaped by reflecting the second point in the first and the last but one in the
 /// last. Repeated points are dropped; fewer than two different points come back as they are. Throws InvalidArgument
-/// unless step_m > 0. Linear in the length / step_m.
+/// unless step_m > 0 and there are at most ten million of them. Linear in the length / step_m.
 Polyline sample_catmull_rom(const Polyline& control, double step_m);
 
 /// A place on a polyline.

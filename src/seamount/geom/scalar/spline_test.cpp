@@ -47,6 +47,12 @@ TEST(CatmullRom, TakesRepeatedAndFewPoints) {
   EXPECT_THROW(sample_catmull_rom({{0, 0}, {1, 1}}, 0), InvalidArgument);
 }
 
+TEST(CatmullRom, RefusesALineThatIsTooLongForItsDetail) {
+  EXPECT_THROW(sample_catmull_rom({{-2147483649.0, 0}, {0, 0}}, 1.0), InvalidArgument);
+  EXPECT_THROW(sample_catmull_rom({{-1e300, 0}, {1e300, 0}}, 1.0), InvalidArgument);
+  EXPECT_NO_THROW(sample_catmull_rom({{-2147483649.0, 0}, {0, 0}}, 1e6));
+}
+
 TEST(ClosestOnPolyline, AgreesWithDenseSampling) {
   Rng rng(Seed{4});
   Polyline line;

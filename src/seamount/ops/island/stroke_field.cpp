@@ -58,6 +58,44 @@ Path make_path(const Stroke& stroke, double lattice_cell) {
   return path;
 }
 
+/// The parts of a polyline inside a box (Liang and Barsky 1984): the line itself where no point lies outside.
+std::vector<Polyline> clipped(const Polyline& line, const geom::Box& box) {
+  std::vector<Polyline> parts(1, Polyline());
+  for (size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec2 a = line[i], d = line[i + 1] - a;
+    double from = 0.0, to = 1.0;
+    const auto cut = [&](double inside, double outwards) {  // the side that is `inside` away, approached `outwards`
+      if (outwards > 0) to = std::min(to, inside / outwards);
+      if (outwards < 0) from = std::max(from, inside / outwards);
+      if (outwards == 0 && inside < 0) to = -1.0;
+    };
+    cut(a.x - box.low.x, -d.x);
+    cut(box.high.x - a.x, d.x);
+    cut(a.y - box.low.y, -d.y);
+    cut(box.high.y - a.y, d.y);
+    if (from > to) continue;
+    Polyline& part = from > 0.0 && !parts.back().empty() ? parts.emplace_back() : parts.back();
+    if (part.empty()) part.push_back(from > 0.0 ? a + from * d : a);
+    part.push_back(to < 1.0 ? a + to * d : line[i + 1]);
+    if (to < 1.0) parts.emplace_back();
+  }
+  if (line.size() == 1) parts.back() = line;
+  if (parts.back().empty()) parts.pop_back();
+  return parts;
+}
+
+/// A stroke without what lies so far away that it cannot matter: a point may be as far away as it likes, but the work
+/// is that of the domain. Strokes within 16 domains of it are what they are.
+std::vector<Stroke> within_sight(const Stroke& stroke, const GridFrame& frame) {
+  constexpr double kSight = 16.0;
+  const double reach = kSight * std::max(frame.width_m(), frame.height_m()) + kReach * stroke.width_m;
+  const Vec2 centre{frame.west_m + 0.5 * frame.width_m(), frame.north_m - 0.5 * frame.height_m()};
+  std::vector<Stroke> parts;
+  for (Polyline& points : clipped(stroke.points, {centre - Vec2{reach, reach}, centre + Vec2{reach, reach}}))
+    parts.push_back({std::move(points), stroke.width_m, stroke.strength_m});
+  return parts;
+}
+
 /// A rectangle of lattice nodes.
 struct Window {
   int left = 0, right = 0, top = 0, bottom = 0;  ///< right and bottom excluded
@@ -192,10 +230,16 @@ StrokeField::StrokeField(const std::vector<Stroke>& strokes, const GridFrame& fr
   for (const auto& [octave, members] : classes) {
     const GridFrame lattice = geom::coarser_frame(frame, std::ldexp(1.0, octave) / kNodesPerWidth);
     Layer layer{ScalarField(lattice, 0.0F), ScalarField(lattice, 0.0F)};
-    std::vector<std::pair<const Stroke*, Path>> paths;
-    for (const size_t i : members) paths.emplace_back(&strokes[i], make_path(strokes[i], lattice.cell_m));
+    std::vector<std::pair<Stroke, Path>> paths;
+    for (const size_t i : members) {
+      for (Stroke& part : within_sight(strokes[i], frame)) {
+        Path path = make_path(part, lattice.cell_m);
+        paths.emplace_back(std::move(part), std::move(path));
+      }
+      run.check_cancelled();
+    }
     parallel_rows(run, lattice.width, lattice.height, [&](int begin, int end) {
-      for (const auto& row : paths) add_stroke(*row.first, row.second, begin, end, layer.east, layer.north);
+      for (const auto& row : paths) add_stroke(row.first, row.second, begin, end, layer.east, layer.north);
     });
     layers_.push_back(std::move(layer));
   }

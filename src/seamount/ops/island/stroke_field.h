@@ -15,7 +15,8 @@ namespace seamount::island {
 /// Phi(p) = sum over strokes of strength C'(p*) / |C'(p*)| exp(-|p - p*|^2 / (2 width^2)), metres. Strokes of about one
 /// width share a lattice with at least eight nodes per width. Where several parts of a stroke are about equally near,
 /// its direction is their mean, weighted over a third of the width: the direction of the nearest alone (eq. 1.3) jumps
-/// there, and a warp that jumps tears the terrain. Strokes reach 4 widths. Parallel; about 2 ns per lattice node and
+/// there, and a warp that jumps tears the terrain. Strokes reach 4 widths; what of them lies further than 16 domains
+/// away is cut off. Parallel; about 2 ns per lattice node and
 /// stroke.
 class StrokeField {
  public:

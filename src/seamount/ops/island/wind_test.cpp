@@ -23,6 +23,19 @@ TEST(Displacement, IsEquation1_3WithAnUnnormalisedFalloff) {
   }
 }
 
+/// Minutes and gigabytes before: a point every quarter of a width, two million kilometres long.
+TEST(Displacement, APointFarAwayCostsNothingAndLeadsThere) {
+  const GridFrame frame = GridFrame::centred(25, 25, 80);
+  const auto from = [](double x) { return Stroke{{{x, 0}, {0, 100}, {500, 300}}, 150, 90}; };
+  const StrokeField far({from(-2147483649.0)}, frame, {}), near({from(-30000.0)}, frame, {});
+  for (const Vec2 p : {Vec2{-900, 0}, {-400, 100}, {0, 0}, {0, 100}, {450, 250}, {800, -700}}) {
+    EXPECT_NEAR(far.at(p.x, p.y).x, near.at(p.x, p.y).x, 3.0);
+    EXPECT_NEAR(far.at(p.x, p.y).y, near.at(p.x, p.y).y, 3.0);
+  }
+  const StrokeField nowhere({Stroke{{{1e9, 1e9}, {2e9, 1e9}}, 150, 90}}, frame, {});
+  EXPECT_EQ(nowhere.at(0, 0), Vec2{});
+}
+
 TEST(Displacement, IsTheSumOverStrokes) {
   const GridFrame frame = GridFrame::centred(150, 150, 50);
   const Stroke other{{{0, -3000}, {0, 3000}}, 600, -150};
