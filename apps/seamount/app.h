@@ -4,6 +4,7 @@
 #include <atomic>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "command_line.h"
 #include "seamount/recipe/executor.h"
@@ -23,7 +24,7 @@ struct RunFlags {
 
 void add_run_flags(Command command, RunFlags& flags);
 
-/// Set by Ctrl-C.
+/// Set by Ctrl-C, and by a terminal that is closed.
 std::atomic<bool>& cancel_flag();
 
 /// A context with the flags' threads, Ctrl-C, and a progress line on stderr if that is a terminal.
@@ -38,6 +39,12 @@ class Session {
  private:
   RunContext run_;
 };
+
+/// A line on stderr, made printable; where stderr is closed or its disk is full, nothing.
+void print_message(std::string_view line) noexcept;
+
+/// JSON as it is printed, of text that may be no UTF-8.
+std::string shown(const recipe::Json& json);
 
 /// Runs a recipe and prints its summary: written files to stdout (or JSON), timings to stderr.
 void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder, const RunFlags& flags);

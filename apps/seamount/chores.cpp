@@ -5,6 +5,8 @@
 #include <iostream>
 
 #include "app.h"
+#include "seamount/base/printable.h"
+#include "seamount/io/private_folder.h"
 #include "seamount/io/vector.h"
 #include "seamount/recipe/file_info.h"
 #include "seamount/recipe/recipe.h"
@@ -47,8 +49,11 @@ void convert(const ChoreFlags& flags) {
   if (is_drawing(flags.in)) {
     if (std::error_code none_there; fs::equivalent(flags.in, flags.out, none_there))
       throw InvalidArgument("out", "would be written over the input " + flags.in);
-    io::write_drawing(io::read_drawing(flags.in, {.feature = flags.feature, .layer = {}}), flags.out);
-    std::cout << flags.out << "\n";
+    const fs::path folder = fs::path(flags.out).parent_path();
+    io::PrivateFolder::remove_abandoned(folder.empty() ? "." : folder);
+    io::write_drawing(
+        io::read_drawing(flags.in, {.feature = flags.feature, .layer = {}}, {.cancelled = &cancel_flag()}), flags.out);
+    std::cout << printable(flags.out) << "\n";
     return;
   }
   Json step = {{"id", "file"}, {"op", "terrain.import"}, {"params", {{"file", absolute_file("in", flags.in)}}}};
@@ -104,12 +109,12 @@ void info(const ChoreFlags& flags) {
   if (flags.json) {
     Json object = Json::object();
     for (const auto& [key, value] : lines) object[key] = value;
-    std::cout << object.dump(2) << "\n";
+    std::cout << shown(object) << "\n";
     return;
   }
   size_t width = 0;
   for (const auto& [key, value] : lines) width = std::max(width, key.size());
-  for (const auto& [key, value] : lines) fmt::print("{:<{}}  {}\n", key, width, value);
+  for (const auto& [key, value] : lines) fmt::print("{:<{}}  {}\n", key, width, printable(value));
 }
 
 }  // namespace

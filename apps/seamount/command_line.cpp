@@ -74,7 +74,7 @@ int report_usage(const CLI::App& program, const CLI::ParseError& error, int argc
   }
   if (const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error); extras != nullptr && message == error.what())
     message = unknown_argument(program, *extras);
-  std::cerr << "seamount: " << message << "\n";
+  print_message("seamount: " + message);
   return kWrongInput;
 }
 

@@ -69,7 +69,7 @@ void write_new_file(const fs::path& path, std::string_view content) {
   io::write_atomically(path.string(), [&](const std::string& temporary) {
     std::ofstream file(temporary, std::ios::binary);
     file << content;
-    if (!file.flush()) throw IoError(path.string(), "cannot be written");
+    if (!file.flush()) throw WriteError(path.string(), "cannot be written");
   });
   std::cout << path.string() << "\n";
 }

@@ -9,6 +9,7 @@
 
 #include "app.h"
 #include "seamount/base/large_block.h"
+#include "seamount/base/printable.h"
 
 namespace seamount::app {
 namespace {
@@ -21,41 +22,74 @@ void add_commands(Command program, const recipe::Registry& registry) {
   add_operator_commands(program, registry);
 }
 
+/// Signals that end a program ask the work to stop, which removes what is unfinished, and interrupt a read that waits
+/// for a pipe; the second one of a kind ends the program. What was ignored on purpose (nohup) stays so. A closed pipe
+/// and a limit of file size are errors of a write.
+void handle_signals() {
+  struct sigaction on_stop = {};
+  on_stop.sa_handler = [](int) { cancel_flag() = true; };
+  on_stop.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before = {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &on_stop, nullptr);
+  }
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
+}
+
+/// Where an error cannot even be thrown any more: memory that ran out in a destructor, say.
+[[noreturn]] void end_at_once() {
+  constexpr std::string_view kMessage = "seamount: not enough memory, or a mistake of this program\n";
+  [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  ::_exit(kFailed);
+}
+
+int fail(std::string_view what, ExitCode code) noexcept {
+  if (cancel_flag()) {
+    what = "cancelled";
+    code = kFailed;
+  }
+  std::cout.flush();
+  for (size_t begin = 0; begin <= what.size();) {  // a recipe's defects are a line each
+    const size_t end = std::min(what.find('\n', begin), what.size());
+    print_message((begin == 0 ? "seamount: " : "") + std::string(what.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return code;
+}
+
+/// What was printed has arrived, or the work failed.
+int finish_printing(int code) {
+  std::cout.flush();
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+  return written ? code : fail("the standard output cannot be written", kFailed);
+}
+
 }  // namespace
 }  // namespace seamount::app
 
 int main(int argc, char** argv) {
-  seamount::keep_freed_memory();
   using namespace seamount;
-  // The first signal asks the work to stop and interrupts a read that waits for a pipe; the second one ends the
-  // program.
-  struct sigaction on_stop = {};
-  on_stop.sa_handler = [](int) { app::cancel_flag() = true; };
-  on_stop.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &on_stop, nullptr);
-  sigaction(SIGTERM, &on_stop, nullptr);
-  const auto fail = [](const char* what, app::ExitCode code) {
-    if (app::cancel_flag()) {
-      what = "cancelled";
-      code = app::kFailed;
-    }
-    std::cerr << "seamount: " << what << "\n";
-    return static_cast<int>(code);
-  };
+  using namespace seamount::app;
+  keep_freed_memory();
+  std::set_terminate(end_at_once);
+  handle_signals();
   try {
-    return app::run_command_line(argc, argv,
-                                 [](app::Command program) { app::add_commands(program, recipe::standard_registry()); });
+    return finish_printing(
+        run_command_line(argc, argv, [](Command program) { add_commands(program, recipe::standard_registry()); }));
   } catch (const recipe::RecipeError& error) {
-    return fail(error.what(), app::kWrongInput);
+    return fail(error.what(), kWrongInput);
   } catch (const InvalidArgument& error) {
-    return fail(error.what(), app::kWrongInput);
+    return fail(printable(error.what()), kWrongInput);
   } catch (const IncompatibleInputs& error) {
-    return fail(error.what(), app::kWrongInput);
+    return fail(printable(error.what()), kWrongInput);
+  } catch (const WriteError& error) {
+    return fail(printable(error.what()), kFailed);
   } catch (const IoError& error) {
-    return fail(error.what(), app::kWrongInput);
+    return fail(printable(error.what()), kWrongInput);
   } catch (const std::bad_alloc&) {
-    return fail("not enough memory", app::kFailed);
+    return fail("not enough memory", kFailed);
   } catch (const std::exception& error) {
-    return fail(error.what(), app::kFailed);
+    return fail(printable(error.what()), kFailed);
   }
 }

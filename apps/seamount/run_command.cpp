@@ -72,7 +72,8 @@ void add_run_command(Command program, const recipe::Registry& registry) {
   add_run_flags(command, *flags);
   command.does([flags, &registry] {
     const auto read = [&](const std::vector<std::string>& sets) {
-      return recipe::read_recipe(flags->file, {.sets = sets, .seed = flags->seed, .size = flags->size}, registry);
+      return recipe::read_recipe(flags->file, {.sets = sets, .seed = flags->seed, .size = flags->size}, registry,
+                                 {.cancelled = &cancel_flag()});
     };
     if (flags->sweep.empty()) return run_and_report(read(flags->sets), flags->out, *flags);
     if (flags->out.empty()) throw InvalidArgument("--out", "a folder name is needed");

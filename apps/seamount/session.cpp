@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "app.h"
+#include "seamount/base/printable.h"
 
 namespace seamount::app {
 namespace {
@@ -16,6 +17,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Says what it can: a closed stderr is no reason to fail.
+void write_quietly(std::string_view text) noexcept {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
 
 /// "45 %, about 12 s left", redrawn in place at most ten times a second.
 class ProgressLine {
@@ -29,12 +36,11 @@ class ProgressLine {
     std::string left;
     if (fraction > 0.02 && elapsed > 1.0)
       left = fmt::format(", about {:.0f} s left", elapsed * (1.0 - fraction) / fraction);
-    fmt::print(stderr, "\r\033[K{:3.0f} %{}", 100.0 * fraction, left);
-    std::fflush(stderr);
+    write_quietly(fmt::format("\r\033[K{:3.0f} %{}", 100.0 * fraction, left));
     shown_ = true;
   }
-  void clear() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+  void clear() noexcept {
+    if (shown_) write_quietly("\r\033[K");
   }
 
  private:
@@ -56,6 +62,16 @@ std::atomic<bool>& cancel_flag() {
   return flag;
 }
 
+void print_message(std::string_view line) noexcept {
+  try {
+    write_quietly(printable(line) + "\n");
+  } catch (const std::exception&) {
+    write_quietly("(no memory to show a message)\n");
+  }
+}
+
+std::string shown(const recipe::Json& json) { return json.dump(2, ' ', false, recipe::Json::error_handler_t::replace); }
+
 void add_run_flags(Command command, RunFlags& flags) {
   command.add("--threads", &flags.threads, "threads to use; 0: all processors").between(0, 1024);
   command.add("--seed", &flags.seed, "seed of everything random").whole();
@@ -68,7 +84,7 @@ Session::Session(const RunFlags& flags) {
   run_.cancelled = &cancel_flag();
   run_.note = [](const std::string& line) {
     if (current_line()) current_line()->clear();
-    fmt::print(stderr, "note: {}\n", line);
+    print_message("note: " + line);
   };
   if (isatty(STDERR_FILENO) == 1) {
     current_line() = std::make_shared<ProgressLine>();
@@ -124,12 +140,12 @@ void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder,
     report = recipe::execute(recipe, options, session.run());
   }
   for (const recipe::StepReport& step : report.steps) {
-    fmt::print(stderr, "{:>8.3f} s  {} ({}){}\n", step.seconds, step.id, step.op,
-               step.cached ? ", from the cache" : "");
+    print_message(
+        fmt::format("{:>8.3f} s  {} ({}){}", step.seconds, step.id, step.op, step.cached ? ", from the cache" : ""));
   }
   for (const recipe::OutputReport& output : report.outputs)
-    fmt::print(stderr, "{:>8.3f} s  {}\n", output.seconds, output.path);
-  fmt::print(stderr, "{:>8.3f} s  in all\n", seconds_since(start));
+    print_message(fmt::format("{:>8.3f} s  {}", output.seconds, output.path));
+  print_message(fmt::format("{:>8.3f} s  in all", seconds_since(start)));
   if (flags.json) {
     recipe::Json summary = {
         {"outputs", recipe::Json::array()}, {"steps", recipe::Json::array()}, {"seconds", seconds_since(start)}};
@@ -139,9 +155,9 @@ void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder,
       summary["steps"].push_back(
           {{"id", step.id}, {"op", step.op}, {"seconds", step.seconds}, {"cached", step.cached}});
     }
-    std::cout << summary.dump(2) << "\n";
+    std::cout << shown(summary) << "\n";
   } else {
-    for (const auto& output : report.outputs) std::cout << output.path << "\n";
+    for (const auto& output : report.outputs) std::cout << printable(output.path) << "\n";
   }
 }
 
