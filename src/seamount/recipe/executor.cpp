@@ -265,6 +265,7 @@ std::vector<Source> output_sources(const Recipe& recipe) {
 
 ExecuteReport execute(const Recipe& recipe, const ExecuteOptions& options, const RunContext& run) {
   check_nothing_overwritten(recipe, options.out_folder);
+  for (const Diagnostic& note : recipe.notes) run.say(diagnostic_line(recipe.file, note));
   ExecuteReport report;
   Cache cache(options.cache_folder);
   Progress progress(run, recipe.steps.size() + recipe.outputs.size());

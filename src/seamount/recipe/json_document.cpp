@@ -166,8 +166,8 @@ JsonDocument parse_json(std::string_view text, const std::string& file) {
 }
 
 void place_diagnostics(Diagnostics& diagnostics, const JsonDocument& document) {
-  for (Diagnostic& item : diagnostics.items()) {
-    if (item.line > 0) continue;
+  const auto place = [&](Diagnostic& item) {
+    if (item.line > 0) return;
     for (std::string pointer = item.pointer;; pointer.erase(pointer.rfind('/'))) {
       if (const auto found = document.places.find(pointer); found != document.places.end()) {
         item.line = found->second.line;
@@ -176,20 +176,23 @@ void place_diagnostics(Diagnostics& diagnostics, const JsonDocument& document) {
       }
       if (pointer.empty()) break;
     }
-  }
+  };
+  for (Diagnostic& item : diagnostics.items()) place(item);
+  for (Diagnostic& note : diagnostics.notes()) place(note);
+}
+
+std::string diagnostic_line(const std::string& file, const Diagnostic& diagnostic) {
+  std::string text = file;
+  if (diagnostic.line > 0) text += fmt::format(":{}:{}", diagnostic.line, diagnostic.column);
+  text += ": ";
+  if (!diagnostic.pointer.empty()) text += diagnostic.pointer + ": ";
+  return text + diagnostic.message;
 }
 
 RecipeError::RecipeError(const std::string& file, std::vector<Diagnostic> diagnostics)
     : Error([&] {
         std::string text;
-        for (const Diagnostic& d : diagnostics) {
-          if (!text.empty()) text += '\n';
-          text += file;
-          if (d.line > 0) text += fmt::format(":{}:{}", d.line, d.column);
-          text += ": ";
-          if (!d.pointer.empty()) text += d.pointer + ": ";
-          text += d.message;
-        }
+        for (const Diagnostic& d : diagnostics) text += (text.empty() ? "" : "\n") + diagnostic_line(file, d);
         return text;
       }()),
       diagnostics_(std::move(diagnostics)) {}

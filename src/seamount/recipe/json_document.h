@@ -32,7 +32,7 @@ inline constexpr size_t kLargestText = size_t{64} << 20;
 /// over 64 levels or text over 64 MiB. Time and memory are linear in the text.
 JsonDocument parse_json(std::string_view text, const std::string& file);
 
-/// Fills in line and column of each diagnostic: its own place, or that of the nearest enclosing value.
+/// Fills in line and column of each diagnostic and note: its own place, or that of the nearest enclosing value.
 void place_diagnostics(Diagnostics& diagnostics, const JsonDocument& document);
 
 /// A key as a part of a JSON pointer: "~" and "/" escaped.

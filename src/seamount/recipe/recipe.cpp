@@ -135,6 +135,29 @@ class RecipeReader {
     if (const auto in = json.find("in"); in != json.end()) draft.in = &*in;
   }
 
+  /// The name under which a port is connected: its own, or with a note its former one.
+  static std::string written_name(const Port& port, const Json& in, const ReadPlace& place) {
+    if (port.former.empty() || !in.contains(port.former)) return port.name;
+    const ReadPlace former = place.at(port.former);
+    if (in.contains(port.name)) {
+      former.fail(renamed_text(port.former, port.name) + ", which is given too: leave one out");
+      return port.name;
+    }
+    former.note(renamed_text(port.former, port.name));
+    return port.former;
+  }
+
+  /// An output by its name, or with a note by its former one.
+  static const Port* find_output(const DraftStep& draft, const std::string& name, const ReadPlace& place) {
+    if (const Port* port = draft.step.op->find_out(name)) return port;
+    for (const Port& port : draft.step.op->out) {
+      if (name.empty() || port.former != name) continue;
+      place.note(renamed_text(draft.step.id + "." + name, draft.step.id + "." + port.name));
+      return &port;
+    }
+    return nullptr;
+  }
+
   void connect(DraftStep& draft) {
     const Operator* op = draft.step.op;
     if (op == nullptr) return;
@@ -144,10 +167,11 @@ class RecipeReader {
     if (!in.is_object()) return place.expected("an object of inputs", in);
     std::vector<std::string> names;
     for (const Port& port : op->in) {
-      names.push_back(port.name);
-      const auto member = in.find(port.name);
+      const std::string written = written_name(port, in, place);
+      names.push_back(written);
+      const auto member = in.find(written);
       if (member != in.end()) {
-        if (auto source = read_source(*member, place.at(port.name), {port.kind})) draft.step.in[port.name] = *source;
+        if (auto source = read_source(*member, place.at(written), {port.kind})) draft.step.in[port.name] = *source;
       } else if (port.required) {
         (draft.in == nullptr ? draft.place : place)
             .fail(fmt::format("{} needs the input '{}': {}", op->name, port.name, port.help));
@@ -169,7 +193,7 @@ class RecipeReader {
     }
     const auto text = json.get<std::string>();
     const size_t dot = text.find('.');
-    const Source source{text.substr(0, dot), dot == std::string::npos ? "" : text.substr(dot + 1), ""};
+    Source source{text.substr(0, dot), dot == std::string::npos ? "" : text.substr(dot + 1), ""};
     const DraftStep* step = find_draft(source.step);
     if (step == nullptr) {
       std::vector<std::string> ids;
@@ -180,7 +204,7 @@ class RecipeReader {
     if (step->step.op == nullptr) return std::nullopt;  // already reported
     std::vector<std::string> ports;
     for (const Port& port : step->step.op->out) ports.push_back(source.step + "." + port.name);
-    const Port* port = step->step.op->find_out(source.port);
+    const Port* port = find_output(*step, source.port, place);
     if (port == nullptr) {
       place.fail("'" + text + "' is no output of " + step->step.op->name + suggestion(text, ports));
       return std::nullopt;
@@ -191,6 +215,7 @@ class RecipeReader {
       place.fail(fmt::format("'{}' is {}; {} is needed here", text, port->kind->name, wanted));
       return std::nullopt;
     }
+    source.port = port->name;
     return source;
   }
 
@@ -380,10 +405,9 @@ Recipe parse_recipe(const std::string& text, const std::string& file, const std:
   recipe.registry = &registry;
   Diagnostics diagnostics;
   RecipeReader(document.root, recipe, diagnostics).read();
-  if (!diagnostics.empty()) {
-    place_diagnostics(diagnostics, document);
-    throw RecipeError(file, diagnostics.items());
-  }
+  place_diagnostics(diagnostics, document);
+  if (!diagnostics.empty()) throw RecipeError(file, diagnostics.items());
+  recipe.notes = std::move(diagnostics.notes());
   return recipe;
 }
 

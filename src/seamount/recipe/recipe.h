@@ -46,6 +46,7 @@ struct Recipe {
   Seed seed;
   std::vector<Step> steps;  ///< every step after those that it needs; those that prepare outputs last
   std::vector<Output> outputs;
+  std::vector<Diagnostic> notes;  ///< what its author should know although it can be run: former names
 };
 
 /// Changes to a document before it is read: what the command line gives.

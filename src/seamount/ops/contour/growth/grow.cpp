@@ -158,8 +158,8 @@ double node_spacing(const RegionTree& tree, const GridFrame& domain, const GrowP
   return std::sqrt(geom::kDiscDensity * measure(tree, domain).area / params.particles);
 }
 
-Tin strew_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<RiverLine> rivers,
-                const GrowParams& params, Seed seed, const RunContext& run) {
+Tin sample_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<RiverLine> rivers,
+                 const GrowParams& params, Seed seed, const RunContext& run) {
   const Measures all = measure(tree, domain);
   if (!(all.area > 0.0)) throw InvalidArgument("outlines", "no region has an area inside the domain");
   const double spacing = node_spacing(tree, domain, params);
@@ -210,7 +210,7 @@ Tin grow(RegionTree tree, const GridFrame& domain, const ScalarField* probabilit
     params.rivers.clear();
     add_outline_detail(tree, rivers, params.irregularity, domain, seed.derive("outlines"), run);
   }
-  Tin tin = strew_nodes(tree, domain, std::move(rivers), params, seed, run.part(0.0, 0.7));
+  Tin tin = sample_nodes(tree, domain, std::move(rivers), params, seed, run.part(0.0, 0.7));
   check_regions(tree, domain, node_spacing(tree, domain, params), tin.region, run);
   grow_nodes(tin, probability, params, seed, run.part(0.7, 1.0));
   return tin;
