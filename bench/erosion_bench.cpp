@@ -27,7 +27,7 @@ void erode(benchmark::State& state, const erosion::RunParams& params, float heig
 void hydraulic(benchmark::State& state) { erode(state, {}, 900); }
 
 void stream_power(benchmark::State& state) {
-  erode(state, {.method = erosion::Method::stream_power, .years = 2e6, .uplift_mm = 0.5}, 30);
+  erode(state, {.method = erosion::Method::stream_power, .years = 2e6, .uplift_mm_yr = 0.5}, 30);
 }
 
 BENCHMARK(hydraulic)

@@ -13,16 +13,16 @@ reef::GrowParams paper_settings() {
   reef::GrowParams params;
   params.lattice_m = kWidth_m / 150;
   params.particles = 3000;
-  params.max_steps = 30000;
-  params.margin_m = 0;
-  params.kernels = {{3000, -3000}};
-  params.combine = reef::Combine::sum;
-  params.lift = reef::Lift::proportional;
+  params.walk.max_steps = 30000;
+  params.bounds.margin_m = 0;
+  params.starts.points = {{3000, -3000}};
+  params.kernel.combine = reef::Combine::sum;
+  params.heights.mode = reef::Lift::proportional;
   params.irregularity = 0;
-  params.w0 = 0.5;
-  params.w1 = 0.2;
-  params.w2 = 0.1;
-  params.k2 = 10;
+  params.heights.w0 = 0.5;
+  params.heights.w1 = 0.2;
+  params.heights.w2 = 0.1;
+  params.kernel.k2 = 10;
   return params;
 }
 

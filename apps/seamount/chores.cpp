@@ -33,15 +33,23 @@ bool is_drawing(const std::string& file) {
   return extension == ".geojson" || extension == ".gpkg" || extension == ".shp" || extension == ".json";
 }
 
-/// "name=value" of an output format's parameter.
+/// "name=value" or "group.name=value" of an output format's parameter.
 void set_member(Json& output, const std::string& assignment) {
   const size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     throw InvalidArgument("--set", "expected NAME=VALUE, found '" + assignment + "'");
   const Json value = Json::parse(assignment.substr(equals + 1), nullptr, false);
   const std::string name = assignment.substr(0, equals);
-  if (output.contains(name)) throw InvalidArgument("--set", "'" + name + "' is given already");
-  output[name] = value.is_discarded() ? Json(assignment.substr(equals + 1)) : value;
+  Json* object = &output;
+  std::string rest = name;
+  for (size_t dot = rest.find('.'); dot != std::string::npos; dot = rest.find('.')) {
+    object = &(*object)[rest.substr(0, dot)];
+    if (!object->is_object() && !object->is_null())
+      throw InvalidArgument("--set", "'" + name.substr(0, name.size() - rest.size() + dot) + "' is given already");
+    rest = rest.substr(dot + 1);
+  }
+  if (object->contains(rest)) throw InvalidArgument("--set", "'" + name + "' is given already");
+  (*object)[rest] = value.is_discarded() ? Json(assignment.substr(equals + 1)) : value;
 }
 
 /// Areas and lines as they are; a terrain by importing it and writing one output.

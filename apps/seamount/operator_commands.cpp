@@ -19,7 +19,7 @@ struct OperatorFlags : RunFlags {
   std::string domain;
   std::optional<double> cell_m;
   std::optional<int> size;
-  std::map<std::string, std::string> params;
+  std::map<std::string, std::string> params;  ///< as typed, by name or group.name
 };
 
 /// "60000x40000" or "60000": width and height in metres.
@@ -41,6 +41,32 @@ void set_domain(Json& domain, const std::string& text) {
   domain["height_m"] = cross == std::string::npos ? domain["width_m"] : Json(number(text.substr(cross + 1)));
 }
 
+/// Puts the flag of one parameter into an object of parameters as `name`.
+void set_param(Json& params, const std::string& name, const recipe::ParamInfo& info, const OperatorFlags& flags,
+               const std::string& group = "") {
+  const auto given = flags.params.find(group + name);
+  if (given == flags.params.end()) return;
+  if (params.contains(name))
+    throw InvalidArgument("--" + group + name, "is given in --" + group.substr(0, group.size() - 1) + " too");
+  recipe::ParamInfo shown = info;
+  shown.name = given->first;
+  params[name] = info.kind == "file" ? Json(absolute_file("--" + given->first, given->second))
+                                     : recipe::parse_flag(shown, given->second);
+}
+
+/// The flags of parameters, those of a group's members after the group as a whole.
+void set_params(Json& params, const std::vector<recipe::ParamInfo>& infos, const std::string& group,
+                const OperatorFlags& flags) {
+  for (const recipe::ParamInfo& info : infos) {
+    set_param(params, info.name, info, flags, group);
+    if (info.kind != "group") continue;
+    Json members = params.contains(info.name) ? params[info.name] : Json::object();
+    if (!members.is_object()) continue;  // refused when the document is read
+    set_params(members, info.tools[0].params, group + info.name + ".", flags);
+    if (!members.empty()) params[info.name] = std::move(members);
+  }
+}
+
 /// The document that the flags stand for. File names in it are absolute: there is no recipe file that they could be
 /// relative to.
 Json make_document(const Operator& op, const OperatorFlags& flags) {
@@ -50,12 +76,8 @@ Json make_document(const Operator& op, const OperatorFlags& flags) {
                {"in", Json::object()},
                {"params", Json::object()},
                {"seed", flags.seed.value_or(0)}};
-  for (const recipe::ParamInfo& info : op.params) {
-    const auto given = flags.params.find(info.name);
-    if (given == flags.params.end()) continue;
-    step["params"][info.name] = info.kind == "file" ? Json(absolute_file("--" + info.name, given->second))
-                                                    : recipe::parse_flag(info, given->second);
-  }
+  set_params(step["params"], op.params, "", flags);
+  for (const recipe::FormerParam& former : op.former) set_param(step["params"], former.name, former.info, flags);
   for (const std::string& assignment : flags.in) {
     const size_t equals = assignment.find('=');
     if (equals == std::string::npos) throw InvalidArgument("--in", "expected NAME=FILE, found '" + assignment + "'");
@@ -73,6 +95,29 @@ Json make_document(const Operator& op, const OperatorFlags& flags) {
   return document;
 }
 
+using ParamTexts = std::map<std::string, std::string>;
+
+Flag add_param_flag(Command command, const std::string& name, const recipe::ParamInfo& info, ParamTexts& texts) {
+  std::string names = "--" + name;
+  std::string dashed = name;
+  std::replace(dashed.begin(), dashed.end(), '_', '-');
+  if (dashed != name) names += ",--" + dashed;
+  return command
+      .add(
+          names, [&texts, name](const std::string& text) { texts[name] = text; },
+          info.help + (info.unit.empty() ? "" : " [" + info.unit + "]"))
+      .kind(info.kind);
+}
+
+/// A flag for each parameter; a group has one as a whole, in JSON, and one for each member: --walk.stickiness.
+void add_param_flags(Command command, const std::vector<recipe::ParamInfo>& infos, const std::string& group,
+                     ParamTexts& texts) {
+  for (const recipe::ParamInfo& info : infos) {
+    add_param_flag(command, group + info.name, info, texts).group("Parameters");
+    if (info.kind == "group") add_param_flags(command, info.tools[0].params, group + info.name + ".", texts);
+  }
+}
+
 void add_operator_command(Command program, const recipe::Registry& registry, const Operator& op) {
   const auto flags = std::make_shared<OperatorFlags>();
   Command command = program.add_command(op.name, op.summary, "Operators");
@@ -84,26 +129,20 @@ void add_operator_command(Command program, const recipe::Registry& registry, con
   command.add("--cell", &flags->cell_m, "cell size in metres").finite();
   command.add("--size", &flags->size, "cells along the longer side").between(1, 65536);
   add_run_flags(command, *flags);
-  for (const recipe::ParamInfo& info : op.params) {
-    std::string names = "--" + info.name;
-    std::string dashed = info.name;
-    std::replace(dashed.begin(), dashed.end(), '_', '-');
-    if (dashed != info.name) names += ",--" + dashed;
-    command
-        .add(
-            names, [flags, name = info.name](const std::string& text) { flags->params[name] = text; },
-            info.help + (info.unit.empty() ? "" : " [" + info.unit + "]"))
-        .kind(info.kind)
-        .group("Parameters");
-  }
+  add_param_flags(command, op.params, "", flags->params);
+  // Former names work and are not shown: help has no heading for them.
+  for (const recipe::FormerParam& former : op.former)
+    add_param_flag(command, former.name, former.info, flags->params).group("");
   for (const recipe::Port& port : op.in) {
-    if (command.has("--" + port.name)) continue;  // a parameter's; --in NAME=FILE remains
-    command
-        .add(
-            "--" + port.name,
-            [flags, name = port.name](const std::string& file) { flags->in.push_back(name + "=" + file); }, port.help)
-        .kind("FILE")
-        .group("Inputs");
+    for (const std::string& name : {port.name, port.former}) {
+      if (name.empty() || command.has("--" + name)) continue;  // none, or a parameter's; --in NAME=FILE remains
+      command
+          .add(
+              "--" + name, [flags, name](const std::string& file) { flags->in.push_back(name + "=" + file); },
+              port.help)
+          .kind("FILE")
+          .group(name == port.name ? "Inputs" : "");
+    }
   }
   command.does([flags, &registry, &op] {
     const Json document = make_document(op, *flags);

@@ -102,23 +102,41 @@ std::string absolute_file(const std::string& flag, const std::string& file) {
   return std::filesystem::absolute(file).lexically_normal().string();
 }
 
+namespace {
+
+/// The flag that a JSON pointer into a document made from flags stands for: "--walk.stickiness"; of lists the place
+/// within: "--edits/0/radius_m".
+std::optional<std::string> flag_of(const std::string& pointer, const FlagNames& flags) {
+  for (const auto& [beginning, flag] : flags) {
+    if (!pointer.starts_with(beginning)) continue;
+    std::string rest = pointer.substr(beginning.size());
+    for (size_t slash = rest.find('/'); slash != std::string::npos; slash = rest.find('/', slash)) {
+      if (slash + 1 < rest.size() && rest[slash + 1] >= '0' && rest[slash + 1] <= '9') break;
+      rest[slash] = '.';
+    }
+    return flag + rest;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 void throw_as_flag(const recipe::Diagnostic& defect, const std::string& command, const FlagNames& flags) {
   // "/steps/0/params/peak_m", "peak_m: 1e9 is outside [0, 9000]": the name is said once.
   std::string message = defect.message;
   const std::string name = defect.pointer.substr(defect.pointer.rfind('/') + 1) + ": ";
   if (message.starts_with(name)) message.erase(0, name.size());
-  for (const auto& [pointer, flag] : flags) {
-    if (defect.pointer.starts_with(pointer))
-      throw InvalidArgument(flag + defect.pointer.substr(pointer.size()), message);
-  }
-  throw InvalidArgument(command, message);
+  throw InvalidArgument(flag_of(defect.pointer, flags).value_or(command), message);
 }
 
 recipe::Recipe parse_made_recipe(const recipe::Json& document, const std::string& command, const FlagNames& flags,
                                  const recipe::RecipeChanges& changes, const recipe::Registry& registry) {
   const std::string text = document.dump(-1, ' ', false, recipe::Json::error_handler_t::replace);
   try {
-    return recipe::parse_recipe(text, command, "", changes, registry);
+    recipe::Recipe recipe = recipe::parse_recipe(text, command, "", changes, registry);
+    for (recipe::Diagnostic& note : recipe.notes)
+      note = {flag_of(note.pointer, flags).value_or(note.pointer), note.message};
+    return recipe;
   } catch (const recipe::RecipeError& error) {
     // What was written wrongly says more than what is therefore missing.
     const auto& defects = error.diagnostics();

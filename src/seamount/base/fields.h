@@ -3,8 +3,7 @@
 //   struct CoralParams {
 //     double subsidence = 0.0;
 //     static constexpr auto fields() {
-//       return std::tuple(field(&CoralParams::subsidence, "subsidence", "", between(0, 1),
-//                               "share of its height that has sunk"));
+//       return std::tuple(field(&CoralParams::subsidence, "subsidence", "", between(0, 1), "share that has sunk"));
 //     }
 //   };
 //
@@ -18,6 +17,10 @@
 //     static constexpr std::string_view kTool = "warp", kAbout = "drags contours along a stroke";
 //     ... members and fields() as above
 //   };
+//
+// A parameter that is renamed leaves its old name behind, so that what people have written is still read:
+//
+//   static constexpr std::array kFormerNames = {FormerName{"creep_m2", "creep_m2_yr"}};
 #pragma once
 
 #include <array>
@@ -25,6 +28,7 @@
 #include <concepts>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -85,6 +89,23 @@ concept Choice = std::is_enum_v<T> && requires {
 template <class Params, class Visitor>
 constexpr void for_each_field(Visitor&& visit) {
   std::apply([&](const auto&... row) { (visit(row), ...); }, Params::fields());
+}
+
+/// A name that a parameter had in earlier versions.
+struct FormerName {
+  std::string_view name;  ///< as it was written beside the others: "creep_m2"
+  std::string_view now;   ///< as it is, a path where it moved into a group: "walk.stickiness"
+  double factor = 1.0;    ///< what a number is multiplied with, where the unit changed
+};
+
+/// Former names of Params' own rows; those of its groups are their own.
+template <class Params>
+constexpr std::span<const FormerName> former_names() {
+  if constexpr (requires { Params::kFormerNames; }) {
+    return Params::kFormerNames;
+  } else {
+    return {};
+  }
 }
 
 /// A struct with a field table.

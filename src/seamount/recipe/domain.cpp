@@ -49,8 +49,10 @@ void apply_set(Json& root, const std::string& assignment) {
   const std::string text = assignment.substr(equals + 1);
   Json* target = &root;
   const auto tokens = split(path, '.');
+  bool among_params = false;  // a group that the recipe leaves out may be named
   for (size_t i = 0; i < tokens.size(); ++i) {
-    const bool may_create = i + 1 == tokens.size() || tokens[i] == "params" || tokens[i] == "domain";
+    const bool may_create = among_params || i + 1 == tokens.size() || tokens[i] == "params" || tokens[i] == "domain";
+    among_params = among_params || tokens[i] == "params" || (tokens[0] == "outputs" && i == 1);
     target = descend(*target, tokens[i], may_create);
     if (target == nullptr) {
       throw InvalidArgument("--set", "'" + path + "' leads nowhere: the recipe has no '" + tokens[i] + "' there");

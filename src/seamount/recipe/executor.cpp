@@ -118,6 +118,7 @@ class StepsRun {
 
 ExecuteReport execute(const Recipe& recipe, const ExecuteOptions& options, const RunContext& run) {
   check_nothing_overwritten(recipe, options.out_folder);
+  for (const Diagnostic& note : recipe.notes) run.say(diagnostic_line(recipe.file, note));
   std::vector<Source> wanted = output_sources(recipe);
   if (wanted.empty()) {
     for (const Step& step : recipe.steps) wanted.push_back({step.id, "", ""});

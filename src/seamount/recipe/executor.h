@@ -22,10 +22,10 @@ struct ExecuteReport {
   std::vector<OutputReport> outputs;
 };
 
-/// Runs the steps that the outputs need (all of them, if there are no outputs) and writes the outputs. run.progress
-/// gets the fraction of the whole, run.note what operators say, with "step 'reef': " before it, also for a step that
-/// was cached. Throws what operators and writers throw, with "step 'reef' (island.coral): " before it; other steps are
-/// then stopped.
+/// Says the recipe's notes, runs the steps that the outputs need (all of them, if there are no outputs) and writes the
+/// outputs. run.progress gets the fraction of the whole, run.note what operators say, with "step 'reef': " before it,
+/// also for a step that was cached. Throws what operators and writers throw, with "step 'reef' (island.coral): " before
+/// it; other steps are then stopped.
 ExecuteReport execute(const Recipe& recipe, const ExecuteOptions& options, const RunContext& run);
 
 /// Runs the steps only and returns the value of "step.port" for each of `wanted`.

@@ -125,26 +125,30 @@ JsonDocument parse_json(std::string_view text, const std::string& file, const Ru
 
 void place_diagnostics(Diagnostics& diagnostics, const JsonDocument& document) {
   std::vector<std::string> pointers;
-  for (const Diagnostic& item : diagnostics.items())
-    if (item.line == 0) pointers.push_back(item.pointer);
+  const auto for_each_unplaced = [&](const auto& visit) {
+    for (std::vector<Diagnostic>* items : {&diagnostics.items(), &diagnostics.notes()})
+      for (Diagnostic& item : *items)
+        if (item.line == 0) visit(item);
+  };
+  for_each_unplaced([&](const Diagnostic& item) { pointers.push_back(item.pointer); });
   const auto places = find_places(document.text, pointers);
-  for (Diagnostic& item : diagnostics.items()) {
-    if (item.line > 0) continue;
+  for_each_unplaced([&](Diagnostic& item) {
     item.line = places.at(item.pointer).line;
     item.column = places.at(item.pointer).column;
-  }
+  });
+}
+
+std::string diagnostic_line(const std::string& file, const Diagnostic& diagnostic) {
+  std::string text = printable(file);
+  if (diagnostic.line > 0) text += fmt::format(":{}:{}", diagnostic.line, diagnostic.column);
+  return text + ": " +
+         printable(diagnostic.pointer.empty() ? diagnostic.message : diagnostic.pointer + ": " + diagnostic.message);
 }
 
 RecipeError::RecipeError(const std::string& file, std::vector<Diagnostic> diagnostics)
     : Error([&] {
         std::string text;
-        for (const Diagnostic& d : diagnostics) {
-          if (!text.empty()) text += '\n';
-          text += printable(file);
-          if (d.line > 0) text += fmt::format(":{}:{}", d.line, d.column);
-          text += ": ";
-          text += printable(d.pointer.empty() ? d.message : d.pointer + ": " + d.message);
-        }
+        for (const Diagnostic& d : diagnostics) text += (text.empty() ? "" : "\n") + diagnostic_line(file, d);
         return text;
       }()),
       diagnostics_(std::move(diagnostics)) {}

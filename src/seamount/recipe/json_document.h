@@ -26,8 +26,8 @@ inline constexpr size_t kLargestText = size_t{64} << 20;
 /// over 64 levels or text over 64 MiB; Cancelled. Time and memory are linear in the text.
 JsonDocument parse_json(std::string_view text, const std::string& file, const RunContext& run = {});
 
-/// Fills in line and column of each diagnostic: its own place, or that of the nearest enclosing value. A member's place
-/// is its key's. One pass over the text, however many there are.
+/// Fills in line and column of each diagnostic and note: its own place, or that of the nearest enclosing value. A
+/// member's place is its key's. One pass over the text, however many there are.
 void place_diagnostics(Diagnostics& diagnostics, const JsonDocument& document);
 
 /// A key as a part of a JSON pointer: "~" and "/" escaped.

@@ -10,24 +10,6 @@
 namespace seamount::recipe {
 namespace {
 
-std::string shown(const Json& json) {
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  constexpr size_t kLongest = 40;
-  if (text.size() > kLongest) text = text.substr(0, kLongest - 3) + "...";
-  switch (json.type()) {
-    case Json::value_t::null:
-      return "nothing (null)";
-    case Json::value_t::object:
-      return "the object " + text;
-    case Json::value_t::array:
-      return "the list " + text;
-    case Json::value_t::string:
-      return "the text " + text;
-    default:
-      return text;
-  }
-}
-
 /// [a, b]: two numbers.
 bool read_pair(const Json& json, double& first, double& second, const std::string& what, const ReadPlace& place) {
   if (!json.is_array() || json.size() != 2 || !json[0].is_number() || !json[1].is_number()) {
@@ -47,10 +29,6 @@ int hex_digit(char c) {
 }
 
 }  // namespace
-
-void ReadPlace::expected(const std::string& what, const Json& found) const {
-  fail("expected " + what + ", found " + shown(found));
-}
 
 void read_json(const Json& json, double& value, const ReadPlace& place) {
   if (!json.is_number()) return place.expected("a number", json);
@@ -239,6 +217,16 @@ Json write_json(const RiverLine& value) {
           {"bed_m", write_json(value.bed_m)},
           {"source_width_m", write_json(value.source_width_m)},
           {"mouth_width_m", write_json(value.mouth_width_m)}};
+}
+
+const ParamInfo* find_param(const std::vector<ParamInfo>& infos, std::string_view path) {
+  const size_t dot = path.find('.');
+  for (const ParamInfo& info : infos) {
+    if (info.name != path.substr(0, dot)) continue;
+    if (dot == std::string_view::npos) return &info;
+    return info.kind == "group" ? find_param(info.tools[0].params, path.substr(dot + 1)) : nullptr;
+  }
+  return nullptr;
 }
 
 void refuse_unknown_keys(const Json& object, const std::vector<std::string>& names, const std::string& what,

@@ -14,21 +14,10 @@
 #include "seamount/base/fields.h"
 #include "seamount/model/drawn.h"
 #include "seamount/recipe/diagnostics.h"
+#include "seamount/recipe/former_names.h"
 #include "seamount/recipe/json_document.h"
 
 namespace seamount::recipe {
-
-/// Where reading stands and where its errors go.
-struct ReadPlace {
-  std::string pointer;
-  Diagnostics& diagnostics;
-
-  ReadPlace at(const std::string& token) const { return {pointer + "/" + token, diagnostics}; }
-  ReadPlace at(size_t index) const { return at(std::to_string(index)); }
-  void fail(std::string message) const { diagnostics.add(pointer, std::move(message)); }
-  /// "expected a number, found the text "abc"".
-  void expected(const std::string& what, const Json& found) const;
-};
 
 // One overload per parameter type; each reports to `place` and leaves `value` as it was when the JSON does not fit.
 void read_json(const Json& json, double& value, const ReadPlace& place);
@@ -204,18 +193,42 @@ std::vector<ParamInfo> describe_params() {
   return infos;
 }
 
+/// A former name of a parameter, and which one it was.
+struct FormerParam {
+  std::string name;  ///< a path, as it was written on the command line
+  ParamInfo info;    ///< of the present parameter, but for its name: that is the path
+};
+
+/// The parameter at a path such as "walk.stickiness"; nullptr if there is none.
+const ParamInfo* find_param(const std::vector<ParamInfo>& infos, std::string_view path);
+
+/// Former names of Params' own rows (those of its groups are read in documents only).
+template <class Params>
+std::vector<FormerParam> describe_former_names() {
+  const std::vector<ParamInfo> infos = describe_params<Params>();
+  std::vector<FormerParam> former;
+  for (const FormerName& row : former_names<Params>()) {
+    ParamInfo info = *find_param(infos, row.now);
+    info.name = row.now;
+    former.push_back({std::string(row.name), std::move(info)});
+  }
+  return former;
+}
+
 /// Reports members of `object` that are not in `names`, with a suggestion.
 void refuse_unknown_keys(const Json& object, const std::vector<std::string>& names, const std::string& what,
                          const ReadPlace& place);
 
-/// Reads a whole Params: unknown keys, wrong types and values out of range are all reported.
+/// Reads a whole Params: unknown keys, wrong types and values out of range are all reported, former names are noted.
 template <class Params>
-Params read_params(const Json& object, const ReadPlace& place) {
+Params read_params(const Json& given, const ReadPlace& place) {
   Params params;
-  if (!object.is_object()) {
-    place.expected("an object of parameters", object);
+  if (!given.is_object()) {
+    place.expected("an object of parameters", given);
     return params;
   }
+  PresentNames present(given, former_names<Params>(), place);
+  const Json& object = present.object();
   std::vector<std::string> names;
   for_each_field<Params>([&](const auto& row) {
     names.emplace_back(row.name);
@@ -232,6 +245,7 @@ Params read_params(const Json& object, const ReadPlace& place) {
     }
   });
   refuse_unknown_keys(object, names, "parameter", place);
+  present.move_defects();
   return params;
 }
 

@@ -81,6 +81,13 @@ OptionalIn<K> optional_in(std::string name, std::string help) {
   return {{std::move(name), &K::kind(), std::move(help), false}};
 }
 
+/// A port that had another name in earlier versions, which is still read with a note.
+template <class PortOf>
+PortOf formerly(std::string former, PortOf port) {
+  port.port.former = std::move(former);
+  return port;
+}
+
 /// `count` rows of inputs; the first input of the first row is required. `help` holds for the first row, `more_help`
 /// for the others.
 template <class... Ks>
@@ -124,6 +131,7 @@ Operator make_operator(Operator row, std::tuple<Inputs...> ins, std::tuple<Out<K
   std::apply([&](const auto&... input) { (input.add_to(row.in), ...); }, ins);
   std::apply([&](const auto&... output) { (row.out.push_back(output.port), ...); }, outs);
   row.params = describe_params<Params>();
+  row.former = describe_former_names<Params>();
   row.complete = [](const Json& given, const ReadPlace& place) {
     return write_params(read_params<Params>(given, place));
   };

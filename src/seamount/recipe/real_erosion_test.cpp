@@ -27,11 +27,10 @@ TEST(RealErosion, BringsNoiseNearerToTheSanGabrielMountains) {
   there.north_m += 0.5 * (whole.frame().south_m() + whole.frame().north_m);
   const HeightField real = geom::resample(whole, there, {});
   const erosion::RunParams params{.years = 1.6e6,
+                                  .uplift_mm_yr = 0.75,
                                   .erodibility = 8.3e-6,
-                                  .uplift_mm = 0.75,
-                                  .bedrock_angle_deg = 28,
-                                  .creep_m2 = 0.02,
-                                  .sea_m = -1000};
+                                  .sea_m = -1000,
+                                  .slopes = {.bedrock_angle_deg = 28, .creep_m2_yr = 0.02}};
   const std::set<std::string> always = {"slope",  "curvature",  "drainage_area", "slope_area",
                                         "ridges", "prominence", "roughness"};
   for (const uint64_t seed : {1, 2}) {

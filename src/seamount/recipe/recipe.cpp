@@ -139,6 +139,29 @@ class RecipeReader {
       read_json(*bypass, draft.bypass, place.at("bypass"));
   }
 
+  /// The name under which a port is connected: its own, or with a note its former one.
+  static std::string written_name(const Port& port, const Json& in, const ReadPlace& place) {
+    if (port.former.empty() || !in.contains(port.former)) return port.name;
+    const ReadPlace former = place.at(port.former);
+    if (in.contains(port.name)) {
+      former.fail(renamed_text(port.former, port.name) + ", which is given too: leave one out");
+      return port.name;
+    }
+    former.note(renamed_text(port.former, port.name));
+    return port.former;
+  }
+
+  /// An output by its name, or with a note by its former one.
+  static const Port* find_output(const DraftStep& draft, const std::string& name, const ReadPlace& place) {
+    if (const Port* port = draft.step.op->find_out(name)) return port;
+    for (const Port& port : draft.step.op->out) {
+      if (name.empty() || port.former != name) continue;
+      place.note(renamed_text(draft.step.id + "." + name, draft.step.id + "." + port.name));
+      return &port;
+    }
+    return nullptr;
+  }
+
   void connect(DraftStep& draft) {
     const Operator* op = draft.step.op;
     if (op == nullptr) return;
@@ -148,10 +171,11 @@ class RecipeReader {
     if (!in.is_object()) return place.expected("an object of inputs", in);
     std::vector<std::string> names;
     for (const Port& port : op->in) {
-      names.push_back(port.name);
-      const auto member = in.find(port.name);
+      const std::string written = written_name(port, in, place);
+      names.push_back(written);
+      const auto member = in.find(written);
       if (member != in.end()) {
-        if (auto source = read_source(*member, place.at(port.name), {port.kind})) draft.step.in[port.name] = *source;
+        if (auto source = read_source(*member, place.at(written), {port.kind})) draft.step.in[port.name] = *source;
       } else if (port.required && !draft.bypass) {
         leave_open(draft.step, draft.in == nullptr ? draft.place : place,
                    fmt::format("{} needs the input '{}': {}", op->name, port.name, port.help));
@@ -178,7 +202,7 @@ class RecipeReader {
     }
     const auto text = json.get<std::string>();
     const size_t dot = text.find('.');
-    const Source source{text.substr(0, dot), dot == std::string::npos ? "" : text.substr(dot + 1), ""};
+    Source source{text.substr(0, dot), dot == std::string::npos ? "" : text.substr(dot + 1), ""};
     const DraftStep* step = find_draft(source.step);
     if (step == nullptr) {
       std::vector<std::string> ids;
@@ -189,7 +213,7 @@ class RecipeReader {
     if (step->step.op == nullptr) return std::nullopt;  // already reported
     std::vector<std::string> ports;
     for (const Port& port : step->step.op->out) ports.push_back(source.step + "." + port.name);
-    const Port* port = step->step.op->find_out(source.port);
+    const Port* port = find_output(*step, source.port, place);
     if (port == nullptr) {
       place.fail("'" + text + "' is no output of " + step->step.op->name + suggestion(text, ports));
       return std::nullopt;
@@ -200,6 +224,7 @@ class RecipeReader {
       place.fail(fmt::format("'{}' is {}; {} is needed here", text, port->kind->name, wanted));
       return std::nullopt;
     }
+    source.port = port->name;
     return source;
   }
 
@@ -414,6 +439,7 @@ Recipe read_document(const Json& root, const std::string& file, const std::strin
   recipe.folder = folder;
   recipe.registry = &registry;
   RecipeReader(root, recipe, defects, missing).read();
+  recipe.notes = defects.notes();
   return recipe;
 }
 

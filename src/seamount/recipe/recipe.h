@@ -48,6 +48,7 @@ struct Recipe {
   std::vector<Step> steps;     ///< every step after those that it needs; those that prepare outputs last
   std::vector<Step> bypassed;  ///< steps left out: what was connected to them is connected to what they pass on
   std::vector<Output> outputs;
+  std::vector<Diagnostic> notes;  ///< what its author should know although it can be run: former names
 };
 
 /// Changes to a document before it is read: what the command line gives.

@@ -13,10 +13,10 @@ Recipe parse_recipe(const std::string& text, const std::string& file, const std:
   apply_changes(document.root, changes);
   Diagnostics diagnostics;
   Recipe recipe = read_document(document.root, file, folder, diagnostics, diagnostics, registry);
-  if (!diagnostics.empty()) {
-    place_diagnostics(diagnostics, document);
-    throw RecipeError(file, diagnostics.items());
-  }
+  if (diagnostics.empty() && diagnostics.notes().empty()) return recipe;
+  place_diagnostics(diagnostics, document);
+  if (!diagnostics.empty()) throw RecipeError(file, diagnostics.items());
+  recipe.notes = std::move(diagnostics.notes());
   return recipe;
 }
 

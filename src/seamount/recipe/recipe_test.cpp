@@ -38,7 +38,7 @@ TEST(Recipe, ReadsAGoodOne) {
   ASSERT_EQ(recipe.steps.size(), 3U);     // and the samples of the second output
   EXPECT_EQ(recipe.steps[0].id, "isle");  // in an order that runs
   EXPECT_EQ(recipe.steps[1].params["subsidence"], 0.3);
-  EXPECT_EQ(recipe.steps[1].params["crest_m"], -2);  // defaults filled in
+  EXPECT_EQ(recipe.steps[1].params["section"]["crest_m"], -2);  // defaults filled in
   EXPECT_EQ(recipe.outputs[0].format->name, "raster");
   EXPECT_EQ(recipe.outputs[1].params["size"], 505);
 }

@@ -3,11 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "seamount/base/text.h"
 
 namespace seamount::recipe {
 namespace {
+
+struct Paper {
+  std::string_view short_name, title;
+};
+
+/// The papers that sources name by a letter and a number, as docs/bibliography.md has them.
+constexpr std::array<Paper, 5> kPapers = {
+    {{"P0", "Automatic generation of coral reef islands"},
+     {"P1", "Guerin et al. 2017, Interactive example-based terrain authoring with conditional GANs"},
+     {"P2", "Huftier et al., Terrain synthesis and authoring based on iso-contours"},
+     {"P3", "Semantic terrain representation"},
+     {"P4", "Li 2021, Procedural modeling of the Great Barrier Reef"}}};
+
+/// "source: P4 sec. 3.2", and what P4 is.
+std::string source_text(const std::string& source) {
+  if (source.empty()) return "";
+  std::string text = "source: " + source + "\n";
+  for (const Paper& paper : kPapers) {
+    if (source.find(paper.short_name) != std::string::npos)
+      text += fmt::format("  {}: {}\n", paper.short_name, paper.title);
+  }
+  return text;
+}
 
 std::string range_text(const ParamInfo& info) {
   if (!info.choices.empty()) return fmt::format("{}", fmt::join(info.choices, ", "));
@@ -22,9 +47,9 @@ std::string default_text(const ParamInfo& info) {
   return info.default_value.dump();
 }
 
-/// One parameter; those of tools and groups stand below it without dashes, further in.
-std::string param_text(const ParamInfo& info, const std::string& indent, const char* dashes) {
-  std::string text = fmt::format("{}{}{} <{}>{}\n{}    {}\n", indent, dashes, info.name, info.kind,
+/// One parameter. The members of a group stand below it under their own flags, those of tools without dashes.
+std::string param_text(const ParamInfo& info, const std::string& indent, const std::string& prefix) {
+  std::string text = fmt::format("{}{}{} <{}>{}\n{}    {}\n", indent, prefix, info.name, info.kind,
                                  info.unit.empty() ? "" : "  " + info.unit, indent, info.help);
   if (info.kind != "group") {
     const std::string range = range_text(info);
@@ -33,7 +58,9 @@ std::string param_text(const ParamInfo& info, const std::string& indent, const c
   }
   for (const ToolInfo& tool : info.tools) {
     if (!tool.name.empty()) text += fmt::format("{}    \"tool\": \"{}\"  {}\n", indent, tool.name, tool.about);
-    for (const ParamInfo& inner : tool.params) text += param_text(inner, indent + "      ", "");
+    const std::string inner_prefix = info.kind == "group" && !prefix.empty() ? prefix + info.name + "." : "";
+    const std::string inner_indent = indent + (inner_prefix.empty() ? "      " : "  ");
+    for (const ParamInfo& inner : tool.params) text += param_text(inner, inner_indent, inner_prefix);
   }
   return text;
 }
@@ -99,7 +126,7 @@ std::string ports_list(const std::string& title, const std::vector<Port>& ports)
 
 std::string describe_operator(const Operator& op) {
   std::string text = fmt::format("{}  -  {}\n", op.name, op.summary);
-  if (!op.source.empty()) text += "source: " + op.source + "\n";
+  text += source_text(op.source);
   if (op.stochastic) text += "depends on the seed\n";
   text += "\n" + ports_text("inputs", op.in) + ports_text("outputs", op.out);
   return text + "parameters\n" + params_text(op.params);
@@ -140,7 +167,9 @@ std::string reference_markdown(const Registry& registry) {
       "or\n`{\"points\": [[x, y], ...], \"bed_m\": [...], \"source_width_m\": w, \"mouth_width_m\": w}`. *Derived* "
       "defaults "
       "follow from the\ninput.\n\n"
-      "P0: *Automatic generation of coral reef islands* (sections and equations as printed there).\n\n";
+      "The members of a *group* are flags of their own: `--walk.stickiness 0.5`. Papers, P0 to P4 among them, are in "
+      "the\n"
+      "[bibliography](bibliography.md), words in the [glossary](glossary.md).\n\n";
   for (const auto& row : registry.operators()) {
     const Operator& op = *row;
     text += fmt::format("## {}\n\n{}.\n\n", op.name, op.summary);

@@ -22,6 +22,7 @@ struct Port {
   const Kind* kind = nullptr;
   std::string help;
   bool required = true;  ///< inputs only: optional inputs may be left open
+  std::string former;    ///< a name that it had in earlier versions, still read with a note
 };
 
 /// What a running operator is given besides its inputs and parameters.
@@ -48,6 +49,7 @@ struct Operator {
   std::vector<Port> in;
   std::vector<Port> out;
   std::vector<ParamInfo> params;
+  std::vector<FormerParam> former;                                    ///< former names of params
   std::function<Json(const Json& given, const ReadPlace&)> complete;  ///< checks, fills in defaults
   std::function<Values(const Json& complete_params, const Values& in, const Call&)> run;
 

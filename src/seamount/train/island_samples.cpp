@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "seamount/geom/scalar/curve.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/ops/island/archipelago.h"
 #include "seamount/ops/island/build.h"
@@ -114,7 +115,7 @@ IslandPair make_island(const IslandSetParams& params, const IslandDraw& draw, do
   island::BuildParams build;
   build.profile = draw.profile;
   build.relief = draw.relief;
-  build.valley_spacing_m = draw.valley_spacing_m;
+  build.detail.valley_spacing_m = draw.valley_spacing_m;
   const island::Island isle = island::build(plan, build, frame, own, run);
   island::WindParams wind;
   wind.strokes = draw.strokes;

@@ -39,7 +39,7 @@ void grow_patch(const LabelMap& labels, int32_t start, std::vector<uint8_t>& see
 
 }  // namespace
 
-void remove_patches(LabelMap& labels, int64_t smallest, const RunContext& run) {
+void remove_patches(LabelMap& labels, int64_t min_cells, const RunContext& run) {
   std::vector<uint8_t> seen(labels.size(), 0);
   Patch patch;
   for (size_t i = 0; i < labels.size(); ++i) {
@@ -47,7 +47,7 @@ void remove_patches(LabelMap& labels, int64_t smallest, const RunContext& run) {
     if (seen[i] != 0) continue;
     const Region own = labels.cells()[i];
     grow_patch(labels, static_cast<int32_t>(i), seen, patch);
-    if (static_cast<int64_t>(patch.cells.size()) >= smallest) continue;
+    if (static_cast<int64_t>(patch.cells.size()) >= min_cells) continue;
     int64_t most = 0;
     Region winner = own;
     for (const Region region : kRegions) {

@@ -140,7 +140,7 @@ Classified terrain(const HeightField& terrain, const TerrainParams& params, cons
   check_params(params);
   check_heights(terrain, run);
   const GridFrame& frame = terrain.frame();
-  const HeightField ground = with_floor(geom::raise_inland(terrain, 0.0F, params.least_sea_m2, run),
+  const HeightField ground = with_floor(geom::raise_inland(terrain, 0.0F, params.min_sea_m2, run),
                                         std::max(params.lagoon_depth_m, params.fore_reef_m), run);
   const Sea sea = survey(ground, params, run.part(0.0, 0.3));
   Grid<uint8_t> water(frame);
@@ -165,7 +165,7 @@ Classified terrain(const HeightField& terrain, const TerrainParams& params, cons
     out.labels(x, y) = water_label(place, params);
   });
   add_fore_reef(ground, params, out.labels, run.part(0.7, 0.9));
-  remove_patches(out.labels, static_cast<int64_t>(params.smallest_m2 / (frame.cell_m * frame.cell_m)), run);
+  remove_patches(out.labels, static_cast<int64_t>(params.min_patch_m2 / (frame.cell_m * frame.cell_m)), run);
   return out;
 }
 

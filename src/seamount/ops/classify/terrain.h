@@ -3,16 +3,16 @@
 //
 // The regions are those of P0 sec. 1.4.1; how a terrain without a plan gets them is ours:
 //   beach     low, gentle land near the sea;  mountain  all other land
-//   exposure  how open to the sea a place is: the mean over 16 directions of the fetch, the distance to land or to a
-//   bar
-//             (ground shallower than bar_m), as a share of fetch_m; beyond the frame's edge lies open sea. Fetch as in
-//             Håkanson and Jansson, Principles of Lake Sedimentology, 1983, over directions instead of winds
+//   exposure  how open to the sea a place is: the mean over 16 directions of the fetch, the distance to land or to
+//             a bar (ground shallower than bar_m), as a share of fetch_m; beyond the frame's edge lies open sea. Fetch
+//             as in Håkanson and Jansson, Principles of Lake Sedimentology, 1983, over directions instead of winds
 //   reef      bars within reef_width_m of exposed water, exposed ground down to reef_depth_m, and the fore reef: what
 //             falls from there, steeper than fore_reef_slope_deg, down to fore_reef_m
 //   lagoon    sheltered water down to lagoon_depth_m;  abyss  all other water
 // Sea that is 0 everywhere, as land elevation models give it, is of unknown depth and becomes abyss.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <tuple>
 
@@ -37,8 +37,8 @@ struct TerrainParams {
   double fore_reef_slope_deg = 12.0;
   double lagoon_depth_m = 80.0;
   double scale_m = 60.0;
-  double smallest_m2 = 20000.0;
-  std::optional<double> least_sea_m2;
+  double min_patch_m2 = 20000.0;
+  std::optional<double> min_sea_m2;
 
   static constexpr auto fields() {
     using P = TerrainParams;
@@ -58,9 +58,12 @@ struct TerrainParams {
         field(&P::lagoon_depth_m, "lagoon_depth_m", "m", between(0, 5000),
               "depth down to which sheltered water is lagoon"),
         field(&P::scale_m, "scale_m", "m", between(0, 1e5), "forms smaller than this do not count as slope"),
-        field(&P::smallest_m2, "smallest_m2", "m2", between(0, 1e12), "smaller patches go to what lies around them"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
+        field(&P::min_patch_m2, "min_patch_m2", "m2", between(0, 1e12), "smaller patches go to what lies around them"),
+        field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
   }
+
+  static constexpr std::array kFormerNames = {FormerName{"smallest_m2", "min_patch_m2"},
+                                              FormerName{"least_sea_m2", "min_sea_m2"}};
 };
 
 struct Classified {

@@ -94,7 +94,7 @@ TEST(RemovePatches, SpecksGoToTheirSurroundingsOnTheirSideOfTheCoast) {
 TEST(ClassifyTerrain, LeavesNoSpecks) {
   HeightField rough = atoll();
   for (size_t i = 0; i < rough.size(); ++i) rough.cells()[i] += i % 97 == 0 ? 6.0F : 0.0F;
-  LabelMap labels = terrain(rough, {.smallest_m2 = 50000}, {}).labels;
+  LabelMap labels = terrain(rough, {.min_patch_m2 = 50000}, {}).labels;
   const LabelMap once = labels;
   remove_patches(labels, 2, {});
   int64_t changed = 0;

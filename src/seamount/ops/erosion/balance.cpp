@@ -41,7 +41,7 @@ Plot change_plot(const Before& before, const Eroded& after) {
 Balance balance(const Before& before, const Eroded& after, const RunParams& params) {
   double sunk = 0, on_land = 0, under_water = 0;  // in metres times cells
   for (size_t i = 0; i < after.terrain.size(); ++i) {
-    const double loose = thickness(&after.rock, i) + thickness(&after.sediment, i) - thickness(before.rock, i) -
+    const double loose = thickness(&after.debris, i) + thickness(&after.sediment, i) - thickness(before.debris, i) -
                          thickness(before.sediment, i);
     const bool wet = static_cast<double>(after.terrain.data()[i]) < params.sea_m || after.lake.data()[i] > 0.0F;
     (wet ? under_water : on_land) += loose;

@@ -1,7 +1,8 @@
 // Where the ground went in an erosion run: what bedrock lost, where it lies now, what left the map.
 //
-// Bedrock worn + loose ground that was there + nothing else = loose ground now + what left over the border; bedrock is
-// surface - rock - sediment. The error is what a run's rounding adds or loses, at most 1e-4 of what was picked up.
+// Bedrock worn + the loose ground (debris, sediment) before = the loose ground after + what left over the border;
+// bedrock is surface - debris - sediment. The error is what a run's rounding adds or loses, at most 1e-4 of what was
+// picked up.
 #pragma once
 
 #include "seamount/base/run_context.h"
@@ -13,19 +14,19 @@ namespace seamount::erosion {
 /// The ground of a run before it; maps that were not given are nullptr.
 struct Before {
   const HeightField& terrain;
-  const ScalarField* rock = nullptr;
+  const ScalarField* debris = nullptr;
   const ScalarField* sediment = nullptr;
 };
 
 /// Volumes in m3. worn = on_land + under_water + exported + error.
 struct Balance {
-  double worn = 0;         ///< bedrock that became debris or sediment; what was uplifted is none of it
-  double on_land = 0;      ///< change of rock and sediment that lie on dry cells at the end; negative: less than before
+  double worn = 0;     ///< bedrock that became debris or sediment; what was uplifted is none of it
+  double on_land = 0;  ///< change of debris and sediment that lie on dry cells at the end; negative: less than before
   double under_water = 0;  ///< the same under sea and lakes
   double exported = 0;     ///< left over the border; negative: more came to lie on hollows' floors than left
   double uplifted = 0;
-  double picked_up =
-      0;  ///< by water, waves and failing slopes, most of it more than once; not what slides from cell to cell
+  /// By water, waves and failing slopes, most of it more than once; not what slides from cell to cell.
+  double picked_up = 0;
   double error = 0;
 };
 

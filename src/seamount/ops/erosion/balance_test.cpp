@@ -24,7 +24,7 @@ TEST(ErosionBalance, VolumesOfCellsWithKnownLayers) {
   after.terrain(0, 0) = 4.0F;  // dry: 1 m of sediment and 5 m of bedrock are gone
   after.sediment(0, 0) = 0.0F;
   after.terrain(1, 0) = 12.0F;  // under a lake: 2 m of debris came to lie there
-  after.rock(1, 0) = 2.0F;
+  after.debris(1, 0) = 2.0F;
   after.lake(1, 0) = 0.5F;
   after.ledger.exported = 390;
   const Balance found = balance({start, nullptr, &sediment}, after, {});
@@ -37,15 +37,15 @@ TEST(ErosionBalance, VolumesOfCellsWithKnownLayers) {
 
 TEST(ErosionBalance, ClosesToTenThousandthOfWhatWasPickedUp) {
   for (const double base_m : {400.0, 20.0}) {
-    for (const double uplift_mm : {0.0, 0.5}) {
+    for (const double uplift_mm_yr : {0.0, 0.5}) {
       for (const Method method : {Method::hydraulic, Method::stream_power}) {
         const HeightField start = hills(base_m);
-        const RunParams params{.method = method, .uplift_mm = uplift_mm};
+        const RunParams params{.method = method, .uplift_mm_yr = uplift_mm_yr};
         const Eroded after = run({start, {}, {}}, {}, params, Seed{11}, {});
         const Balance found = balance({start}, after, params);
         EXPECT_GT(found.worn, 0);
         EXPECT_GT(found.picked_up, 0);
-        EXPECT_LT(std::abs(found.error), 1e-4 * found.picked_up) << base_m << " " << uplift_mm;
+        EXPECT_LT(std::abs(found.error), 1e-4 * found.picked_up) << base_m << " " << uplift_mm_yr;
         EXPECT_NEAR(found.worn, found.on_land + found.under_water + found.exported + found.error, 1e-9 * found.worn);
       }
     }

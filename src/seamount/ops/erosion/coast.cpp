@@ -17,7 +17,7 @@ constexpr float kMostPlaned = 0.25F;    // of the way to the waves' base, per st
 constexpr float kSettledAtOnce = 0.5F;  // of the water's depth, per step
 constexpr float kStirred_m = 1.0F;      // depth that counts for a shoal in which sediment still settles
 constexpr float kShoal_m = 0.1F;        // by which what settles may rise over the sea
-constexpr float kLeastReach = 1e-3F;    // share of calm water around a place that can take a load
+constexpr float kMinReach = 1e-3F;      // share of calm water around a place that can take a load
 constexpr double kNear = 0.1;           // of settling_m: where the coarser part of a load settles
 constexpr float kNearShare = 0.3F;
 
@@ -25,7 +25,7 @@ constexpr float kNearShare = 0.3F;
 float exposure_of(float open_sea) { return std::clamp(2.0F * open_sea - 0.5F, 0.0F, 1.0F); }
 
 /// Share of sea around each cell.
-void find_open_sea(const Ground& ground, float sea_m, ScalarField& open, const RunContext& run) {
+void find_open_sea(const Layers& ground, float sea_m, ScalarField& open, const RunContext& run) {
   for (size_t i = 0; i < open.size(); ++i) open.data()[i] = ground.surface.data()[i] < sea_m ? 1.0F : 0.0F;
   geom::gaussian_blur(open, kFetch_m, run);
 }
@@ -59,10 +59,10 @@ std::vector<Shore> find_shore(const HeightField& z, float sea_m) {
 }
 
 /// Cliffs go back, shoals go down; `load` takes what the waves pick up.
-void cut(Ground& ground, const Site& site, const Coast& coast, const ScalarField& open, ScalarField& load,
+void cut(Layers& ground, const Maps& site, const Coast& coast, const ScalarField& open, ScalarField& load,
          Ledger& ledger) {
   const auto sea = static_cast<float>(coast.sea_m);
-  const auto retreat = static_cast<float>(coast.retreat_m * coast.years);
+  const auto retreat = static_cast<float>(coast.retreat_m_yr * coast.years);
   const auto across = static_cast<float>(retreat / ground.surface.cell_m());
   const auto wave_base = static_cast<float>(coast.wave_base_m);
   double eroded = 0;
@@ -72,7 +72,7 @@ void cut(Ground& ground, const Site& site, const Coast& coast, const ScalarField
     eroded += depth;
   };
   const auto attack = [&](size_t cell) {
-    const float loose = ground.rock.data()[cell] + ground.sediment.data()[cell] > 0.5F ? 2.0F : 1.0F;
+    const float loose = ground.debris.data()[cell] + ground.sediment.data()[cell] > 0.5F ? 2.0F : 1.0F;
     return exposure_of(open.data()[cell]) * value_or_one(site.mask, cell) * loose / value_or_one(site.hardness, cell);
   };
   const std::vector<Shore> shore = find_shore(ground.surface, sea);
@@ -91,7 +91,7 @@ void cut(Ground& ground, const Site& site, const Coast& coast, const ScalarField
 }
 
 /// How willingly a load settles on a cell: not on land, little where waves stir the water.
-float calm_of(const Ground& ground, const Site& site, const Coast& coast, size_t cell) {
+float calm_of(const Layers& ground, const Maps& site, const Coast& coast, size_t cell) {
   const float depth = static_cast<float>(coast.sea_m) - ground.surface.data()[cell];
   if (depth <= 0.0F) return 0.0F;
   return value_or_one(site.mask, cell) *
@@ -100,13 +100,13 @@ float calm_of(const Ground& ground, const Site& site, const Coast& coast, size_t
 
 /// Spreads `share` of the load over `sigma_m` and lays down what finds room; the rest stays in the load where it is.
 /// With a(x) how willingly a place takes it and G the blur, a G(load / G(a)) has the same sum as the load.
-double settle(Ground& ground, const Site& site, const Coast& coast, double sigma_m, float share, ScalarField& load,
+double settle(Layers& ground, const Maps& site, const Coast& coast, double sigma_m, float share, ScalarField& load,
               ScalarField& room, const RunContext& run) {
   for (size_t i = 0; i < room.size(); ++i) room.data()[i] = calm_of(ground, site, coast, i);
   geom::gaussian_blur(room, sigma_m, run);
   for (size_t i = 0; i < room.size(); ++i) {
     float& reach = room.data()[i];
-    const float spread = reach > kLeastReach ? share * load.data()[i] : 0.0F;
+    const float spread = reach > kMinReach ? share * load.data()[i] : 0.0F;
     load.data()[i] -= spread;
     reach = spread > 0.0F ? spread / reach : 0.0F;
   }
@@ -125,7 +125,7 @@ double settle(Ground& ground, const Site& site, const Coast& coast, double sigma
 }
 
 /// What is left settles everywhere by depth; what finds no room is carried away.
-void settle_rest(Ground& ground, const Site& site, const Coast& coast, double left, Ledger& ledger) {
+void settle_rest(Layers& ground, const Maps& site, const Coast& coast, double left, Ledger& ledger) {
   const auto sea = static_cast<float>(coast.sea_m);
   const auto room = [&](size_t i) {
     return std::max(0.0F, sea - ground.surface.data()[i]) * value_or_one(site.mask, i);
@@ -146,12 +146,12 @@ void settle_rest(Ground& ground, const Site& site, const Coast& coast, double le
 
 }  // namespace
 
-void run_coast(Ground& ground, const Site& site, const Coast& coast, ScalarField& load, ScalarField& room,
+void run_coast(Layers& ground, const Maps& site, const Coast& coast, ScalarField& load, ScalarField& room,
                Ledger& ledger, const RunContext& run) {
   const auto sea = static_cast<float>(coast.sea_m);
   run.check_cancelled();
   if (*std::min_element(ground.surface.cells().begin(), ground.surface.cells().end()) >= sea) return;
-  if (coast.retreat_m > 0) {
+  if (coast.retreat_m_yr > 0) {
     find_open_sea(ground, sea, room, run);
     cut(ground, site, coast, room, load, ledger);
   }

@@ -9,21 +9,21 @@
 #pragma once
 
 #include "seamount/base/run_context.h"
-#include "seamount/ops/erosion/ground.h"
+#include "seamount/ops/erosion/layers.h"
 
 namespace seamount::erosion {
 
 struct Coast {
   double years = 0;
   double sea_m = 0;
-  double retreat_m = 0;      ///< retreat of a fully exposed cliff per year
+  double retreat_m_yr = 0;   ///< retreat of a fully exposed cliff
   double wave_base_m = 8;    ///< depth to which waves move sediment
   double settling_m = 3000;  ///< deviation of the distance at which the far half of a load settles
 };
 
 /// One step. `load` holds what rivers brought to each sea cell (metres of thickness); it is spent. `room` is of the
 /// ground's size. What finds no room in the sea goes to ledger.exported. Parallel; two more grids of memory.
-void run_coast(Ground& ground, const Site& site, const Coast& coast, ScalarField& load, ScalarField& room,
+void run_coast(Layers& ground, const Maps& site, const Coast& coast, ScalarField& load, ScalarField& room,
                Ledger& ledger, const RunContext& run);
 
 }  // namespace seamount::erosion

@@ -9,9 +9,9 @@ namespace seamount::erosion {
 namespace {
 
 /// Land in the west that ends in a cliff, a sea floor that falls to the east.
-Ground cliff(float height) {
+Layers cliff(float height) {
   const GridFrame frame = GridFrame::centred(120, 80, 20);
-  Ground ground{HeightField(frame), ScalarField(frame, 0.0F), ScalarField(frame, 0.0F)};
+  Layers ground{HeightField(frame), ScalarField(frame, 0.0F), ScalarField(frame, 0.0F)};
   for (int y = 0; y < 80; ++y) {
     for (int x = 0; x < 120; ++x) ground.surface(x, y) = x < 40 ? height : -2.0F - 0.5F * static_cast<float>(x - 40);
   }
@@ -21,12 +21,12 @@ Ground cliff(float height) {
 double sum(const ScalarField& field) { return std::accumulate(field.cells().begin(), field.cells().end(), 0.0); }
 
 TEST(Coast, WavesTakeACliffBackAtTheirRate) {
-  Ground ground = cliff(30);
+  Layers ground = cliff(30);
   ScalarField load(ground.frame(), 0.0F), room(ground.frame());
   Ledger ledger;
   const double before = sum(ground.surface);
   // A straight coast is half as exposed as a headland: 10 m of 20 m a year, so 1000 years take ten cells of 20 m.
-  const Coast coast{.years = 20, .retreat_m = 0.4};
+  const Coast coast{.years = 20, .retreat_m_yr = 0.4};
   for (int i = 0; i < 50; ++i) run_coast(ground, {}, coast, load, room, ledger, {});
   int land = 0;
   while (ground.surface(land, 40) > 0) ++land;
@@ -35,7 +35,7 @@ TEST(Coast, WavesTakeACliffBackAtTheirRate) {
 }
 
 TEST(Coast, ARiverMouthGrowsASmoothDelta) {
-  Ground ground = cliff(30);
+  Layers ground = cliff(30);
   ScalarField load(ground.frame(), 0.0F), room(ground.frame());
   Ledger ledger;
   const double before = sum(ground.surface);
@@ -46,7 +46,7 @@ TEST(Coast, ARiverMouthGrowsASmoothDelta) {
   for (int y = 1; y < 79; ++y) {
     for (int x = 41; x < 119; ++x) {
       ASSERT_LE(ground.surface(x, y), 0.11F);
-      ASSERT_LT(std::abs(ground.sediment(x, y) - ground.sediment(x, y + 1)), 3) << "no needles";
+      ASSERT_LT(std::abs(ground.sediment(x, y) - ground.sediment(x, y + 1)), 3) << "no spikes";
     }
   }
   EXPECT_EQ(ground.sediment(20, 40), 0);

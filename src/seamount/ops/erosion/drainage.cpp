@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kGradient = 0.005;           // of a river along the border
 constexpr float kLastDraw = 1.0F - 0x1p-16F;  // a direction (below 16) plus a draw never rounds up to the next
-constexpr size_t kLeastPart = 1 << 13, kMostParts = 100;
+constexpr size_t kMinPart = 1 << 13, kMostParts = 100;
 
 /// Border cells in order around the map.
 std::vector<int32_t> ring_of(const GridFrame& frame) {
@@ -142,7 +142,7 @@ void Drainage::order_trees(const RunContext& run) {
 }
 
 void Drainage::divide(ScalarField& upstream) {
-  const size_t size = std::max(kLeastPart, order_.size() / kMostParts);
+  const size_t size = std::max(kMinPart, order_.size() / kMostParts);
   float* count = upstream.data();
   std::fill(upstream.cells().begin(), upstream.cells().end(), 1.0F);
   for (size_t k = order_.size(); k-- > 0;) {

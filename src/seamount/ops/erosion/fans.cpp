@@ -13,7 +13,7 @@ constexpr double kSpeed = 0.5;
 
 }  // namespace
 
-void spread_deposits(Ground& ground, ScalarField& fresh, const Site& site, ScalarField& share, ScalarField& next,
+void spread_deposits(Layers& ground, ScalarField& fresh, const Maps& site, ScalarField& share, ScalarField& next,
                      const RunContext& run) {
   for (size_t i = 0; i < fresh.size(); ++i) {
     float& all = ground.sediment.data()[i];

@@ -6,13 +6,13 @@
 #pragma once
 
 #include "seamount/base/run_context.h"
-#include "seamount/ops/erosion/ground.h"
+#include "seamount/ops/erosion/layers.h"
 
 namespace seamount::erosion {
 
-/// Spreads `fresh`, the uppermost part of the sediment (metres, spent), over some cells around. `share` and `next` are
-/// room to work in. Parallel, about 60 ns per cell.
-void spread_deposits(Ground& ground, ScalarField& fresh, const Site& site, ScalarField& share, ScalarField& next,
+/// Spreads `fresh`, the uppermost metres of the sediment (used up on the way), over some cells around. `share` and
+/// `next` are room to work in. Parallel, about 60 ns per cell.
+void spread_deposits(Layers& ground, ScalarField& fresh, const Maps& site, ScalarField& share, ScalarField& next,
                      const RunContext& run);
 
 }  // namespace seamount::erosion

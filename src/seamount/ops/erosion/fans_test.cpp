@@ -12,7 +12,7 @@ double sum(const ScalarField& field) { return std::accumulate(field.cells().begi
 
 TEST(Fans, ADamOfFreshSedimentRunsOffToTheSides) {
   const GridFrame frame = GridFrame::centred(41, 41, 10);
-  Ground ground{HeightField(frame, 100.0F), ScalarField(frame, 2.0F), ScalarField(frame, 1.0F)};
+  Layers ground{HeightField(frame, 100.0F), ScalarField(frame, 2.0F), ScalarField(frame, 1.0F)};
   ScalarField fresh(frame, 0.0F), share(frame), next(frame);
   for (int y = 0; y < 41; ++y) {
     fresh(20, y) = 3;
@@ -25,13 +25,13 @@ TEST(Fans, ADamOfFreshSedimentRunsOffToTheSides) {
   EXPECT_NEAR(sum(ground.sediment), sediment, 1e-5 * sediment);
   EXPECT_LT(ground.surface(20, 20), 101);
   EXPECT_GT(ground.surface(17, 20), 100.1F);
-  for (const float rock : ground.rock.cells()) EXPECT_EQ(rock, 2);
+  for (const float debris : ground.debris.cells()) EXPECT_EQ(debris, 2);
   for (const float fine : ground.sediment.cells()) EXPECT_GE(fine, 1);
 }
 
 TEST(Fans, OldGroundStays) {
   const GridFrame frame = GridFrame::centred(20, 20, 10);
-  Ground ground{HeightField(frame, 0.0F), ScalarField(frame, 0.0F), ScalarField(frame, 50.0F)};
+  Layers ground{HeightField(frame, 0.0F), ScalarField(frame, 0.0F), ScalarField(frame, 50.0F)};
   for (int y = 0; y < 20; ++y) {
     for (int x = 0; x < 20; ++x) ground.surface(x, y) = static_cast<float>(x * x);
   }

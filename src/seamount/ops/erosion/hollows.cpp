@@ -5,7 +5,7 @@
 
 namespace seamount::erosion {
 
-void settle_hollows(Ground& ground, const Site& site, const Drainage& drainage, float sea_m, bool fill,
+void settle_hollows(Layers& ground, const Maps& site, const Drainage& drainage, float sea_m, bool fill,
                     ScalarField& lake, ScalarField& level, Ledger& ledger) {
   const auto order = drainage.order();
   float* water = level.data();

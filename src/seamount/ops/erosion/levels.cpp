@@ -86,7 +86,7 @@ Volume volume_of_change(const ScalarField& now, const ScalarField& start, const 
 /// One row of the fine ground.
 class RowRefiner {
  public:
-  RowRefiner(const Ground& now, const Ground& start, Ground& fine, const Site& site, const Grid<uint8_t>& pinned,
+  RowRefiner(const Layers& now, const Layers& start, Layers& fine, const Maps& site, const Grid<uint8_t>& pinned,
              Seed seed)
       : now_(now),
         start_(start),
@@ -123,7 +123,7 @@ class RowRefiner {
       const float detail = fine_.surface.data()[first + x] - before_[x];
       change[x] = open_[x] * (by - detail * (moved * moved / (1.0F + moved * moved)));
     }
-    refine_layer(now_.rock, start_.rock, fine_.rock.row(y));
+    refine_layer(now_.debris, start_.debris, fine_.debris.row(y));
     refine_layer(now_.sediment, start_.sediment, fine_.sediment.row(y));
   }
 
@@ -134,10 +134,10 @@ class RowRefiner {
     for (size_t x = 0; x < width_; ++x) layer[x] = std::max(0.0F, layer[x] + open_[x] * (after_[x] - before_[x]));
   }
 
-  const Ground& now_;
-  const Ground& start_;
-  Ground& fine_;
-  const Site& site_;
+  const Layers& now_;
+  const Layers& start_;
+  Layers& fine_;
+  const Maps& site_;
   const Grid<uint8_t>& pinned_;
   size_t width_;
   Bends bends_;
@@ -147,16 +147,16 @@ class RowRefiner {
 
 }  // namespace
 
-Ground halved(const Ground& ground, const RunContext& run) {
-  return {geom::halved(ground.surface, run), geom::halved(ground.rock, run), geom::halved(ground.sediment, run)};
+Layers halved(const Layers& ground, const RunContext& run) {
+  return {geom::halved(ground.surface, run), geom::halved(ground.debris, run), geom::halved(ground.sediment, run)};
 }
 
-Site halved(const Site& site, const RunContext& run) {
+Maps halved(const Maps& site, const RunContext& run) {
   return {halved_map(site.hardness, run), halved_map(site.mask, run), halved_map(site.uplift, run),
           halved_map(site.rain, run)};
 }
 
-void refine(const Ground& now, const Ground& start, Ground& fine, const Site& site, const Grid<uint8_t>& pinned,
+void refine(const Layers& now, const Layers& start, Layers& fine, const Maps& site, const Grid<uint8_t>& pinned,
             Seed seed, Ledger& ledger, const RunContext& run) {
   const GridFrame& frame = fine.frame();
   ScalarField change(frame);

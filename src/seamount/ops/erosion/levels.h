@@ -12,19 +12,19 @@
 
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
-#include "seamount/ops/erosion/ground.h"
+#include "seamount/ops/erosion/layers.h"
 
 namespace seamount::erosion {
 
 /// Means of 2 x 2 cells of each layer and map.
-Ground halved(const Ground& ground, const RunContext& run);
-Site halved(const Site& site, const RunContext& run);
+Layers halved(const Layers& ground, const RunContext& run);
+Maps halved(const Maps& site, const RunContext& run);
 
-/// Carries the change from `start` to `now` over to `fine`, of which `start` is the halved one, and whose site is
+/// Carries the change from `start` to `now` over to `fine`, of which `start` is the halved one, and whose maps are
 /// `site`: nothing changes where its mask is 0, and `pinned` cells (1) keep their height. `seed` draws the
 /// bends. Adds to ledger.exported what the fine ground could not take over. Parallel, about 60 ns per cell; one more
 /// grid of memory.
-void refine(const Ground& now, const Ground& start, Ground& fine, const Site& site, const Grid<uint8_t>& pinned,
+void refine(const Layers& now, const Layers& start, Layers& fine, const Maps& site, const Grid<uint8_t>& pinned,
             Seed seed, Ledger& ledger, const RunContext& run);
 
 }  // namespace seamount::erosion

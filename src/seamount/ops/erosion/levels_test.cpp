@@ -10,7 +10,7 @@
 namespace seamount::erosion {
 namespace {
 
-Ground hills(int size) {
+Layers hills(int size) {
   const GridFrame frame = GridFrame::centred(size, size, 20);
   HeightField z = geom::fbm_grid(frame, Seed{3}, {.wavelength_m = 600, .octaves = 6, .cell_m = 20}, {});
   for (float& value : z.cells()) value = 400 + 300 * value;
@@ -20,23 +20,23 @@ Ground hills(int size) {
 double sum(const ScalarField& field) { return std::accumulate(field.cells().begin(), field.cells().end(), 0.0); }
 
 TEST(Levels, WhereNothingChangedNothingIsBent) {
-  const Ground start = hills(64), coarse = halved(start, {});
-  Ground fine = start;
+  const Layers start = hills(64), coarse = halved(start, {});
+  Layers fine = start;
   Ledger ledger;
   refine(coarse, coarse, fine, {}, Grid<uint8_t>(start.frame(), 0), Seed{1}, ledger, {});
   EXPECT_EQ(fine.surface, start.surface);
-  EXPECT_EQ(fine.rock, start.rock);
+  EXPECT_EQ(fine.debris, start.debris);
   EXPECT_EQ(ledger.exported, 0.0);
 }
 
 TEST(Levels, TheVolumeOfAChangeIsKeptAndMasksAndOutletsHold) {
-  const Ground start = hills(64), coarse = halved(start, {});
-  Ground now = coarse, fine = start;
+  const Layers start = hills(64), coarse = halved(start, {});
+  Layers now = coarse, fine = start;
   for (int y = 8; y < 24; ++y) {
     for (int x = 8; x < 24; ++x)
       now.surface(x, y) -= static_cast<float>(60 + 30 * std::sin(0.7 * x) * std::cos(0.9 * y));
   }
-  Site site;
+  Maps site;
   site.mask = Mask(start.frame(), 1.0F);
   for (int x = 0; x < 64; ++x) site.mask(x, 4) = 0.0F;
   Grid<uint8_t> pinned(start.frame(), 0);
@@ -49,7 +49,7 @@ TEST(Levels, TheVolumeOfAChangeIsKeptAndMasksAndOutletsHold) {
               1e-4 * std::abs(change) * 400.0);
   EXPECT_EQ(fine.surface(20, 20), start.surface(20, 20));
   for (int x = 0; x < 64; ++x) EXPECT_EQ(fine.surface(x, 4), start.surface(x, 4));
-  Ground other = start;
+  Layers other = start;
   refine(now, coarse, other, site, pinned, Seed{2}, ledger, {});
   EXPECT_FALSE(other.surface == fine.surface);
 }

@@ -12,7 +12,7 @@ constexpr float kHigh = std::numeric_limits<float>::infinity();
 /// One step of fast sweeping (Zhao 2005) over a ground whose slope has a limit.
 class Sweep {
  public:
-  Sweep(ScalarField& level, const Drainage& drainage, const Site& site, double steepest)
+  Sweep(ScalarField& level, const Drainage& drainage, const Maps& site, double steepest)
       : level_(level),
         drainage_(drainage),
         site_(site),
@@ -56,14 +56,14 @@ class Sweep {
 
   ScalarField& level_;
   const Drainage& drainage_;
-  const Site& site_;
+  const Maps& site_;
   int width_, height_;
   float rise_;
 };
 
 }  // namespace
 
-void limit_slopes(ScalarField& level, const Drainage& drainage, const Site& site, double steepest,
+void limit_slopes(ScalarField& level, const Drainage& drainage, const Maps& site, double steepest,
                   const RunContext& run) {
   Sweep sweep(level, drainage, site, steepest);
   for (int y = 0; y < level.height(); ++y) run.check_cancelled(), sweep.row(y);

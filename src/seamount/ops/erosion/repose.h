@@ -8,14 +8,14 @@
 
 #include "seamount/base/run_context.h"
 #include "seamount/ops/erosion/drainage.h"
-#include "seamount/ops/erosion/ground.h"
+#include "seamount/ops/erosion/layers.h"
 
 namespace seamount::erosion {
 
 /// Lowers `level` where its gradient is steeper than `steepest` (rise over run) times sqrt(hardness); roots of the
 /// drainage stay. Four sweeps, each row both ways, which leaves little where hardness is uneven or ways bend. Masks
 /// share the change out. One thread, about 15 ns per cell.
-void limit_slopes(ScalarField& level, const Drainage& drainage, const Site& site, double steepest,
+void limit_slopes(ScalarField& level, const Drainage& drainage, const Maps& site, double steepest,
                   const RunContext& run);
 
 }  // namespace seamount::erosion

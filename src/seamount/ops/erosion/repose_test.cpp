@@ -78,7 +78,7 @@ TEST(Repose, HardRockStandsSteeperAndMasksHold) {
   for (int y = 0; y < 20; ++y) {
     for (int x = 10; x < 30; ++x) z(x, y) = 500;
   }
-  Site site{.hardness = ScalarField(frame, 1.0F), .mask = Mask(frame, 1.0F), .uplift = {}, .rain = {}};
+  Maps site{.hardness = ScalarField(frame, 1.0F), .mask = Mask(frame, 1.0F), .uplift = {}, .rain = {}};
   for (int x = 0; x < 30; ++x) {
     for (int y = 10; y < 20; ++y) site.hardness(x, y) = 4;
     site.mask(x, 0) = 0;

@@ -18,7 +18,7 @@ constexpr float kLevee = 0.25F;
 /// Slope above which a river builds no fan, and the slope of a bank that keeps it from spreading.
 constexpr float kSteepestFan = 0.1F, kBank = 0.05F;
 /// K dt sqrt(Q) / dx that is none: layers of very soft ground would divide by it.
-constexpr float kLeastRate = 1e-20F;
+constexpr float kMinRate = 1e-20F;
 
 /// Calls f(part) for the parts of a drainage, side by side.
 template <class F>
@@ -60,18 +60,18 @@ void flow_down(const Drainage& drainage, float* to, const RunContext& run, const
   }
 }
 
-double area_of(const Ground& ground) { return ground.surface.cell_m() * ground.surface.cell_m(); }
+double area_of(const Layers& ground) { return ground.surface.cell_m() * ground.surface.cell_m(); }
 
 /// How fast a layer goes down towards the base level, times the step: K dt sqrt(Q) / dx.
 struct Rates {
-  float sediment, rock, bedrock;
+  float sediment, debris, bedrock;
 };
 
 /// Height after a step of dh/dt = -F (h - base), F by layer: backward Euler, in which every layer wears at the slope
 /// that the step ends with, so that a metre of it counts as F_below / F metres of the layer below. `top` > base.
-float cut_down(float top, float base, float sediment, float rock, const Rates& rates) {
+float cut_down(float top, float base, float sediment, float debris, const Rates& rates) {
   float bottom = top, worn = 0.0F;  // how long the layers above took, times the slope at the end
-  for (const auto& [thickness, rate] : {std::pair{sediment, rates.sediment}, {rock, rates.rock}}) {
+  for (const auto& [thickness, rate] : {std::pair{sediment, rates.sediment}, {debris, rates.debris}}) {
     if (thickness <= 0.0F) continue;
     const float reached = (bottom + rate * (base + worn)) / (1.0F + rate);
     bottom -= thickness;
@@ -94,7 +94,7 @@ enum class Carry { guess, tell, move };
 /// The sweeps of one step over one ground.
 class Step {
  public:
-  Step(Ground& ground, const Site& site, const Drainage& drainage, const ScalarField& discharge, const Rivers& rivers,
+  Step(Layers& ground, const Maps& site, const Drainage& drainage, const ScalarField& discharge, const Rivers& rivers,
        ScalarField& load, ScalarField& level)
       : ground_(ground),
         site_(site),
@@ -107,13 +107,13 @@ class Step {
         height_(ground.frame().height),
         sea_(static_cast<float>(rivers.sea_m)),
         rate_(static_cast<float>(rivers.erodibility * rivers.years)),
-        rock_ease_(static_cast<float>(rivers.rock_ease)),
+        debris_ease_(static_cast<float>(rivers.debris_ease)),
         sediment_ease_(static_cast<float>(rivers.sediment_ease)),
-        threshold_(static_cast<float>(rivers.rain_m * rivers.channel_m2)),
-        heads_(static_cast<float>(rivers.rain_m * kHeadCells * area_of(ground))),
-        settling_(static_cast<float>(rivers.deposition * rivers.rain_m * area_of(ground))),
+        threshold_(static_cast<float>(rivers.runoff_m_yr * rivers.channel_m2)),
+        heads_(static_cast<float>(rivers.runoff_m_yr * kHeadCells * area_of(ground))),
+        settling_(static_cast<float>(rivers.deposition * rivers.runoff_m_yr * area_of(ground))),
         fan_(static_cast<float>(rivers.fan_m)),
-        creep_(static_cast<float>(rivers.creep_m2 * rivers.years / area_of(ground))),
+        creep_(static_cast<float>(rivers.creep_m2_yr * rivers.years / area_of(ground))),
         trust_(static_cast<float>(1.0 / (1.0 + 0.5 * rivers.deposition))) {}
 
   /// Where each cell would come to lie, from the outlets up, given the load. Below a lake's level: that level.
@@ -231,11 +231,11 @@ class Step {
     if (crept.top <= base) return base;
     const float rate = cutting(cell) / crept.stiffness;
     const float highest = std::max(base, surface_[cell] + room_below_banks(cell));
-    if (rate < kLeastRate) return std::min(crept.top, highest);
+    if (rate < kMinRate) return std::min(crept.top, highest);
     const float gone = std::max(0.0F, before - crept.top);
     const float fine = ground_.sediment.data()[cell] + laid - gone;
-    const float coarse = ground_.rock.data()[cell] + std::min(0.0F, fine);
-    const Rates rates{rate * sediment_ease_, rate * rock_ease_, rate / value_or_one(site_.hardness, cell)};
+    const float coarse = ground_.debris.data()[cell] + std::min(0.0F, fine);
+    const Rates rates{rate * sediment_ease_, rate * debris_ease_, rate / value_or_one(site_.hardness, cell)};
     return std::min(cut_down(crept.top, base, fine, coarse, rates), highest);
   }
 
@@ -272,22 +272,22 @@ class Step {
     return {height + number * sum / stiffness, stiffness};
   }
 
-  Ground& ground_;
-  const Site& site_;
+  Layers& ground_;
+  const Maps& site_;
   const Drainage& drainage_;
   const float* surface_;
   const float* discharge_;
   float* load_;
   float* level_;
   int32_t width_, height_;
-  float sea_, rate_, rock_ease_, sediment_ease_, threshold_, heads_, settling_, fan_, creep_, trust_;
+  float sea_, rate_, debris_ease_, sediment_ease_, threshold_, heads_, settling_, fan_, creep_, trust_;
 };
 
 }  // namespace
 
-void gather(const Drainage& drainage, const Site& site, const Rivers& rivers, ScalarField& discharge,
+void gather(const Drainage& drainage, const Maps& site, const Rivers& rivers, ScalarField& discharge,
             const RunContext& run) {
-  const auto rain = static_cast<float>(rivers.rain_m * discharge.cell_m() * discharge.cell_m());
+  const auto rain = static_cast<float>(rivers.runoff_m_yr * discharge.cell_m() * discharge.cell_m());
   for (size_t i = 0; i < discharge.size(); ++i) discharge.data()[i] = rain * value_or_one(site.rain, i);
   const auto loss_per_m = static_cast<float>(rivers.loss_per_km * 1e-3);
   flow_down(drainage, discharge.data(), run, [&](int32_t cell, size_t, const auto& add) {
@@ -296,13 +296,13 @@ void gather(const Drainage& drainage, const Site& site, const Rivers& rivers, Sc
   });
 }
 
-void run_rivers(Ground& ground, const Site& site, const Drainage& drainage, const ScalarField& discharge,
+void run_rivers(Layers& ground, const Maps& site, const Drainage& drainage, const ScalarField& discharge,
                 const Rivers& rivers, ScalarField& load, ScalarField& level, Ledger& ledger, const RunContext& run) {
   Step step(ground, site, drainage, discharge, rivers, load, level);
   std::fill(load.cells().begin(), load.cells().end(), 0.0F);
   for (size_t i = 0; i < level.size(); ++i)
     level.data()[i] = ground.surface.data()[i] - site.rise(i, static_cast<float>(rivers.uplift_m));
-  const int sweeps = rivers.deposition > 0 || rivers.creep_m2 > 0 ? rivers.sweeps : 0;
+  const int sweeps = rivers.deposition > 0 || rivers.creep_m2_yr > 0 ? rivers.sweeps : 0;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     step.solve(run);
     if (rivers.deposition > 0) step.tell(sweep == 0, run);

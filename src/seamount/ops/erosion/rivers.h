@@ -18,35 +18,35 @@
 
 #include "seamount/base/run_context.h"
 #include "seamount/ops/erosion/drainage.h"
-#include "seamount/ops/erosion/ground.h"
+#include "seamount/ops/erosion/layers.h"
 
 namespace seamount::erosion {
 
 struct Rivers {
   double years = 0;          ///< length of the step
-  double rain_m = 1;         ///< runoff per year
+  double runoff_m_yr = 1;    ///< runoff
   double loss_per_km = 0;    ///< share of the discharge that evaporates on a kilometre
   double erodibility = 0;    ///< K of bedrock
-  double rock_ease = 2;      ///< K of rock over that of bedrock
+  double debris_ease = 2;    ///< K of debris over that of bedrock
   double sediment_ease = 4;  ///< K of sediment over that of bedrock
   double deposition = 1;     ///< G
   double fan_m = 0;          ///< width over which a river lays down its load where no banks hold it and it is not steep
   double channel_m2 = 0;     ///< area whose runoff is Q_c
-  double creep_m2 = 0;       ///< D, m2 per year
+  double creep_m2_yr = 0;    ///< D
   double steepest = 1e9;     ///< S, rise over run
-  double uplift_m = 0;       ///< by which the ground has just risen, times the maps of the site; where sweeps begin
+  double uplift_m = 0;       ///< by which the ground has just risen, times the maps; where sweeps begin
   double sea_m = 0;
   int sweeps = 2;  ///< of Gauss-Seidel, >= 1
 };
 
 /// Discharge of each cell in m3 per year.
-void gather(const Drainage& drainage, const Site& site, const Rivers& rivers, ScalarField& discharge,
+void gather(const Drainage& drainage, const Maps& site, const Rivers& rivers, ScalarField& discharge,
             const RunContext& run);
 
 /// One step of erosion and deposition. After it `load` holds, in metres of thickness on its cell, what arrived at each
 /// sea cell, and `level` what was laid down on each cell of land. What arrived at outlets of the border is added to
 /// ledger.exported.
-void run_rivers(Ground& ground, const Site& site, const Drainage& drainage, const ScalarField& discharge,
+void run_rivers(Layers& ground, const Maps& site, const Drainage& drainage, const ScalarField& discharge,
                 const Rivers& rivers, ScalarField& load, ScalarField& level, Ledger& ledger, const RunContext& run);
 
 }  // namespace seamount::erosion

@@ -9,7 +9,7 @@ namespace {
 
 /// A river along a row of cells, with its outlet at x = 0.
 struct River {
-  Ground ground;
+  Layers ground;
   Drainage drainage;
   Grid<uint8_t> outlets;
   ScalarField discharge, load, level;
@@ -38,7 +38,7 @@ TEST(Rivers, ReachTheSlopeAtWhichTheyKeepUpWithUplift) {
     constexpr double kUplift = 5e-4;
     const Rivers rivers{.years = 20000,
                         .erodibility = 1e-5,
-                        .rock_ease = 1,
+                        .debris_ease = 1,
                         .sediment_ease = 1,
                         .deposition = deposition,
                         .sea_m = -1e4};
@@ -57,7 +57,7 @@ TEST(Rivers, ReachTheSlopeAtWhichTheyKeepUpWithUplift) {
 
 TEST(Rivers, GatherAllTheRainThatDoesNotEvaporate) {
   River river(50);
-  Rivers rivers{.rain_m = 0.5};
+  Rivers rivers{.runoff_m_yr = 0.5};
   river.step(rivers);
   EXPECT_FLOAT_EQ(river.discharge(0, 0), 50 * 0.5 * 1e4);
   EXPECT_FLOAT_EQ(river.discharge(49, 0), 0.5 * 1e4);
@@ -100,7 +100,7 @@ TEST(Rivers, FillALakeBeforeTheyLeaveIt) {
 /// A hill on a plain without rivers, `years` of creep in `steps`.
 HeightField crept(double years, int steps) {
   const GridFrame frame = GridFrame::centred(101, 101, 10);
-  Ground ground{HeightField(frame), ScalarField(frame, 0.0F), ScalarField(frame, 1000.0F)};
+  Layers ground{HeightField(frame), ScalarField(frame, 0.0F), ScalarField(frame, 1000.0F)};
   for (int y = 0; y < 101; ++y) {
     for (int x = 0; x < 101; ++x) {
       const double r2 = std::pow(x - 50, 2) + std::pow(y - 50, 2);
@@ -111,7 +111,7 @@ HeightField crept(double years, int steps) {
   ScalarField discharge(frame), load(frame), level(frame);
   Drainage drainage;
   Ledger ledger;
-  const Rivers rivers{.years = years / steps, .deposition = 0, .creep_m2 = 1, .sea_m = -1e4, .sweeps = 4};
+  const Rivers rivers{.years = years / steps, .deposition = 0, .creep_m2_yr = 1, .sea_m = -1e4, .sweeps = 4};
   for (int i = 0; i < steps; ++i) {
     drainage.route(ground.surface, outlets, -1e4F, {}, level, {});
     gather(drainage, {}, rivers, discharge, {});
@@ -136,14 +136,18 @@ TEST(Rivers, CreepRoundsACrestToTheParabolaThatUpliftAsksFor) {
   constexpr double kUplift = 1e-4, kCreep = 0.02;
   const GridFrame frame = GridFrame::centred(2 * kHalf + 1, 3, 10);
   for (const double years : {500.0, 10000.0}) {
-    Ground ground{HeightField(frame, 0.0F), ScalarField(frame, 0.0F), ScalarField(frame, 0.0F)};
+    Layers ground{HeightField(frame, 0.0F), ScalarField(frame, 0.0F), ScalarField(frame, 0.0F)};
     Grid<uint8_t> outlets(frame, 0);
     for (int y = 0; y < 3; ++y) outlets(0, y) = outlets(2 * kHalf, y) = 1;
     ScalarField discharge(frame), load(frame), level(frame);
     Drainage drainage;
     Ledger ledger;
-    const Rivers rivers{
-        .years = years, .deposition = 0, .creep_m2 = kCreep, .uplift_m = kUplift * years, .sea_m = -1e4, .sweeps = 1};
+    const Rivers rivers{.years = years,
+                        .deposition = 0,
+                        .creep_m2_yr = kCreep,
+                        .uplift_m = kUplift * years,
+                        .sea_m = -1e4,
+                        .sweeps = 1};
     for (int i = 0; i < static_cast<int>(3e6 / years); ++i) {
       for (int y = 0; y < 3; ++y) {
         for (int x = 1; x < 2 * kHalf; ++x) ground.surface(x, y) += static_cast<float>(kUplift * years);

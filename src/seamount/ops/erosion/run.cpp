@@ -66,42 +66,42 @@ void vary_hardness(ScalarField& hardness, const GridFrame& frame, double variati
 Rivers rivers_of(const RunParams& p, double years) {
   const bool carries = p.method == Method::hydraulic;
   return {.years = years,
-          .rain_m = p.rain_m,
-          .loss_per_km = p.evaporation_per_km,
+          .runoff_m_yr = p.runoff_mm_yr / 1000.0,
+          .loss_per_km = p.rivers.evaporation_per_km,
           .erodibility = p.erodibility,
-          .rock_ease = carries ? p.rock_ease : 1.0,
-          .sediment_ease = carries ? p.sediment_ease : 1.0,
-          .deposition = carries ? p.deposition : 0.0,
-          .fan_m = p.fan_m,
-          .channel_m2 = p.channel_m2,
-          .creep_m2 = p.creep_m2,
-          .steepest = std::tan(p.bedrock_angle_deg * std::numbers::pi / 180.0),
-          .uplift_m = p.uplift_mm * 1e-3 * years,
+          .debris_ease = carries ? p.rivers.debris_ease : 1.0,
+          .sediment_ease = carries ? p.rivers.sediment_ease : 1.0,
+          .deposition = carries ? p.rivers.deposition : 0.0,
+          .fan_m = p.rivers.fan_m,
+          .channel_m2 = p.rivers.channel_m2,
+          .creep_m2_yr = p.slopes.creep_m2_yr,
+          .steepest = std::tan(p.slopes.bedrock_angle_deg * std::numbers::pi / 180.0),
+          .uplift_m = p.uplift_mm_yr * 1e-3 * years,
           .sea_m = p.sea_m,
           .sweeps = carries ? 2 : 1};
 }
 
 Slopes slopes_of(const RunParams& p, double years) {
   return {.years = years,
-          .sediment_angle_deg = p.sediment_angle_deg,
-          .rock_angle_deg = p.rock_angle_deg,
-          .bedrock_angle_deg = p.bedrock_angle_deg,
-          .weathering_m = p.method == Method::hydraulic ? p.weathering_mm * 1e-3 : 0.0,
+          .sediment_angle_deg = p.slopes.sediment_angle_deg,
+          .debris_angle_deg = p.slopes.debris_angle_deg,
+          .bedrock_angle_deg = p.slopes.bedrock_angle_deg,
+          .weathering_m_yr = p.method == Method::hydraulic ? p.slopes.weathering_mm_yr * 1e-3 : 0.0,
           .slides = kSlides};
 }
 
 Coast coast_of(const RunParams& p, double years) {
   return {.years = years,
           .sea_m = p.sea_m,
-          .retreat_m = p.method == Method::hydraulic ? p.retreat_mm * 1e-3 : 0.0,
-          .wave_base_m = p.wave_base_m,
-          .settling_m = p.settling_m};
+          .retreat_m_yr = p.method == Method::hydraulic ? p.coast.retreat_mm_yr * 1e-3 : 0.0,
+          .wave_base_m = p.coast.wave_base_m,
+          .settling_m = p.coast.settling_m};
 }
 
 /// The run on one grid.
 class Level {
  public:
-  Level(Ground& ground, const Site& site, const Grid<uint8_t>& outlets, const RunParams& params)
+  Level(Layers& ground, const Maps& site, const Grid<uint8_t>& outlets, const RunParams& params)
       : ground_(ground),
         site_(site),
         params_(params),
@@ -140,7 +140,7 @@ class Level {
 
  private:
   void uplift(double years, Ledger& ledger) {
-    const auto rise = static_cast<float>(params_.uplift_mm * 1e-3 * years);
+    const auto rise = static_cast<float>(params_.uplift_mm_yr * 1e-3 * years);
     if (rise <= 0.0F) return;
     double sum = 0;
     for (size_t i = 0; i < ground_.surface.size(); ++i) {
@@ -163,8 +163,8 @@ class Level {
     ledger.exported += sum * ground_.surface.cell_m() * ground_.surface.cell_m();
   }
 
-  Ground& ground_;
-  const Site& site_;
+  Layers& ground_;
+  const Maps& site_;
   const RunParams& params_;
   const Grid<uint8_t>& outlets_;
   std::vector<std::pair<size_t, float>> base_levels_;
@@ -174,11 +174,11 @@ class Level {
 
 /// Grounds and sites from fine to coarse; index 0 is the finest.
 struct Pyramid {
-  std::vector<Ground> starts;
-  std::vector<Site> sites;
+  std::vector<Layers> starts;
+  std::vector<Maps> sites;
 };
 
-Pyramid pyramid_of(Ground ground, Site site, const RunContext& run) {
+Pyramid pyramid_of(Layers ground, Maps site, const RunContext& run) {
   Pyramid levels;
   levels.starts.push_back(std::move(ground));
   levels.sites.push_back(std::move(site));
@@ -208,20 +208,20 @@ std::vector<Stage> plan(const Pyramid& levels, const RunParams& params) {
 
 }  // namespace
 
-Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const RunContext& run) {
+Eroded run(Layers ground, Maps site, const RunParams& params, Seed seed, const RunContext& run) {
   check_params(params);
   const GridFrame frame = ground.frame();
-  check_map(ground.rock, frame, "rock");
+  check_map(ground.debris, frame, "debris");
   check_map(ground.sediment, frame, "sediment");
   check_map(site.hardness, frame, "hardness");
   check_map(site.mask, frame, "mask");
   check_map(site.uplift, frame, "uplift");
   check_map(site.rain, frame, "rain");
-  if (ground.rock.empty()) ground.rock = ScalarField(frame, 0.0F);
+  if (ground.debris.empty()) ground.debris = ScalarField(frame, 0.0F);
   if (ground.sediment.empty()) ground.sediment = ScalarField(frame, 0.0F);
-  limit(ground.rock, 0.0F, 1e5F);
+  limit(ground.debris, 0.0F, 1e5F);
   limit(ground.sediment, 0.0F, 1e5F);
-  vary_hardness(site.hardness, frame, params.rock_variation, seed.derive("erosion.rock"), run);
+  vary_hardness(site.hardness, frame, params.hardness_variation, seed.derive("erosion.rock"), run);
   limit(site.hardness, 0.01F, 1e6F);
   limit(site.mask, 0.0F, 1.0F);
   limit(site.uplift, 0.0F, 1e3F);
@@ -234,7 +234,7 @@ Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const R
   for (size_t k = 0; k < stages.size(); ++k) cost += static_cast<double>(stages[k].steps) / std::pow(4.0, k);
 
   Eroded out;
-  Ground now = levels.starts.size() > 1 ? levels.starts.back() : std::move(levels.starts.back());
+  Layers now = levels.starts.size() > 1 ? levels.starts.back() : std::move(levels.starts.back());
   Grid<uint8_t> outlets = border_outlets(now.surface, kOutletReach * std::max(frame.width_m(), frame.height_m()));
   for (size_t k = stages.size(); k-- > 0;) {
     {
@@ -248,7 +248,7 @@ Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const R
       if (k == 0) level.finish(params.years > 0, out.ledger, out.flow, out.lake, run);
     }
     if (k == 0) break;
-    Ground finer = k > 1 ? levels.starts[k - 1] : std::move(levels.starts[0]);
+    Layers finer = k > 1 ? levels.starts[k - 1] : std::move(levels.starts[0]);
     outlets = refined_outlets(outlets, finer.surface);
     refine(now, levels.starts[k], finer, levels.sites[k - 1], outlets, seed.derive("erosion.bends", stages.size() - k),
            out.ledger, run);
@@ -257,7 +257,7 @@ Eroded run(Ground ground, Site site, const RunParams& params, Seed seed, const R
     levels.sites.resize(k);
   }
   out.terrain = std::move(now.surface);
-  out.rock = std::move(now.rock);
+  out.debris = std::move(now.debris);
   out.sediment = std::move(now.sediment);
   return out;
 }

@@ -21,7 +21,7 @@ HeightField hills(int width, int height, double base_m = 300, double domain_m = 
   return z;
 }
 
-Eroded eroded(const HeightField& start, const RunParams& params = {}, Site site = {}, int threads = 0) {
+Eroded eroded(const HeightField& start, const RunParams& params = {}, Maps site = {}, int threads = 0) {
   return run({start, {}, {}}, std::move(site), params, Seed{11}, {.threads = threads});
 }
 
@@ -49,15 +49,15 @@ int undrained(const Eroded& result) {
 }
 
 TEST(Erosion, ConservesMassUpToWhatLeavesTheMap) {
-  for (const auto& [base_m, uplift_mm] : {std::pair{400.0, 0.0}, {20.0, 0.5}}) {
+  for (const auto& [base_m, uplift_mm_yr] : {std::pair{400.0, 0.0}, {20.0, 0.5}}) {
     for (const auto& [width, height] : {std::pair{131, 129}, {70, 40}}) {
       {
         const HeightField start = hills(width, height, base_m);
-        const Eroded result = eroded(start, {.uplift_mm = uplift_mm});
+        const Eroded result = eroded(start, {.uplift_mm_yr = uplift_mm_yr});
         const double lost = volume(start) - volume(result.terrain);
         const double expected = result.ledger.exported - result.ledger.uplifted;
         EXPECT_GT(result.ledger.eroded, 0);
-        EXPECT_NEAR(lost, expected, 1e-4 * result.ledger.eroded) << width << " " << base_m << " " << uplift_mm;
+        EXPECT_NEAR(lost, expected, 1e-4 * result.ledger.eroded) << width << " " << base_m << " " << uplift_mm_yr;
       }
     }
   }
@@ -66,7 +66,7 @@ TEST(Erosion, ConservesMassUpToWhatLeavesTheMap) {
 TEST(Erosion, LayersAreNeverNegativeAndValleysDrain) {
   for (const double base_m : {400.0, 20.0}) {
     const Eroded result = eroded(hills(128, 140, base_m));
-    for (const ScalarField* layer : {&result.rock, &result.sediment, &result.lake, &result.flow}) {
+    for (const ScalarField* layer : {&result.debris, &result.sediment, &result.lake, &result.flow}) {
       for (const float value : layer->cells()) ASSERT_GE(value, 0.0F);
     }
     EXPECT_EQ(undrained(result), 0);
@@ -81,7 +81,7 @@ TEST(Erosion, ZeroYearsChangeNothing) {
 TEST(Erosion, AnyNumberOfThreadsMakesTheSameBytes) {
   for (const Method method : {Method::hydraulic, Method::stream_power}) {
     const HeightField start = hills(300, 280, 20);
-    const RunParams params{.method = method, .uplift_mm = 0.2};
+    const RunParams params{.method = method, .uplift_mm_yr = 0.2};
     const Eroded one = eroded(start, params, {}, 1), more = eroded(start, params, {}, 5);
     EXPECT_TRUE(one.terrain == more.terrain);
     EXPECT_TRUE(one.sediment == more.sediment);
@@ -98,11 +98,11 @@ TEST(Erosion, FlatGroundStaysFlat) {
 
 TEST(Erosion, MaskedGroundStaysAsItWas) {
   const HeightField start = hills(192, 160, 30);
-  Site site{.hardness = {}, .mask = Mask(start.frame(), 1.0F), .uplift = {}, .rain = {}};
+  Maps site{.hardness = {}, .mask = Mask(start.frame(), 1.0F), .uplift = {}, .rain = {}};
   for (int y = 37; y < 101; ++y) {
     for (int x = 51; x < 120; ++x) site.mask(x, y) = 0.0F;
   }
-  const Eroded result = eroded(start, {.uplift_mm = 0.3}, site);
+  const Eroded result = eroded(start, {.uplift_mm_yr = 0.3}, site);
   double changed = 0;
   for (int y = 0; y < start.height(); ++y) {
     for (int x = 0; x < start.width(); ++x) {
@@ -121,7 +121,8 @@ TEST(Erosion, NothingStaysSteeperThanItsMaterialCanStand) {
   for (int y = 40; y < 60; ++y) {
     for (int x = 40; x < 60; ++x) start(x, y) += 300;  // a tower
   }
-  const RunParams params{.years = 200000, .erodibility = 0, .weathering_mm = 0, .bedrock_angle_deg = 45, .creep_m2 = 0};
+  const RunParams params{
+      .years = 200000, .erodibility = 0, .slopes = {.bedrock_angle_deg = 45, .creep_m2_yr = 0, .weathering_mm_yr = 0}};
   const Eroded result = eroded(start, params);
   const double allowed = std::tan((45 + 2.0) * 3.14159265 / 180) * start.cell_m();
   for (int y = 0; y < start.height(); ++y) {
@@ -150,7 +151,7 @@ TEST(Erosion, RiversBuildAnApronWhereTheyLeaveTheMountains) {
     for (int x = 0; x < 160; ++x) start(x, y) = static_cast<float>(300 - 0.4 * (y - 80)) + 0.002F * start(x, y);
   }
   const auto apron = [&](double fan_m) {
-    const Eroded result = eroded(start, {.years = 60000, .deposition = 2, .fan_m = fan_m, .sea_m = -1000});
+    const Eroded result = eroded(start, {.years = 60000, .sea_m = -1000, .rivers = {.deposition = 2, .fan_m = fan_m}});
     double volume_m3 = 0;
     for (int y = 80; y < 110; ++y) {
       for (int x = 10; x < 150; ++x) volume_m3 += (result.terrain(x, y) - start(x, y)) * 2500.0;
@@ -163,11 +164,11 @@ TEST(Erosion, RiversBuildAnApronWhereTheyLeaveTheMountains) {
 
 TEST(Erosion, ValleysGrowWhereItRains) {
   const HeightField start = hills(160, 160, 600);
-  Site site{.hardness = {}, .mask = {}, .uplift = {}, .rain = ScalarField(start.frame(), 0.0F)};
+  Maps site{.hardness = {}, .mask = {}, .uplift = {}, .rain = ScalarField(start.frame(), 0.0F)};
   for (int y = 0; y < 160; ++y) {
     for (int x = 80; x < 160; ++x) site.rain(x, y) = 2.0F;
   }
-  const Eroded result = eroded(start, {.years = 30000, .weathering_mm = 0, .creep_m2 = 0}, site);
+  const Eroded result = eroded(start, {.years = 30000, .slopes = {.creep_m2_yr = 0, .weathering_mm_yr = 0}}, site);
   double dry = 0, wet = 0;
   for (int y = 0; y < 160; ++y) {
     for (int x = 0; x < 160; ++x) (x < 80 ? dry : wet) += std::abs(result.terrain(x, y) - start(x, y));
@@ -180,9 +181,9 @@ TEST(Erosion, UpliftMakesARangeWhoseRiversFlattenDownstream) {
   for (float& z : start.cells()) z *= 0.002F;
   const RunParams params{.method = Method::stream_power,
                          .years = 3e6,
+                         .uplift_mm_yr = 0.5,
                          .erodibility = 1e-5,
-                         .rock_variation = 0,
-                         .uplift_mm = 0.5,
+                         .hardness_variation = 0,
                          .sea_m = -1000};
   const Eroded result = eroded(start, params);
   const HeightField& z = result.terrain;
@@ -205,7 +206,7 @@ TEST(Erosion, UpliftMakesARangeWhoseRiversFlattenDownstream) {
 
 /// Shares of the length of large rivers by direction, from 0 to pi in `bins` (the first about the x axis), measured
 /// over `chord` cells along their course.
-std::vector<double> river_directions(const Eroded& result, float least_flow, int chord, int bins) {
+std::vector<double> river_directions(const Eroded& result, float min_flow, int chord, int bins) {
   const HeightField& z = result.terrain;
   const auto below = [&](int& x, int& y) {
     int best = -1;
@@ -222,7 +223,7 @@ std::vector<double> river_directions(const Eroded& result, float least_flow, int
   double all = 0;
   for (int y = 0; y < z.height(); ++y) {
     for (int x = 0; x < z.width(); ++x) {
-      if (result.flow(x, y) < least_flow) continue;
+      if (result.flow(x, y) < min_flow) continue;
       int ex = x, ey = y, steps = 0;
       while (steps < chord && below(ex, ey)) ++steps;
       if (steps < chord) continue;
@@ -243,11 +244,10 @@ TEST(Erosion, ValleysRunInAllDirections) {
         geom::fbm_grid(frame, Seed{seed}, {.wavelength_m = 12000, .octaves = 8, .cell_m = frame.cell_m}, {});
     for (float& value : z.cells()) value = 1080 + 1172 * value;
     const RunParams params{.years = 1.5e6,
+                           .uplift_mm_yr = 0.95,
                            .erodibility = 8.5e-6,
-                           .uplift_mm = 0.95,
-                           .bedrock_angle_deg = 29,
-                           .creep_m2 = 0.026,
-                           .sea_m = -1000};
+                           .sea_m = -1000,
+                           .slopes = {.bedrock_angle_deg = 29, .creep_m2_yr = 0.026}};
     const Eroded result = run({std::move(z), {}, {}}, {}, params, Seed{seed}, {});
     const std::vector<double> share = river_directions(result, 2e5F, 8, 8);
     for (size_t i = 0; i < sum.size(); ++i) sum[i] += share[i] / 4;
@@ -303,14 +303,19 @@ TEST(Erosion, ACoarseGridIsAPreviewOfAFineOne) {
 TEST(Erosion, TheEndsOfEveryRangeStayFinite) {
   const HeightField start = hills(70, 66, 20);
   for (const RunParams& params :
-       {RunParams{.years = 1e9, .uplift_mm = 100, .creep_m2 = 10}, RunParams{.years = 1e9, .erodibility = 0.1},
-        RunParams{.erodibility = 1e-37, .sediment_ease = 0.01, .deposition = 10, .weathering_mm = 100},
-        RunParams{.rain_m = 0.001, .evaporation_per_km = 1, .deposition = 10, .uplift_mm = 1},
-        RunParams{.rain_m = 20, .rock_ease = 1000, .sediment_ease = 1000, .channel_m2 = 1e8},
-        RunParams{.bedrock_angle_deg = 89, .rock_angle_deg = 1, .sediment_angle_deg = 1, .creep_m2 = 10},
-        RunParams{.bedrock_angle_deg = 1, .sea_m = 9000}, RunParams{.retreat_mm = 10000, .settling_m = 1e6}}) {
+       {RunParams{.years = 1e9, .uplift_mm_yr = 100, .slopes = {.creep_m2_yr = 10}},
+        RunParams{.years = 1e9, .erodibility = 0.1},
+        RunParams{.erodibility = 1e-37,
+        .rivers = {.deposition = 10, .sediment_ease = 0.01},
+        .slopes = {.weathering_mm_yr = 100}},
+        RunParams{.uplift_mm_yr = 1, .runoff_mm_yr = 1, .rivers = {.deposition = 10, .evaporation_per_km = 1}},
+        RunParams{.runoff_mm_yr = 20000, .rivers = {.debris_ease = 1000, .sediment_ease = 1000, .channel_m2 = 1e8}},
+        RunParams{
+            .slopes = {.bedrock_angle_deg = 89, .debris_angle_deg = 1, .sediment_angle_deg = 1, .creep_m2_yr = 10}},
+        RunParams{.sea_m = 9000, .slopes = {.bedrock_angle_deg = 1}},
+        RunParams{.coast = {.retreat_mm_yr = 10000, .settling_m = 1e6}}}) {
     const Eroded result = eroded(start, params);
-    for (const ScalarField* field : {&result.terrain, &result.rock, &result.sediment, &result.flow, &result.lake}) {
+    for (const ScalarField* field : {&result.terrain, &result.debris, &result.sediment, &result.flow, &result.lake}) {
       for (const float value : field->cells()) ASSERT_TRUE(std::isfinite(value));
     }
   }

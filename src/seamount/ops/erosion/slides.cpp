@@ -114,13 +114,13 @@ constexpr float kEndless = 1e30F;  // bedrock
 
 }  // namespace
 
-void slide(HeightField& surface, ScalarField& layer, Sliding what, const Site& site, double angle_deg, double speed,
+void slide(HeightField& surface, ScalarField& layer, Sliding what, const Maps& site, double angle_deg, double speed,
            ScalarField& share, ScalarField& next, const RunContext& run) {
   const double straight = std::tan(angle_deg * std::numbers::pi / 180.0) * surface.cell_m();
   const Talus talus{static_cast<float>(straight), static_cast<float>(straight * std::sqrt(2.0)),
                     static_cast<float>(speed)};
   const int width = surface.width(), height = surface.height();
-  const bool from_below = what == Sliding::rock_below;
+  const bool from_below = what == Sliding::bedrock_below;
   const std::vector<float> ones(static_cast<size_t>(width) + 2, 1.0F), endless(static_cast<size_t>(width), kEndless);
   const Rows all_open{ones.data() + 1, ones.data() + 1, ones.data() + 1};
   // Off the map everything stands too high to slide there, and nothing comes from there.

@@ -37,29 +37,30 @@ void for_cells(const GridFrame& frame, const RunContext& run, F f) {
   });
 }
 
-/// Bedrock turns to rock where it is steep and bare; the surface stays.
-void weather(Ground& ground, const Site& site, const Slopes& slopes, const RunContext& run) {
-  const auto depth = static_cast<float>(slopes.weathering_m * slopes.years);
-  const auto steep = static_cast<float>(1.0 / (2.0 * ground.surface.cell_m() * slope_of(slopes.rock_angle_deg)));
+/// Bedrock turns to debris where it is steep and bare; the surface stays.
+void weather(Layers& ground, const Maps& site, const Slopes& slopes, const RunContext& run) {
+  const auto depth = static_cast<float>(slopes.weathering_m_yr * slopes.years);
+  const auto steep = static_cast<float>(1.0 / (2.0 * ground.surface.cell_m() * slope_of(slopes.debris_angle_deg)));
   const HeightField& z = ground.surface;
   for_cells(ground.frame(), run, [&](size_t cell, int x, int y) {
     const float dx = (z.clamped(x + 1, y) - z.clamped(x - 1, y)) * steep;
     const float dy = (z.clamped(x, y + 1) - z.clamped(x, y - 1)) * steep;
-    const float bare = kCover_m / (kCover_m + ground.rock.data()[cell] + ground.sediment.data()[cell]);
-    ground.rock.data()[cell] += depth * std::min(1.0F, dx * dx + dy * dy) * bare * value_or_one(site.mask, cell) /
-                                value_or_one(site.hardness, cell);
+    const float bare = kCover_m / (kCover_m + ground.debris.data()[cell] + ground.sediment.data()[cell]);
+    ground.debris.data()[cell] += depth * std::min(1.0F, dx * dx + dy * dy) * bare * value_or_one(site.mask, cell) /
+                                  value_or_one(site.hardness, cell);
   });
 }
 
 }  // namespace
 
-void run_slopes(Ground& ground, const Site& site, const Slopes& slopes, ScalarField& share, ScalarField& next,
+void run_slopes(Layers& ground, const Maps& site, const Slopes& slopes, ScalarField& share, ScalarField& next,
                 const RunContext& run) {
-  if (slopes.weathering_m > 0) weather(ground, site, slopes, run);
+  if (slopes.weathering_m_yr > 0) weather(ground, site, slopes, run);
   const double speed = kSlidePerRound * std::min(1.0, slopes.years / kSlideTime_yr);
   for (int k = 0; k < slopes.slides; ++k) {
-    slide(ground.surface, ground.rock, Sliding::rock_below, site, slopes.bedrock_angle_deg, speed, share, next, run);
-    slide(ground.surface, ground.rock, Sliding::layer, site, slopes.rock_angle_deg, speed, share, next, run);
+    slide(ground.surface, ground.debris, Sliding::bedrock_below, site, slopes.bedrock_angle_deg, speed, share, next,
+          run);
+    slide(ground.surface, ground.debris, Sliding::layer, site, slopes.debris_angle_deg, speed, share, next, run);
     slide(ground.surface, ground.sediment, Sliding::layer, site, slopes.sediment_angle_deg, speed, share, next, run);
   }
 }

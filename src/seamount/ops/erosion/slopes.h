@@ -1,27 +1,27 @@
-// Slopes: what is steeper than its material can stand slides, and bedrock crumbles to rock.
+// Slopes: what is steeper than its material can stand slides, and bedrock crumbles to debris.
 //
-// Each layer slides at its own angle (slides.h; Benes and Forsbach 2001); bedrock that breaks off is rock from then on.
-// Weathering turns bare bedrock into rock where it is steep, less under cover (Cordonnier et al. 2017b). All of it
-// moves mass between neighbours only, nothing across the border of the map. Creep is in rivers.h, where it and water
+// Each layer slides at its own angle (slides.h; Benes and Forsbach 2001); bedrock that breaks off is debris from then
+// on. Weathering turns bare bedrock into debris where it is steep, less under cover (Cordonnier et al. 2017b). All of
+// it moves mass between neighbours only, nothing across the border of the map. Creep is in rivers.h, where it and water
 // shape ground together.
 #pragma once
 
 #include "seamount/base/run_context.h"
-#include "seamount/ops/erosion/ground.h"
+#include "seamount/ops/erosion/layers.h"
 
 namespace seamount::erosion {
 
 struct Slopes {
   double years = 0;
   double sediment_angle_deg = 25;
-  double rock_angle_deg = 35;
+  double debris_angle_deg = 35;
   double bedrock_angle_deg = 50;
-  double weathering_m = 0;  ///< bedrock that turns to rock per year where it stands bare and steep
-  int slides = 2;           ///< rounds of sliding
+  double weathering_m_yr = 0;  ///< bedrock that turns to debris where it stands bare and steep
+  int slides = 2;              ///< rounds of sliding
 };
 
 /// One step. `share` and `next` are room to work in, of the ground's size. Parallel; about 10 ns per cell and round.
-void run_slopes(Ground& ground, const Site& site, const Slopes& slopes, ScalarField& share, ScalarField& next,
+void run_slopes(Layers& ground, const Maps& site, const Slopes& slopes, ScalarField& share, ScalarField& next,
                 const RunContext& run);
 
 }  // namespace seamount::erosion

@@ -9,9 +9,9 @@
 namespace seamount::erosion {
 namespace {
 
-Ground flat(int width, int height, float sediment, float rock) {
+Layers flat(int width, int height, float sediment, float debris) {
   const GridFrame frame = GridFrame::centred(width, height, 10);
-  return {HeightField(frame, 100.0F), ScalarField(frame, rock), ScalarField(frame, sediment)};
+  return {HeightField(frame, 100.0F), ScalarField(frame, debris), ScalarField(frame, sediment)};
 }
 
 double sum(const ScalarField& field) { return std::accumulate(field.cells().begin(), field.cells().end(), 0.0); }
@@ -27,20 +27,20 @@ double steepest_deg(const HeightField& z) {
   return std::atan(most / z.cell_m()) * 180 / std::numbers::pi;
 }
 
-void settle(Ground& ground, const Slopes& slopes, int steps) {
+void settle(Layers& ground, const Slopes& slopes, int steps) {
   ScalarField share(ground.frame()), next(ground.frame());
   for (int i = 0; i < steps; ++i) run_slopes(ground, {}, slopes, share, next, {});
 }
 
 TEST(Slopes, EachLayerComesToRestAtItsAngle) {
-  const Slopes slopes{.years = 1000, .sediment_angle_deg = 20, .rock_angle_deg = 35, .bedrock_angle_deg = 60};
-  for (const auto& [sediment, rock, angle] :
+  const Slopes slopes{.years = 1000, .sediment_angle_deg = 20, .debris_angle_deg = 35, .bedrock_angle_deg = 60};
+  for (const auto& [sediment, debris, angle] :
        {std::tuple{200.0F, 0.0F, 20.0}, {0.0F, 200.0F, 35.0}, {0.0F, 0.0F, 60.0}}) {
-    Ground ground = flat(61, 41, 0, 0);
+    Layers ground = flat(61, 41, 0, 0);
     const auto cell = static_cast<size_t>(20) * 61 + 30;
     ground.surface.data()[cell] += 200;
     ground.sediment.data()[cell] = sediment;
-    ground.rock.data()[cell] = rock;
+    ground.debris.data()[cell] = debris;
     const double before = sum(ground.surface);
     settle(ground, slopes, 300);
     EXPECT_NEAR(sum(ground.surface), before, 1e-6 * before);
@@ -51,14 +51,14 @@ TEST(Slopes, EachLayerComesToRestAtItsAngle) {
 }
 
 TEST(Slopes, BareSteepRockCrumbles) {
-  Ground ground = flat(30, 30, 0, 0);
+  Layers ground = flat(30, 30, 0, 0);
   for (int y = 0; y < 30; ++y) {
     for (int x = 10; x < 30; ++x) ground.surface(x, y) += 6.0F * static_cast<float>(std::min(x, 20) - 10);
   }
   const HeightField before = ground.surface;
-  settle(ground, {.years = 1000, .weathering_m = 1e-3, .slides = 0}, 1);
-  EXPECT_EQ(ground.rock(4, 15), 0);
-  EXPECT_GT(ground.rock(15, 15), 0.3F);
+  settle(ground, {.years = 1000, .weathering_m_yr = 1e-3, .slides = 0}, 1);
+  EXPECT_EQ(ground.debris(4, 15), 0);
+  EXPECT_GT(ground.debris(15, 15), 0.3F);
   EXPECT_TRUE(ground.surface == before);
 }
 

@@ -40,7 +40,7 @@ GridFrame frame_at(const GridFrame& frame, double cell_m) {
 
 SurveyPlan make_plan(const std::vector<HeightField>& terrains, float sea_level_m, double relief_window_m,
                      std::optional<double> channel_m2, std::optional<double> min_prominence_m) {
-  constexpr double kChannelPart = 2000.0, kProminencePart = 50.0, kLeastProminence = 1e-3;
+  constexpr double kChannelPart = 2000.0, kProminencePart = 50.0, kMinProminence = 1e-3;
   double land_m2 = std::numeric_limits<double>::infinity(), map_m2 = land_m2, relief = 0.0;
   for (const HeightField& terrain : terrains) {
     const double cell_m2 = terrain.cell_m() * terrain.cell_m();
@@ -54,7 +54,7 @@ SurveyPlan make_plan(const std::vector<HeightField>& terrains, float sea_level_m
   plan.sea_level_m = sea_level_m;
   plan.relief_window_m = relief_window_m;
   plan.channel_m2 = channel_m2.value_or(std::min(land_m2, map_m2) / kChannelPart);
-  plan.min_prominence_m = min_prominence_m.value_or(std::max(kLeastProminence, relief / kProminencePart));
+  plan.min_prominence_m = min_prominence_m.value_or(std::max(kMinProminence, relief / kProminencePart));
   return plan;
 }
 

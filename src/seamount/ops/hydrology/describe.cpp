@@ -15,8 +15,8 @@ namespace {
 
 /// The terrain on cells of another size, its sea a level surface: surveys of land have none below.
 HeightField prepare(const HeightField& input, const GridFrame& frame, float sea_level_m,
-                    const std::optional<double>& least_sea_m2, const RunContext& run) {
-  HeightField terrain = geom::raise_inland(input, sea_level_m, least_sea_m2, run);
+                    const std::optional<double>& min_sea_m2, const RunContext& run) {
+  HeightField terrain = geom::raise_inland(input, sea_level_m, min_sea_m2, run);
   for (float& z : terrain.cells()) z = std::max(z, sea_level_m);
   if (terrain.frame() == frame) return terrain;
   return geom::resample(terrain, frame, run);
@@ -50,7 +50,7 @@ Described describe(const HeightField& terrain, const HeightField* reference, con
   for (GridFrame& frame : frames) frame = frame_at(frame, cell_m);
   std::vector<HeightField> terrains;
   for (size_t i = 0; i < inputs.size(); ++i)
-    terrains.push_back(prepare(*inputs[i], frames[i], sea_level_m, params.least_sea_m2, run));
+    terrains.push_back(prepare(*inputs[i], frames[i], sea_level_m, params.min_sea_m2, run));
   const SurveyPlan plan =
       make_plan(terrains, sea_level_m, params.relief_window_m, params.channel_m2, params.min_prominence_m);
   std::vector<Survey> surveys;

@@ -13,12 +13,13 @@
 //   aspect: circular Wasserstein distance, over a half turn
 //   hypsometry: area between the two hypsometric curves, of heights and areas from 0 to 1
 //   slope_area, roughness: mean |log10 of the ratio| where both curves are defined
-//   strahler: mean over orders of |log10 of the ratio| of streams per area; an order that one lacks counts as half a
-//   stream
+//   strahler: mean over orders of |log10 of the ratio| of streams per area; an order that one lacks counts as half
+//   a stream
 //   prominence: mean over thresholds of |log10 of the ratio| of peaks per area; half a peak where one has none
 //   ridges: |log10 of the ratio| of ridge length per area
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -34,7 +35,7 @@ namespace seamount::hydrology {
 
 struct DescribeParams {
   bool sea = true;
-  std::optional<double> least_sea_m2;
+  std::optional<double> min_sea_m2;
   double relief_window_m = 1000.0;
   std::optional<double> channel_m2;
   std::optional<double> min_prominence_m;
@@ -46,7 +47,7 @@ struct DescribeParams {
     using P = DescribeParams;
     return std::tuple(
         field(&P::sea, "sea", "describe only what lies above sea level"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning),
+        field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning),
         field(&P::relief_window_m, "relief_window_m", "m", between(0.01, 1e6), "side of the square of local relief"),
         field(&P::channel_m2, "channel_m2", "m2", between(1, 1e13),
               "catchment with which a river, or a ridge, begins; a 2000th of the smaller land if absent"),
@@ -57,6 +58,8 @@ struct DescribeParams {
         field(&P::title, "title", "name of the terrain on the page"),
         field(&P::reference_title, "reference_title", "name of the reference on the page"));
   }
+
+  static constexpr std::array kFormerNames = {FormerName{"least_sea_m2", "min_sea_m2"}};
 };
 
 struct Described {
@@ -65,8 +68,8 @@ struct Described {
 };
 
 /// `reference` may be null. Throws InvalidArgument for params out of range, and for a cell_m that is finer than the
-/// coarser input's cells or makes more than 2^31 - 1 of them. Parallel in part; linear but for sorting
-/// passes between catchments; 45 bytes per cell.
+/// coarser input's cells or makes more than 2^31 - 1 of them. Parallel in part; linear but for the sorting of passes
+/// between catchments; 45 bytes per cell.
 Described describe(const HeightField& terrain, const HeightField* reference, const DescribeParams& params,
                    const RunContext& run);
 

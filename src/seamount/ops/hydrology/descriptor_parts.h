@@ -27,7 +27,7 @@ bool comparable(const Surveys& surveys);
 /// The distance that a number is; nothing where it is not defined.
 std::optional<double> defined(double distance);
 
-/// Of something counted on the survey's land.
+/// A count on the survey's land as a number per 100 km2 of it.
 double per_100_km2(double count, const Survey& survey);
 
 /// Least-squares slope of log y over log x for x in [low, high]. Not a number from fewer than two points.

@@ -13,7 +13,7 @@ namespace seamount::hydrology {
 Filled fill(const HeightField& terrain, const FillParams& params, const RunContext& run) {
   check_params(params);
   const float sea = params.sea ? 0.0F : geom::kNoSea;
-  HeightField cut = geom::raise_inland(terrain, sea, params.least_sea_m2, run);
+  HeightField cut = geom::raise_inland(terrain, sea, params.min_sea_m2, run);
   if (params.depressions == Depressions::breach) {
     const auto steps = static_cast<int>(std::min(1e9, params.max_length_m / terrain.cell_m()));
     breach_depressions(cut, sea, steps, static_cast<float>(params.max_cut_m), run.part(0.0, 0.5));

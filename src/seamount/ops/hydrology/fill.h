@@ -6,6 +6,7 @@
 // allowed is filled. The lakes are what filling covered.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <tuple>
 
@@ -23,7 +24,7 @@ struct FillParams {
   Depressions depressions = Depressions::fill;
   bool descend = true;
   bool sea = true;
-  std::optional<double> least_sea_m2;
+  std::optional<double> min_sea_m2;
   double max_cut_m = 50.0;
   double max_length_m = 5000.0;
   double min_lake_m2 = 20000.0;
@@ -35,11 +36,13 @@ struct FillParams {
         field(&P::descend, "descend",
               "let filled ground fall towards its outlet by the least step that a float can make"),
         field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning),
+        field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning),
         field(&P::max_cut_m, "max_cut_m", "m", between(0, 10000), "breach: deepest cut; what needs more is filled"),
         field(&P::max_length_m, "max_length_m", "m", between(0, 1e6), "breach: longest cut; what needs more is filled"),
         field(&P::min_lake_m2, "min_lake_m2", "m2", between(0, 1e12), "smaller lakes are not traced"));
   }
+
+  static constexpr std::array kFormerNames = {FormerName{"least_sea_m2", "min_sea_m2"}};
 };
 
 struct Filled {

@@ -57,7 +57,7 @@ Flow flow(const HeightField& terrain, const FlowParams& params, const RunContext
   check_params(params);
   const float sea = params.sea ? 0.0F : geom::kNoSea;
   const GridFrame& frame = terrain.frame();
-  Flow out{geom::fill_depressions(geom::raise_inland(terrain, sea, params.least_sea_m2, run), sea, run.part(0.0, 0.4)),
+  Flow out{geom::fill_depressions(geom::raise_inland(terrain, sea, params.min_sea_m2, run), sea, run.part(0.0, 0.4)),
            ScalarField(frame),
            ScalarField(frame),
            ScalarField(frame),

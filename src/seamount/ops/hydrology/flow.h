@@ -4,6 +4,7 @@
 // Tarboton 1997 (D-infinity), Freeman 1991 and Holmgren 1994 (multiple).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <tuple>
 
@@ -21,7 +22,7 @@ struct FlowParams {
   FlowMethod method = FlowMethod::d8;
   double exponent = 1.1;
   bool sea = true;
-  std::optional<double> least_sea_m2;
+  std::optional<double> min_sea_m2;
   std::optional<double> min_catchment_m2;
 
   static constexpr auto fields() {
@@ -33,8 +34,10 @@ struct FlowParams {
         field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"),
         field(&P::min_catchment_m2, "min_catchment_m2", "m2", between(0, 1e15),
               "smaller catchments are not traced; a five-hundredth of the terrain's area if absent"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
+        field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
   }
+
+  static constexpr std::array kFormerNames = {FormerName{"least_sea_m2", "min_sea_m2"}};
 };
 
 struct Flow {
@@ -42,8 +45,8 @@ struct Flow {
   ScalarField cells;          ///< that drain through a cell, itself included
   ScalarField area_m2;        ///< the same as an area
   ScalarField direction_deg;  ///< bearing of the flow, clockwise from north; -1 where it ends; D8's for mfd
-  ScalarField basins;  ///< number of the catchment that a cell belongs to, 1 the largest; 0 for open water without one;
-                       ///< D8's for all methods
+  /// Number of the catchment that a cell belongs to, 1 the largest; 0 for open water. D8's for all methods.
+  ScalarField basins;
   Drawing catchments;  ///< the larger of them as areas "catchment 1", ... with area_m2, mouth_x and mouth_y
 };
 

@@ -255,7 +255,7 @@ TEST(Rivers, RunThroughHollowsBelowSeaLevel) {
     return most;
   };
   EXPECT_GT(largest(through), 50 * 20 * 100.0);
-  EXPECT_LT(largest(rivers(terrain, {.min_area_m2 = 200 * 100.0, .least_sea_m2 = 0}, {})), 0.7 * largest(through));
+  EXPECT_LT(largest(rivers(terrain, {.min_area_m2 = 200 * 100.0, .min_sea_m2 = 0}, {})), 0.7 * largest(through));
   const Filled filled = fill(terrain, {.min_lake_m2 = 0}, {});
   ASSERT_EQ(filled.lakes.areas.size(), 1U);
   EXPECT_NEAR(attribute(filled.lakes.areas[0].attributes, "depth_m"), 3.35,

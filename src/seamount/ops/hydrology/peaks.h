@@ -12,9 +12,8 @@ namespace seamount::hydrology {
 struct Peak {
   int32_t cell = 0;  ///< row * width + column
   double height_m = 0.0;
-  double prominence_m =
-      0.0;  ///< over the highest pass to higher ground; of a land's highest summit, over its lowest cell
-  double isolation_m = 0.0;  ///< to the nearest cell that is higher; of the highest, the frame's diagonal
+  double prominence_m = 0.0;  ///< over the highest pass to higher ground; a land's highest summit: over its lowest cell
+  double isolation_m = 0.0;   ///< to the nearest cell that is higher; of the highest, the frame's diagonal
 };
 
 /// Summits (cells or level ground without higher neighbours) above the sea of at least min_prominence_m, from the most

@@ -55,7 +55,7 @@ Drawing rivers(const HeightField& terrain, const RiversParams& params, const Run
   const GridFrame& frame = terrain.frame();
   const float sea = params.sea ? 0.0F : geom::kNoSea;
   const HeightField filled =
-      geom::fill_depressions(geom::raise_inland(terrain, sea, params.least_sea_m2, run), sea, run.part(0.0, 0.5));
+      geom::fill_depressions(geom::raise_inland(terrain, sea, params.min_sea_m2, run), sea, run.part(0.0, 0.5));
   const geom::FlowDirections directions = geom::flow_directions(filled, sea, run.part(0.5, 0.6));
   ScalarField cells(frame);
   {
@@ -80,7 +80,7 @@ Drawing ridges(const HeightField& terrain, const RidgesParams& params, const Run
   check_params(params);
   const GridFrame& frame = terrain.frame();
   const float sea = params.sea ? 0.0F : geom::kNoSea;
-  const HeightField ground = geom::raise_inland(terrain, sea, params.least_sea_m2, run);
+  const HeightField ground = geom::raise_inland(terrain, sea, params.min_sea_m2, run);
   RidgeFlow flow = ridge_flow(ground, sea, run);
   clear_edge(flow.land);
   Drawing drawing;

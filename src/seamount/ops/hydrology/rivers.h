@@ -6,6 +6,7 @@
 // to a higher one (geom::route_through_pits), and ends on the highest of each piece of land.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <tuple>
 
@@ -22,7 +23,7 @@ struct RiversParams {
   double runoff_mm_yr = 500.0;
   double width_factor = 6.0;
   bool sea = true;
-  std::optional<double> least_sea_m2;
+  std::optional<double> min_sea_m2;
 
   static constexpr auto fields() {
     using P = RiversParams;
@@ -33,22 +34,26 @@ struct RiversParams {
         field(&P::width_factor, "width_factor", "", between(0, 100),
               "width in metres of a river of 1 m3/s; it goes with the square root of discharge"),
         field(&P::sea, "sea", "flow ends in cells at or below sea level; otherwise only at the terrain's edge"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
+        field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
   }
+
+  static constexpr std::array kFormerNames = {FormerName{"least_sea_m2", "min_sea_m2"}};
 };
 
 struct RidgesParams {
   std::optional<double> min_area_m2;
   bool sea = true;
-  std::optional<double> least_sea_m2;
+  std::optional<double> min_sea_m2;
 
   static constexpr auto fields() {
     using P = RidgesParams;
     return std::tuple(field(&P::min_area_m2, "min_area_m2", "m2", between(1, 1e13),
                             "ground whose ways up join before a ridge begins; a five-hundredth of the land if absent"),
                       field(&P::sea, "sea", "ridges stand on cells above sea level; otherwise everywhere"),
-                      field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
+                      field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
   }
+
+  static constexpr std::array kFormerNames = {FormerName{"least_sea_m2", "min_sea_m2"}};
 };
 
 /// One line per reach between confluences, downstream, tributaries first. Its value is the Strahler order; it carries

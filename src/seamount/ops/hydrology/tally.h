@@ -1,4 +1,5 @@
-// Counts values of any size without knowing their range: bins as wide as a 256th of a value's distance from an origin.
+// A histogram of values whose range is not known beforehand: bins are as wide as a 256th of their distance from an
+// origin.
 #pragma once
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
 #include "seamount/geom/grid/upsample_rows.h"
+#include "seamount/geom/scalar/curve.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/water/gullies.h"
 #include "seamount/ops/island/coordinate.h"
@@ -191,16 +192,16 @@ Island build(const Plan& plan, const BuildParams& params, const GridFrame& frame
   check_fits(plan, frame, "coast");
   const Curve curve = profile_curve(plan, params);
   const double radius = std::sqrt(plan.land_m2 / std::numbers::pi);
-  const double detail = params.coast_detail_m.value_or(0.35 * plan.edge_m);
+  const double detail = params.detail.coast_m.value_or(0.35 * plan.edge_m);
   const Making making{
-      RegionCoordinate(plan, frame, params.smoothing, run.part(0.0, 0.2)),
+      RegionCoordinate(plan, frame, params.detail.smoothing, run.part(0.0, 0.2)),
       geom::CurveTable(geom::CurveFunction(curve, kind_of(params.interpolation), "profile"), 0.0, kOutlineCount, 8192),
       {.wavelength_m = std::max(1e-3, 7.0 * detail), .octaves = 8, .gain = 0.52, .cell_m = frame.cell_m},
       detail,
-      {.wavelength_m = params.noise_wavelength_m, .octaves = 8, .gain = 0.5, .cell_m = frame.cell_m},
-      static_cast<float>(params.noise_m),
+      {.wavelength_m = params.detail.noise_wavelength_m, .octaves = 8, .gain = 0.5, .cell_m = frame.cell_m},
+      static_cast<float>(params.detail.noise_m),
       seed};
-  const double spacing = params.valley_spacing_m.value_or(0.3 * radius);
+  const double spacing = params.detail.valley_spacing_m.value_or(0.3 * radius);
   const double peak = std::max_element(curve.knots.begin(), curve.knots.end(), [](const Knot& a, const Knot& b) {
                         return a.y < b.y;
                       })->y;

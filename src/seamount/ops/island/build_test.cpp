@@ -16,7 +16,7 @@ namespace seamount::island {
 namespace {
 
 /// Nothing but the paper: no detail, valleys or noise.
-BuildParams plain() { return {.coast_detail_m = 0.0, .massif = 0.0, .relief = 0.0, .noise_m = 0.0}; }
+BuildParams plain() { return {.massif = 0.0, .relief = 0.0, .detail = {.coast_m = 0.0, .noise_m = 0.0}}; }
 
 TEST(Build, HeightIsTheProfileOfTheCoordinate) {
   BuildParams params = plain();
@@ -41,7 +41,7 @@ TEST(Build, CoastStaysWhereItIsUnderNoiseAndValleys) {
   const Plan plan = plan_from_polar({{{3000}}}, {}, {});
   BuildParams params = plain();
   params.relief = 1.0;
-  params.noise_m = 8.0;
+  params.detail.noise_m = 8.0;
   const Island isle = build(plan, params, GridFrame::centred(256, 256, 45), Seed{4}, {});
   int wrong = 0;
   for (size_t c = 0; c < isle.terrain.size(); ++c) {

@@ -5,7 +5,7 @@
 namespace seamount::island {
 
 Plan choose_plan(const BuildParams& p, const BuildInputs& inputs, const GridFrame& domain, Seed seed) {
-  const GivenWidths widths{p.beach_m, p.lagoon_m, p.reef_m, p.slope_m};
+  const GivenWidths& widths = p.widths;
   std::vector<std::string> given;
   if (!p.coast.path.empty()) given.emplace_back("coast");
   if (!p.outlines.empty()) given.emplace_back("outlines");

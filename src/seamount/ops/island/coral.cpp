@@ -22,7 +22,7 @@ constexpr float kReef = static_cast<float>(Region::reef);
 constexpr float kBackReefDepth_m = 4.0F;  // behind the crest and this far below it is lagoon
 constexpr float kBeachTop_m = 4.0F;       // what has sunk to below this height is beach
 
-void check_breakpoints(const CoralParams& p) {
+void check_breakpoints(const ReefSection& p) {
   const std::array<std::pair<const char*, double>, 5> order = {{{"back_start", p.back_start},
                                                                 {"back_end", p.back_end},
                                                                 {"crest_start", p.crest_start},
@@ -33,18 +33,19 @@ void check_breakpoints(const CoralParams& p) {
     const bool fine =
         transition_follows ? order[i].second < order[i + 1].second : order[i].second <= order[i + 1].second;
     if (fine) continue;
-    throw InvalidArgument(order[i + 1].first, format_number(order[i + 1].second) + " does not follow " +
-                                                  order[i].first + " = " + format_number(order[i].second));
+    throw InvalidArgument(std::string("section.") + order[i + 1].first, format_number(order[i + 1].second) +
+                                                                            " does not follow " + order[i].first +
+                                                                            " = " + format_number(order[i].second));
   }
 }
 
 /// h_coral as a table over x in [0, 1].
-geom::CurveTable coral_table(const CoralParams& params) {
+geom::CurveTable coral_table(const ReefSection& section) {
   constexpr int kSamples = 2048;
   Curve curve;
   for (int i = 0; i <= kSamples; ++i) {
     const double x = static_cast<double>(i) / kSamples;
-    curve.knots.push_back({x, coral_profile(params, x)});
+    curve.knots.push_back({x, coral_profile(section, x)});
   }
   return geom::CurveTable(geom::CurveFunction(curve, geom::CurveKind::linear), 0.0, 1.0, kSamples + 1);
 }
@@ -144,7 +145,7 @@ double transition(double a, double b, double x0, double x1, double x) {
   return a + (b - a) * geom::smoothstep((x - x0) / (x1 - x0));
 }
 
-double coral_profile(const CoralParams& p, double x) {
+double coral_profile(const ReefSection& p, double x) {
   if (x <= p.back_end) return p.back_m;
   if (x < p.crest_start) return transition(p.back_m, p.crest_m, p.back_end, p.crest_start, x);
   if (x <= p.crest_end) return p.crest_m;
@@ -155,7 +156,7 @@ double coral_profile(const CoralParams& p, double x) {
 Reefed coral(const HeightField& terrain, const LabelMap& labels, const ScalarField* coordinate,
              const CoralParams& params, Seed seed, const RunContext& run) {
   check_params(params);
-  check_breakpoints(params);
+  check_breakpoints(params.section);
   const GridFrame& frame = terrain.frame();
   check_same_size("labels", labels.frame(), frame);
   if (coordinate != nullptr) check_same_size("coordinate", coordinate->frame(), frame);
@@ -165,23 +166,23 @@ Reefed coral(const HeightField& terrain, const LabelMap& labels, const ScalarFie
     coordinate = &derived;
   }
   const double floor = params.floor_m.value_or(*std::min_element(terrain.cells().begin(), terrain.cells().end()));
-  const bool falls_on = params.fore_reef_slope_deg > 0;
+  const bool falls_on = params.section.fore_reef_slope_deg > 0;
   const ScalarField beyond = falls_on ? distance_beyond_reef(labels, run) : ScalarField();
   const ReefPasses passes(*coordinate, params.passes, params.pass_width_m, seed, run);
   const ReefNoise noise = reef_noise(params, passes.reef_width_m(), frame.cell_m, seed);
-  const geom::CurveTable profile = coral_table(params);
+  const geom::CurveTable profile = coral_table(params.section);
   const auto sunk = static_cast<float>(params.subsidence);
   const RowShape shape{1.0F - sunk,
                        static_cast<float>(subside(0.0, floor, params.subsidence)),
                        static_cast<float>(0.5 / params.blend_m),
-                       static_cast<float>(std::tan(params.fore_reef_slope_deg * std::numbers::pi / 180.0)),
+                       static_cast<float>(std::tan(params.section.fore_reef_slope_deg * std::numbers::pi / 180.0)),
                        static_cast<float>(params.lagoon_relief_m),
                        static_cast<float>(params.islet_m),
-                       static_cast<float>(params.crest_m),
-                       static_cast<float>(params.back_m),
+                       static_cast<float>(params.section.crest_m),
+                       static_cast<float>(params.section.back_m),
                        noise.islet_threshold,
-                       static_cast<float>(params.crest_start),
-                       static_cast<float>(params.crest_end)};
+                       static_cast<float>(params.section.crest_start),
+                       static_cast<float>(params.section.crest_end)};
   Reefed out{HeightField(frame), LabelMap(frame)};
   parallel_rows(run.part(0.4, 1.0), frame.width, frame.height, [&](int begin, int end) {
     const auto width = static_cast<size_t>(frame.width);

@@ -27,7 +27,7 @@ TEST(Transition, IsEquation1_10) {
 }
 
 TEST(CoralProfile, IsEquation1_11) {
-  const CoralParams p;
+  const ReefSection p;
   for (const auto& [x, z] : {std::pair{0.0, -20.0},
                              {0.3, -20.0},
                              {0.5, -20.0},
@@ -47,10 +47,10 @@ TEST(CoralProfile, RefusesBreakpointsOutOfOrder) {
   const LabelMap labels(GridFrame::centred(4, 4, 10), Region::reef);
   const HeightField flat(labels.frame(), -5.0F);
   try {
-    coral(flat, labels, nullptr, {.back_end = 0.9}, {}, {});
+    coral(flat, labels, nullptr, {.section = {.back_end = 0.9}}, {}, {});
     FAIL();
   } catch (const InvalidArgument& error) {
-    EXPECT_STREQ(error.what(), "crest_start: 0.75 does not follow back_end = 0.9");
+    EXPECT_STREQ(error.what(), "section.crest_start: 0.75 does not follow back_end = 0.9");
   }
 }
 
@@ -63,7 +63,8 @@ Island small_island(int size = 160) {
 
 /// Only what the paper has: no talus, passes, islets or uneven floor.
 CoralParams paper_only(double subsidence) {
-  return {.subsidence = subsidence, .fore_reef_slope_deg = 0, .passes = 0, .lagoon_relief_m = 0, .islets = 0};
+  return {
+      .subsidence = subsidence, .passes = 0, .lagoon_relief_m = 0, .islets = 0, .section = {.fore_reef_slope_deg = 0}};
 }
 
 TEST(Coral, IsAlgorithm2OnEveryCell) {
@@ -73,7 +74,7 @@ TEST(Coral, IsAlgorithm2OnEveryCell) {
   const double floor = *std::min_element(isle.terrain.cells().begin(), isle.terrain.cells().end());
   for (size_t c = 0; c < out.terrain.size(); ++c) {
     const double x = std::clamp(isle.coordinate.cells()[c] - 3.0, 0.0, 1.0);
-    const double expected = geom::smax(subside(isle.terrain.cells()[c], floor, 0.35), coral_profile(p, x), 0.5);
+    const double expected = geom::smax(subside(isle.terrain.cells()[c], floor, 0.35), coral_profile(p.section, x), 0.5);
     ASSERT_NEAR(out.terrain.cells()[c], expected, 0.02);
   }
 }

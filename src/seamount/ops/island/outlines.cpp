@@ -28,10 +28,10 @@ Drawing outlines(const LabelMap& labels, const OutlinesParams& params, const Run
     previous = count;
     NamedArea area{kAreaNames[static_cast<size_t>(region)], {}};
     for (Polygon& part : geom::trace_mask(inside)) {
-      if (geom::area(part) < params.smallest_m2) continue;
+      if (geom::area(part) < params.min_area_m2) continue;
       part.outer = geom::simplify(part.outer, tolerance);
       std::erase_if(part.holes,
-                    [&](const Ring& hole) { return std::abs(geom::signed_area(hole)) < params.smallest_m2; });
+                    [&](const Ring& hole) { return std::abs(geom::signed_area(hole)) < params.min_area_m2; });
       for (Ring& hole : part.holes) hole = geom::simplify(hole, tolerance);
       area.parts.push_back(std::move(part));
     }

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
+#include "seamount/ops/island/width_params.h"
 
 namespace seamount::island {
 
@@ -47,17 +47,12 @@ struct Plan {
 
   std::string crs;     ///< of the areas' coordinates, empty: local metres
   double land_m2 = 0;  ///< area inside the coast (of the innermost outline, if there is no land)
-  double edge_m = 0;   ///< typical length of the coast's edges: what it cannot show
+  double edge_m = 0;   ///< typical length of the coast's edges: smaller forms it cannot show
 };
 
 /// Widths that suit an island with this much land: a beach of 1.2 %, a lagoon of 9 %, a reef of 7 % and a slope of 55 %
 /// of its mean radius, within what real islands show.
 RegionWidths natural_widths(double land_m2);
-
-/// Widths as the user gave them, natural ones where not.
-struct GivenWidths {
-  std::optional<double> beach_m, lagoon_m, reef_m, slope_m;
-};
 
 /// A plan from polar outlines: all five, or the coast alone. Throws InvalidArgument{"outlines"} for another number of
 /// them, a radius that is not above 0, or outlines that cross (the message says which and at what angle).

@@ -113,7 +113,7 @@ TEST(Wind, LabelsMoveWithTheTerrain) {
   const GridFrame frame = GridFrame::centred(256, 256, 50);
   const Plan plan = plan_from_polar({{{3500}}}, {}, {});
   const Island isle =
-      build(plan, {.coast_detail_m = 0.0, .massif = 0.0, .relief = 0, .noise_m = 0}, frame, Seed{2}, {});
+      build(plan, {.massif = 0.0, .relief = 0, .detail = {.coast_m = 0.0, .noise_m = 0}}, frame, Seed{2}, {});
   WindParams p = storm();
   p.resistance = {{{0, 0.3}, {5, 0.3}}};
   const Warped out = wind(isle.terrain, &isle.labels, &isle.coordinate, p, Seed{2}, {});

@@ -22,12 +22,12 @@ Vec2 unit_vector(Rng& rng) {
   }
 }
 
-/// Chebyshev distance of every cell to the nearest site, at most kFar; kept up to date as sites are added.
+/// Chebyshev distance of every cell to the nearest settled cell, at most kFar; kept up to date as cells are added.
 class Clearance {
  public:
   explicit Clearance(const GridFrame& frame) : cells_(frame, static_cast<uint8_t>(kFar)) {}
 
-  void add(Site s) {
+  void add(LatticeCell s) {
     const int x0 = std::max(0, s.x - kFar), x1 = std::min(cells_.width() - 1, s.x + kFar);
     for (int y = std::max(0, s.y - kFar); y <= std::min(cells_.height() - 1, s.y + kFar); ++y) {
       const int dy = std::abs(y - s.y);
@@ -39,10 +39,10 @@ class Clearance {
     }
   }
 
-  bool occupied(Site s) const { return cells_.contains(s.x, s.y) && cells_(s.x, s.y) == 0; }
+  bool occupied(LatticeCell s) const { return cells_.contains(s.x, s.y) && cells_(s.x, s.y) == 0; }
 
-  /// A lower bound of the distance to the nearest site, for places outside the grid too.
-  int at(Site s) const {
+  /// A lower bound of the distance to the nearest settled cell, for places outside the grid too.
+  int at(LatticeCell s) const {
     const int x = std::clamp(s.x, 0, cells_.width() - 1), y = std::clamp(s.y, 0, cells_.height() - 1);
     const int outside = std::max(std::abs(s.x - x), std::abs(s.y - y));
     const int inside = cells_(x, y);
@@ -55,22 +55,22 @@ class Clearance {
 
 class Growth {
  public:
-  Growth(const Grid<uint8_t>& habitat, const std::vector<Site>& kernels, const WalkRules& rules)
+  Growth(const Grid<uint8_t>& habitat, const std::vector<LatticeCell>& kernels, const WalkRules& rules)
       : habitat_(habitat), rules_(rules), clearance_(habitat.frame()) {
     speed_ = std::sqrt(dot(rules.drift, rules.drift));
     longest_ = speed_ > 0 ? 12.0 * kVariance / speed_ : 1e9;  // of leaps: one in ten of their ends is accepted
-    Site low = kernels.front(), high = low;
-    for (const Site s : kernels) {
+    LatticeCell low = kernels.front(), high = low;
+    for (const LatticeCell s : kernels) {
       low = {std::min(low.x, s.x), std::min(low.y, s.y)};
       high = {std::max(high.x, s.x), std::max(high.y, s.y)};
     }
     centre_ = {0.5 * (low.x + high.x), 0.5 * (low.y + high.y)};
-    for (const Site s : kernels) settle(s);
+    for (const LatticeCell s : kernels) settle(s);
   }
 
   /// One particle: true if it found its place.
   bool shoot(Rng& rng, const RunContext& run) {
-    Site p = launch(rng);
+    LatticeCell p = launch(rng);
     int64_t steps = 0;
     for (int64_t moves = 1; steps < rules_.max_steps; ++moves) {
       if ((moves & 0xffff) == 0) run.check_cancelled();
@@ -84,7 +84,7 @@ class Growth {
         p = leap(p, radius, rng);
         steps += static_cast<int64_t>(speed_ > 0 ? std::min(radius * radius, radius / speed_) : radius * radius);
       } else {
-        const Site next = step(p, rng);
+        const LatticeCell next = step(p, rng);
         if (!clearance_.occupied(next)) p = next;
         ++steps;
       }
@@ -93,41 +93,41 @@ class Growth {
     return false;
   }
 
-  std::vector<Site> take() { return std::move(sites_); }
+  std::vector<LatticeCell> take() { return std::move(cells_); }
 
  private:
-  void settle(Site s) {
-    sites_.push_back(s);
+  void settle(LatticeCell s) {
+    cells_.push_back(s);
     clearance_.add(s);
     const double dx = s.x - centre_.x, dy = s.y - centre_.y;
     reach_ = std::max(reach_, std::sqrt(dx * dx + dy * dy));
   }
 
-  bool settles(Site p, Rng& rng) const {
+  bool settles(LatticeCell p, Rng& rng) const {
     return habitat_.contains(p.x, p.y) && habitat_(p.x, p.y) != 0 &&
            (rules_.stickiness >= 1.0 || rng.chance(rules_.stickiness));
   }
 
-  double from_centre(Site p) const {
+  double from_centre(LatticeCell p) const {
     const double dx = p.x - centre_.x, dy = p.y - centre_.y;
     return std::sqrt(dx * dx + dy * dy);
   }
 
-  int clearance(Site p) const {
+  int clearance(LatticeCell p) const {
     const int near = clearance_.at(p);
     if (near < kFar) return near;
     return std::max(near, static_cast<int>((from_centre(p) - reach_) * 0.7));  // 0.7: Euclidean to Chebyshev
   }
 
-  Site on_circle(Vec2 unit) const {
+  LatticeCell on_circle(Vec2 unit) const {
     const double radius = reach_ + kLaunchGap;
     return {static_cast<int>(std::lround(centre_.x + radius * unit.x)),
             static_cast<int>(std::lround(centre_.y + radius * unit.y))};
   }
 
-  Site launch(Rng& rng) const {
+  LatticeCell launch(Rng& rng) const {
     if (rules_.launch == Launch::ring) return on_circle(unit_vector(rng));
-    Site p;
+    LatticeCell p;
     for (int tries = 0; tries < 1000; ++tries) {
       p = {rng.integer(0, habitat_.width() - 1), rng.integer(0, habitat_.height() - 1)};
       if (!clearance_.occupied(p)) return p;
@@ -135,7 +135,7 @@ class Growth {
     return on_circle(unit_vector(rng));
   }
 
-  Site step(Site p, Rng& rng) const {
+  LatticeCell step(LatticeCell p, Rng& rng) const {
     const double u = rng.uniform();
     const double east = 0.25 + 0.5 * rules_.drift.x, west = 0.25 - 0.5 * rules_.drift.x;
     const double north = 0.25 + 0.5 * rules_.drift.y;
@@ -145,7 +145,7 @@ class Growth {
     return {p.x, p.y + 1};
   }
 
-  Site leap(Site p, double radius, Rng& rng) const {
+  LatticeCell leap(LatticeCell p, double radius, Rng& rng) const {
     Vec2 unit = unit_vector(rng);
     if (speed_ > 0) {
       const double weight = radius / kVariance;
@@ -156,7 +156,7 @@ class Growth {
   }
 
   /// Brings a walker that went too far back.
-  void confine(Site& p, Rng& rng) const {
+  void confine(LatticeCell& p, Rng& rng) const {
     if (rules_.launch == Launch::anywhere) {
       if (habitat_.contains(p.x, p.y)) return;
       if (speed_ > 0) {
@@ -191,7 +191,7 @@ class Growth {
   const Grid<uint8_t>& habitat_;
   const WalkRules& rules_;
   Clearance clearance_;
-  std::vector<Site> sites_;
+  std::vector<LatticeCell> cells_;
   Vec2 centre_;
   double reach_ = 0.0;  ///< of the furthest site from the centre
   double speed_ = 0.0;
@@ -200,18 +200,18 @@ class Growth {
 
 }  // namespace
 
-int64_t reachable_habitat(const Grid<uint8_t>& habitat, const std::vector<Site>& kernels) {
+int64_t reachable_habitat(const Grid<uint8_t>& habitat, const std::vector<LatticeCell>& kernels) {
   Grid<uint8_t> seen(habitat.frame(), 0);
-  std::vector<Site> front;
-  const auto visit = [&](Site s) {
+  std::vector<LatticeCell> front;
+  const auto visit = [&](LatticeCell s) {
     if (!habitat.contains(s.x, s.y) || seen(s.x, s.y) != 0) return;
     seen(s.x, s.y) = 1;
     front.push_back(s);
   };
-  for (const Site s : kernels) visit(s);
+  for (const LatticeCell s : kernels) visit(s);
   int64_t count = 0;
   while (!front.empty()) {
-    const Site s = front.back();
+    const LatticeCell s = front.back();
     front.pop_back();
     ++count;
     for (int dy = -1; dy <= 1; ++dy) {
@@ -223,8 +223,8 @@ int64_t reachable_habitat(const Grid<uint8_t>& habitat, const std::vector<Site>&
   return count;
 }
 
-Aggregate aggregate(const Grid<uint8_t>& habitat, const std::vector<Site>& kernels, const WalkRules& rules, Seed seed,
-                    const RunContext& run) {
+Aggregate aggregate(const Grid<uint8_t>& habitat, const std::vector<LatticeCell>& kernels, const WalkRules& rules,
+                    Seed seed, const RunContext& run) {
   Aggregate out;
   run.check_cancelled();
   if (kernels.empty()) return out;
@@ -237,7 +237,7 @@ Aggregate aggregate(const Grid<uint8_t>& habitat, const std::vector<Site>& kerne
     Rng rng(seed.derive("reef.walk", static_cast<uint64_t>(i)));
     if (!growth.shoot(rng, run)) ++out.lost;
   }
-  out.sites = growth.take();
+  out.cells = growth.take();
   return out;
 }
 

@@ -12,28 +12,23 @@
 // of lattice aggregates, 1.71.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
-#include "seamount/base/fields.h"
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
+#include "seamount/ops/reef/walk_params.h"
 
 namespace seamount::reef {
 
 /// A cell of the lattice: column, and row from the north.
-struct Site {
+struct LatticeCell {
   int x = 0;
   int y = 0;
-  bool operator==(const Site&) const = default;
+  bool operator==(const LatticeCell&) const = default;
 };
-
-/// Where walks start: on a circle around the aggregate, or in any free cell of the grid (P4).
-enum class Launch { ring, anywhere };
 
 struct WalkRules {
   int particles = 3000;       ///< shot; fewer are kept where walks end without a place
@@ -44,23 +39,18 @@ struct WalkRules {
 };
 
 struct Aggregate {
-  std::vector<Site> sites;  ///< the kernels, then particles in the order in which they settled
-  int lost = 0;             ///< particles whose walk ended without a place
+  std::vector<LatticeCell> cells;  ///< the kernels, then particles in the order in which they settled
+  int lost = 0;                    ///< particles whose walk ended without a place
 };
 
 /// Cells of `habitat` that growth from the kernels can reach through habitat (kernels included). Linear time.
-int64_t reachable_habitat(const Grid<uint8_t>& habitat, const std::vector<Site>& kernels);
+int64_t reachable_habitat(const Grid<uint8_t>& habitat, const std::vector<LatticeCell>& kernels);
 
 /// Grows around `kernels` in the cells with habitat != 0. A particle that leaves the grid walks on outside (ring) or is
 /// reflected (anywhere; with drift it starts anew in any cell).
 /// REQUIRES: kernels within the grid and without repetition, particles <= free reachable habitat.
 /// Throws Cancelled. Sequential by nature; about 2 us a particle at stickiness 1 beside 1 us x side of the leaps.
-Aggregate aggregate(const Grid<uint8_t>& habitat, const std::vector<Site>& kernels, const WalkRules& rules, Seed seed,
-                    const RunContext& run);
+Aggregate aggregate(const Grid<uint8_t>& habitat, const std::vector<LatticeCell>& kernels, const WalkRules& rules,
+                    Seed seed, const RunContext& run);
 
 }  // namespace seamount::reef
-
-template <>
-struct seamount::Choices<seamount::reef::Launch> {
-  static constexpr std::array<std::string_view, 2> names = {"ring", "anywhere"};
-};

@@ -10,7 +10,7 @@ namespace {
 
 Grid<uint8_t> open_sea(int side) { return Grid<uint8_t>(GridFrame::centred(side, side, 1.0), 1); }
 
-double radius_of(Site s, Site centre) { return std::hypot(s.x - centre.x, s.y - centre.y); }
+double radius_of(LatticeCell s, LatticeCell centre) { return std::hypot(s.x - centre.x, s.y - centre.y); }
 
 WalkRules rules_for(int particles) {
   WalkRules rules;
@@ -20,14 +20,14 @@ WalkRules rules_for(int particles) {
 }
 
 /// Slope of log N(r) over log r, from 8 cells to the radius of gyration.
-double mass_radius_dimension(const Aggregate& grown, Site centre) {
+double mass_radius_dimension(const Aggregate& grown, LatticeCell centre) {
   double square = 0;
-  for (const Site s : grown.sites) square += std::pow(radius_of(s, centre), 2);
-  const double gyration = std::sqrt(square / static_cast<double>(grown.sites.size()));
+  for (const LatticeCell s : grown.cells) square += std::pow(radius_of(s, centre), 2);
+  const double gyration = std::sqrt(square / static_cast<double>(grown.cells.size()));
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (double r = 8; r < gyration; r *= 1.15) {
     const auto mass =
-        std::count_if(grown.sites.begin(), grown.sites.end(), [&](Site s) { return radius_of(s, centre) <= r; });
+        std::count_if(grown.cells.begin(), grown.cells.end(), [&](LatticeCell s) { return radius_of(s, centre) <= r; });
     const double x = std::log(r), y = std::log(static_cast<double>(mass));
     n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
   }
@@ -36,12 +36,12 @@ double mass_radius_dimension(const Aggregate& grown, Site centre) {
 
 TEST(Aggregate, HasTheFractalDimensionOfLatticeAggregates) {
   const Grid<uint8_t> sea = open_sea(1200);
-  const Site centre{600, 600};
+  const LatticeCell centre{600, 600};
   double sum = 0;
   constexpr int kSeeds = 8;
   for (uint64_t seed = 0; seed < kSeeds; ++seed) {
     const Aggregate grown = aggregate(sea, {centre}, rules_for(12000), Seed{seed}, {});
-    ASSERT_EQ(grown.sites.size(), 12001U);
+    ASSERT_EQ(grown.cells.size(), 12001U);
     EXPECT_EQ(grown.lost, 0);
     const double dimension = mass_radius_dimension(grown, centre);
     sum += dimension;
@@ -53,8 +53,8 @@ TEST(Aggregate, HasTheFractalDimensionOfLatticeAggregates) {
 /// Every particle touches an earlier one, no cell is taken twice, all lie in the habitat.
 void expect_grown_on(const Grid<uint8_t>& habitat, const Aggregate& grown, size_t kernels) {
   Grid<uint8_t> taken(habitat.frame(), 0);
-  for (size_t i = 0; i < grown.sites.size(); ++i) {
-    const Site s = grown.sites[i];
+  for (size_t i = 0; i < grown.cells.size(); ++i) {
+    const LatticeCell s = grown.cells[i];
     ASSERT_TRUE(habitat.contains(s.x, s.y));
     EXPECT_NE(habitat(s.x, s.y), 0);
     EXPECT_EQ(taken(s.x, s.y), 0) << "taken twice";
@@ -83,10 +83,10 @@ TEST(Aggregate, ParticlesTouchWhatGrewBeforeAndStayInTheHabitat) {
       rules.launch = launch;
       rules.drift = {drift, -drift};
       rules.stickiness = 0.5;
-      const std::vector<Site> kernels = {{40, 40}, {70, 20}, {70, 21}};
+      const std::vector<LatticeCell> kernels = {{40, 40}, {70, 20}, {70, 21}};
       const Aggregate grown = aggregate(habitat, kernels, rules, Seed{3}, {});
-      EXPECT_EQ(grown.sites.size() + static_cast<size_t>(grown.lost), 703U);
-      EXPECT_GT(grown.sites.size(), 100U);
+      EXPECT_EQ(grown.cells.size() + static_cast<size_t>(grown.lost), 703U);
+      EXPECT_GT(grown.cells.size(), 100U);
       expect_grown_on(habitat, grown, kernels.size());
     }
   }
@@ -99,7 +99,7 @@ TEST(Aggregate, GrowsAgainstTheCurrentThatBringsTheParticles) {
     WalkRules rules = rules_for(1500);
     rules.drift = {0.1, 0.0};  // to the east
     const Aggregate grown = aggregate(sea, {{200, 200}}, rules, Seed{seed}, {});
-    for (const Site s : grown.sites) upstream += s.x < 200 ? 1 : 0;
+    for (const LatticeCell s : grown.cells) upstream += s.x < 200 ? 1 : 0;
   }
   EXPECT_GT(upstream / (5 * 1500), 0.7);
 }
@@ -111,8 +111,8 @@ TEST(Aggregate, LowStickinessGrowsThicker) {
     rules.stickiness = stickiness;
     const Aggregate grown = aggregate(sea, {{200, 200}}, rules, Seed{1}, {});
     double square = 0;
-    for (const Site s : grown.sites) square += std::pow(radius_of(s, {200, 200}), 2);
-    return std::sqrt(square / static_cast<double>(grown.sites.size()));
+    for (const LatticeCell s : grown.cells) square += std::pow(radius_of(s, {200, 200}), 2);
+    return std::sqrt(square / static_cast<double>(grown.cells.size()));
   };
   EXPECT_LT(gyration(0.05), 0.8 * gyration(1.0));
 }
@@ -124,8 +124,8 @@ TEST(Aggregate, BoundedWalksAreLostAndFullHabitatIsFilled) {
   rules = rules_for(24);
   rules.launch = Launch::anywhere;
   const Aggregate full = aggregate(open_sea(5), {{2, 2}}, rules, Seed{1}, {});
-  EXPECT_EQ(full.sites.size(), 25U);
-  EXPECT_EQ(aggregate(open_sea(1), {{0, 0}}, rules_for(0), Seed{1}, {}).sites.size(), 1U);
+  EXPECT_EQ(full.cells.size(), 25U);
+  EXPECT_EQ(aggregate(open_sea(1), {{0, 0}}, rules_for(0), Seed{1}, {}).cells.size(), 1U);
 }
 
 TEST(Aggregate, ReachableHabitatEndsAtGaps) {

@@ -9,9 +9,9 @@
 #include "seamount/geom/grid/pyramid.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/model/same_size.h"
-#include "seamount/ops/reef/compose.h"
-#include "seamount/ops/reef/nursery.h"
+#include "seamount/ops/reef/habitat.h"
 #include "seamount/ops/reef/shape.h"
+#include "seamount/ops/reef/surface.h"
 
 namespace seamount::reef {
 namespace {
@@ -23,18 +23,22 @@ constexpr float kDry_m = 0.3F;
 constexpr double kBackReefDepth_m = 1.2;  // behind the rim and this far below the flat is lagoon
 constexpr int kOutlineCells = 2048;
 
-/// The walks' rules, with the number of particles checked against the room that they have.
-WalkRules walk_rules(const GrowParams& p, const Nursery& nursery) {
+/// How many particles to shoot; throws where there is no room for those that are wanted.
+int particles_for(int wanted, double lattice_m, const Habitat& habitat) {
   const int64_t room =
-      reachable_habitat(nursery.habitat, nursery.kernels) - static_cast<int64_t>(nursery.kernels.size());
-  if (p.particles > room)
-    throw InvalidArgument("particles",
-                          std::to_string(p.particles) + " do not fit the " + std::to_string(room) +
-                              " free lattice cells that growth can reach; take fewer, or a lattice_m below " +
-                              format_number(p.lattice_m));
+      reachable_habitat(habitat.suitable, habitat.kernels) - static_cast<int64_t>(habitat.kernels.size());
+  if (wanted > room)
+    throw InvalidArgument("particles", std::to_string(wanted) + " do not fit the " + std::to_string(room) +
+                                           " free lattice cells that growth can reach; take fewer, or a lattice_m "
+                                           "below " +
+                                           format_number(lattice_m));
+  return wanted > 0 ? wanted : static_cast<int>(room / kCellsPerParticle);
+}
+
+WalkRules walk_rules(const WalkParams& p, int particles) {
   const double bearing = p.current_to_deg * std::numbers::pi / 180.0;
   WalkRules rules;
-  rules.particles = p.particles > 0 ? p.particles : static_cast<int>(room / kCellsPerParticle);
+  rules.particles = particles;
   rules.max_steps = p.max_steps;
   rules.stickiness = p.stickiness;
   rules.drift = {0.5 * p.current * std::sin(bearing), 0.5 * p.current * std::cos(bearing)};
@@ -43,8 +47,8 @@ WalkRules walk_rules(const GrowParams& p, const Nursery& nursery) {
 }
 
 /// Islets: bumps on colonies in the thick of the reef, apart from each other.
-ScalarField make_cays(const std::vector<Colony>& colonies, const ScalarField& distance, const GrowParams& p,
-                      double radius_m, Seed seed) {
+ScalarField make_cays(int count, const std::vector<Colony>& colonies, const ScalarField& distance,
+                      double swell_from_deg, double radius_m, Seed seed) {
   std::vector<std::pair<uint64_t, size_t>> order;
   for (size_t i = 0; i < colonies.size(); ++i) {
     const GridFrame& f = distance.frame();
@@ -56,7 +60,7 @@ ScalarField make_cays(const std::vector<Colony>& colonies, const ScalarField& di
   ScalarField cays(distance.frame(), 0.0F);
   std::vector<Vec2> placed;
   for (const auto& [hash, i] : order) {
-    if (static_cast<int>(placed.size()) >= p.cays) break;
+    if (static_cast<int>(placed.size()) >= count) break;
     const Vec2 c = colonies[i].centre;
     if (std::any_of(placed.begin(), placed.end(), [&](Vec2 o) { return dot(o - c, o - c) < 36 * radius_m * radius_m; }))
       continue;
@@ -64,7 +68,7 @@ ScalarField make_cays(const std::vector<Colony>& colonies, const ScalarField& di
     Rng rng(seed.derive("reef.cay_shape", i));
     const double along = radius_m * rng.uniform(0.45, 0.8), across = along * rng.uniform(0.4, 0.7);
     // Waves bend around the reef and pile the sand up across their way.
-    const double angle = (p.swell_from_deg + rng.uniform(-35, 35)) * std::numbers::pi / 180.0;
+    const double angle = (swell_from_deg + rng.uniform(-35, 35)) * std::numbers::pi / 180.0;
     const Vec2 to_swell{std::sin(angle), std::cos(angle)};
     const GridFrame& f = cays.frame();
     const int reach = static_cast<int>(std::ceil(along / f.cell_m));
@@ -82,19 +86,18 @@ ScalarField make_cays(const std::vector<Colony>& colonies, const ScalarField& di
 }
 
 /// Where land is and where water is enclosed, on the form's lattice.
-ScalarField open_sea(const Form& form, const HeightField& terrain, const GrowParams& p, double radius_m,
-                     const RunContext& run) {
+ScalarField open_sea(const Form& form, const HeightField& terrain, double gap_m, const RunContext& run) {
   const HeightField ground = geom::resample(terrain, form.distance.frame(), run);
-  return distance_to_open_sea(form.distance, ground, p.lagoon_gap_m.value_or(2.0 * radius_m), run);
+  return distance_to_open_sea(form.distance, ground, gap_m, run);
 }
 
-void stretch(HeightField& field, const GrowParams& p, const RunContext& run) {
-  if (p.normalised_low_m >= p.normalised_high_m)
-    throw InvalidArgument("normalised_low_m", format_number(p.normalised_low_m) + " is not below normalised_high_m");
+void stretch(HeightField& field, const FinishParams& p, const RunContext& run) {
+  if (p.low_m >= p.high_m)
+    throw InvalidArgument("finish.low_m", format_number(p.low_m) + " is not below finish.high_m");
   const auto [low, high] = std::minmax_element(field.cells().begin(), field.cells().end());
   const double from = *low, span = std::max(1e-6, static_cast<double>(*high) - from);
-  const auto scale = static_cast<float>((p.normalised_high_m - p.normalised_low_m) / span);
-  const auto offset = static_cast<float>(p.normalised_low_m);
+  const auto scale = static_cast<float>((p.high_m - p.low_m) / span);
+  const auto offset = static_cast<float>(p.low_m);
   parallel_blocks(run, static_cast<int64_t>(field.size()), 1 << 18, [&](int64_t begin, int64_t end) {
     for (int64_t i = begin; i < end; ++i) {
       float& z = field.cells()[static_cast<size_t>(i)];
@@ -146,38 +149,42 @@ void check_inputs(const GrowInputs& in, const GrowParams& params) {
 Grown grow(const GrowInputs& in, const GrowParams& params, Seed seed, const RunContext& run) {
   check_inputs(in, params);
   const GridFrame& frame = in.terrain.frame();
-  const double radius = params.kernel_radius_m.value_or(kRadiusInCells * params.lattice_m);
-  const Nursery nursery = prepare_nursery(in.terrain, in.habitat, in.start, in.drawing,
-                                          params.margin_m.value_or(3.0 * radius), params, seed, run);
-  const WalkRules rules = walk_rules(params, nursery);
-  const Aggregate reef = aggregate(nursery.habitat, nursery.kernels, rules, seed, run.part(0.0, 0.2));
+  const double radius = params.kernel.radius_m.value_or(kRadiusInCells * params.lattice_m);
+  const bool rising = params.heights.mode == Lift::saturating;
+  const Habitat habitat =
+      find_habitat(in.terrain, {in.habitat, in.start, in.drawing}, params.lattice_m,
+                   params.bounds.margin_m.value_or(3.0 * radius), params.starts, params.bounds, seed, run);
+  const WalkRules rules = walk_rules(params.walk, particles_for(params.particles, params.lattice_m, habitat));
+  const Aggregate reef = aggregate(habitat.suitable, habitat.kernels, rules, seed, run.part(0.0, 0.2));
 
   const double irregular = params.irregularity;
+  const KernelParams& kernel = params.kernel;
   const std::vector<Colony> colonies = place_colonies(
-      reef.sites, nursery.lattice, {radius, 0.45 * irregular, 0.3 * irregular, params.k1, params.k1_jitter}, seed);
-  const KernelTables tables(params);
+      reef.cells, habitat.lattice, {radius, 0.45 * irregular, 0.3 * irregular, kernel.k1, kernel.k1_jitter}, seed);
+  const KernelTables tables(kernel);
   Form form;
   form.tables = &tables;
   const GridFrame shape = shape_frame(frame, radius / 8.0);
   const Bend bend{0.3 * radius * irregular, 5.0 * radius};
-  form.distance = outline_distance(colonies, reef.sites, nursery.lattice, shape, bend, seed, run.part(0.2, 0.4));
-  if (params.combine == Combine::sum) form.sums.emplace(colonies, params.k, params.k2);
-  if (params.lift == Lift::saturating || params.combine == Combine::union_) {
+  form.distance = outline_distance(colonies, reef.cells, habitat.lattice, shape, bend, seed, run.part(0.2, 0.4));
+  if (kernel.combine == Combine::sum) form.sums.emplace(colonies, kernel.k, kernel.k2);
+  if (rising || kernel.combine == Combine::union_) {
     form.crowding = crowding(form.distance, 2.5 * radius, run);
     form.exposure = exposure(form.distance, params.swell_from_deg, 0.6 * radius, run);
   }
-  if (params.lift == Lift::saturating && params.cays > 0)
-    form.cays = make_cays(colonies, form.distance, params, radius, seed);
+  if (rising && params.sand.cays > 0)
+    form.cays = make_cays(params.sand.cays, colonies, form.distance, params.swell_from_deg, radius, seed);
 
   Grown out{HeightField(frame), ScalarField(frame), LabelMap()};
+  const SurfaceParams surface{kernel, params.heights, params.sand, params.detail, irregular, radius};
   parallel_rows(run.part(0.5, 0.9), frame.width, frame.height, [&](int begin, int end) {
-    RowComposer composer(form, params, radius, frame, seed);
-    for (int y = begin; y < end; ++y) composer.row(y, in.terrain.row(y), out.terrain.row(y), out.aggregate.row(y));
+    SurfaceRows rows(form, surface, frame, seed);
+    for (int y = begin; y < end; ++y) rows.row(y, in.terrain.row(y), out.terrain.row(y), out.aggregate.row(y));
   });
-  if (params.blur_m > 0) geom::gaussian_blur(out.terrain, params.blur_m, run);
-  if (params.normalise) stretch(out.terrain, params, run);
-  const auto lagoon_top = static_cast<float>(params.lift == Lift::saturating ? params.flat_m - kBackReefDepth_m : -1e9);
-  const ScalarField to_open_sea = open_sea(form, out.terrain, params, radius, run);
+  if (params.finish.blur_m > 0) geom::gaussian_blur(out.terrain, params.finish.blur_m, run);
+  if (params.finish.normalise) stretch(out.terrain, params.finish, run);
+  const auto lagoon_top = static_cast<float>(rising ? params.heights.flat_m - kBackReefDepth_m : -1e9);
+  const ScalarField to_open_sea = open_sea(form, out.terrain, params.lagoon_gap_m.value_or(2.0 * radius), run);
   out.labels = label_regions(out, in.labels, to_open_sea, lagoon_top, run.part(0.9, 1.0));
   return out;
 }

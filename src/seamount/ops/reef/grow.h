@@ -2,20 +2,19 @@
 //
 // Source: P4. Particles aggregate on a lattice (sec. 3.2, aggregate.h); around each settled particle the normal kernel
 // of eq. 1 lifts the ground and the directional log-normal kernel of eq. 2 lifts the outer edge (sec. 3.3, kernels.h);
-// blur and normalisation are optional. In P4's words: lift proportional, combine sum,
+// blur and normalisation are optional. With heights.mode proportional and kernel.combine sum,
 //   h1 = w0 h0 + w1 h0 sum N,  h2 = h1 + w2 h0 sum w_d E,  h0 = height over datum_m.
 // P4's "grids radius" is in pixels of its 4096^2 raster: 40 px with a grid of 150, 120 with 50, 30 with 200, always
 // 1.465 grid cells, which is the default kernel radius here.
 //
-// Departures, the defaults, because reefs in shallow seas look so:
-//   combine union   N and E over the distance D to the outline of all colonies instead of the distance to a particle,
+// Departures, the defaults (kernel.combine union, heights.mode saturating), because reefs in shallow seas look so:
+//   union           N and E over the distance D to the outline of all colonies instead of the distance to a particle,
 //                   N(1 - D / R) and E(1 - D / R): the same kernels on one particle, bounded and without seams between
 //                   particles, and only the outer edge is lifted, as w_d wants. The outline is bent by noise, radii and
 //                   places vary, so neither discs nor lattice show.
-//   lift saturating h0 cannot grow through the surface: N lifts by lift_m up to the reef flat, E lifts the rim by rim_m
-//   up
-//                   to the crest, less in the lee of the swell; sand fills the water between reefs; spurs and grooves
-//                   on the fore reef; cays. Land and what stands higher than the reef is never changed.
+//   saturating      h0 cannot grow through the surface: N lifts by lift_m up to the reef flat, E lifts the rim by
+//                   rim_m up to the crest, less in the lee of the swell; sand fills the water between reefs; spurs and
+//                   grooves on the fore reef; cays. Land and what stands higher than the reef is never changed.
 #pragma once
 
 #include "seamount/base/rng.h"

@@ -8,8 +8,8 @@
 
 #include "seamount/geom/grid/resample.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/ops/reef/habitat.h"
 #include "seamount/ops/reef/kernels.h"
-#include "seamount/ops/reef/nursery.h"
 
 namespace seamount::reef {
 namespace {
@@ -30,17 +30,17 @@ GrowParams paper() {
   GrowParams p;
   p.lattice_m = 100;
   p.particles = 150;
-  p.max_steps = 30000;
-  p.margin_m = 0;
-  p.kernels = {{210, -130}};
-  p.combine = Combine::sum;
-  p.lift = Lift::proportional;
+  p.walk.max_steps = 30000;
+  p.bounds.margin_m = 0;
+  p.starts.points = {{210, -130}};
+  p.kernel.combine = Combine::sum;
+  p.heights.mode = Lift::proportional;
   p.irregularity = 0;
-  p.w0 = 0.5;
-  p.w1 = 0.2;
-  p.w2 = 0.1;
-  p.k2 = 10;
-  p.cays = 0;
+  p.heights.w0 = 0.5;
+  p.heights.w1 = 0.2;
+  p.heights.w2 = 0.1;
+  p.kernel.k2 = 10;
+  p.sand.cays = 0;
   return p;
 }
 
@@ -64,13 +64,14 @@ TEST(ReefGrow, IsEquationsOneAndTwoWithThePapersSettings) {
   for (const double irregularity : {0.0, 1.0}) {
     p.irregularity = irregularity;
     const Grown grown = grow({base}, p, Seed{4}, {});
-    const Nursery nursery = prepare_nursery(base, nullptr, nullptr, nullptr, 0.0, p, Seed{4}, {});
+    const Habitat habitat = find_habitat(base, {}, p.lattice_m, 0.0, p.starts, p.bounds, Seed{4}, {});
     WalkRules rules;
     rules.particles = 150;
-    rules.launch = p.launch;
-    const Aggregate reef = aggregate(nursery.habitat, nursery.kernels, rules, Seed{4}, {});
-    const auto colonies = place_colonies(
-        reef.sites, nursery.lattice, {146.484375, 0.45 * irregularity, 0.3 * irregularity, p.k1, p.k1_jitter}, Seed{4});
+    rules.launch = p.walk.launch;
+    const Aggregate reef = aggregate(habitat.suitable, habitat.kernels, rules, Seed{4}, {});
+    const auto colonies =
+        place_colonies(reef.cells, habitat.lattice,
+                       {146.484375, 0.45 * irregularity, 0.3 * irregularity, p.kernel.k1, p.kernel.k1_jitter}, Seed{4});
     for (int y = 3; y < 160; y += 7) {
       for (int x = 2; x < 160; ++x) {
         double n = 0, e = 0;
@@ -92,13 +93,13 @@ TEST(ReefGrow, IsEquationsOneAndTwoWithThePapersSettings) {
 TEST(ReefGrow, UnionOfOneColonyHasTheKernelsThemselves) {
   const HeightField base(GridFrame::centred(200, 200, 5), -40.0F);
   GrowParams p = paper();
-  p.combine = Combine::union_;
-  p.k1_jitter = 0;
-  p.grooves_m = 0;
-  p.kernels = {{50, 50}};
+  p.kernel.combine = Combine::union_;
+  p.kernel.k1_jitter = 0;
+  p.detail.grooves_m = 0;
+  p.starts.points = {{50, 50}};
   p.particles = 1;
-  p.max_steps = 1;  // lost: the kernel stays alone
-  p.stickiness = 0.001;
+  p.walk.max_steps = 1;  // lost: the kernel stays alone
+  p.walk.stickiness = 0.001;
   const Grown grown = grow({base}, p, Seed{1}, {});
   for (int y = 0; y < 200; ++y) {
     for (int x = 0; x < 200; ++x) {
@@ -121,8 +122,8 @@ TEST(ReefGrow, NeverLowersTheGroundAndEndsAtTheSurface) {
     for (int x = 0; x < 40; ++x) base(x, y) = static_cast<float>(30 - x);
   }
   GrowParams p;
-  p.cays = 0;
-  p.launch = Launch::ring;
+  p.sand.cays = 0;
+  p.walk.launch = Launch::ring;
   const Grown grown = grow({base}, p, Seed{2}, {});
   int lifted = 0;
   for (size_t i = 0; i < base.size(); ++i) {
@@ -131,7 +132,7 @@ TEST(ReefGrow, NeverLowersTheGroundAndEndsAtTheSurface) {
     if (z0 > 0) {
       ASSERT_EQ(z, z0) << "land is left alone";
     } else if (z0 < -1) {
-      ASSERT_LT(z, p.crest_m + 0.1);
+      ASSERT_LT(z, p.heights.crest_m + 0.1);
     }
     lifted += z > z0 + 10 ? 1 : 0;
   }
@@ -141,7 +142,7 @@ TEST(ReefGrow, NeverLowersTheGroundAndEndsAtTheSurface) {
 TEST(ReefGrow, CaysStandOverTheSeaAndAreBeach) {
   const HeightField base(GridFrame::centred(300, 300, 15), -30.0F);
   GrowParams p;
-  p.cays = 3;
+  p.sand.cays = 3;
   const Grown grown = grow({base}, p, Seed{2}, {});
   int dry = 0;
   for (size_t i = 0; i < base.size(); ++i) {
@@ -150,7 +151,7 @@ TEST(ReefGrow, CaysStandOverTheSeaAndAreBeach) {
     EXPECT_EQ(grown.labels.cells()[i], Region::beach);
   }
   EXPECT_GT(dry, 5);
-  EXPECT_LT(*std::max_element(grown.terrain.cells().begin(), grown.terrain.cells().end()), p.cay_m + 1);
+  EXPECT_LT(*std::max_element(grown.terrain.cells().begin(), grown.terrain.cells().end()), p.sand.cay_m + 1);
 }
 
 TEST(ReefGrow, WaterBehindARingIsLagoon) {
@@ -161,7 +162,7 @@ TEST(ReefGrow, WaterBehindARingIsLagoon) {
   line.closed = true;
   ring.lines.push_back(line);
   GrowParams p;
-  p.line_cover = 1;
+  p.starts.line_cover = 1;
   p.particles = 30;
   const Grown grown = grow({.terrain = base, .drawing = &ring}, p, Seed{2}, {});
   EXPECT_EQ(grown.labels(100, 100), Region::lagoon);
@@ -204,8 +205,8 @@ TEST(ReefGrow, IsTheSameOnAnyNumberOfThreads) {
   const HeightField base = slope(300, 15);
   for (const Combine combine : {Combine::union_, Combine::sum}) {
     GrowParams p;
-    p.combine = combine;
-    p.blur_m = 20;
+    p.kernel.combine = combine;
+    p.finish.blur_m = 20;
     const Grown one = grow({base}, p, Seed{1}, {.threads = 1});
     for (const int threads : {2, 4}) {
       const Grown more = grow({base}, p, Seed{1}, {.threads = threads});
@@ -218,8 +219,8 @@ TEST(ReefGrow, IsTheSameOnAnyNumberOfThreads) {
 
 TEST(ReefGrow, NormalisesToTheGivenHeights) {
   GrowParams p = paper();
-  p.normalise = true;
-  p.blur_m = 30;
+  p.finish.normalise = true;
+  p.finish.blur_m = 30;
   const Grown grown = grow({slope(120, 25)}, p, Seed{1}, {});
   const auto [low, high] = std::minmax_element(grown.terrain.cells().begin(), grown.terrain.cells().end());
   EXPECT_NEAR(*low, -250, 0.01);
@@ -230,7 +231,7 @@ TEST(ReefGrow, TakesOddShapes) {
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 40}, {40, 1}, {3, 2}}) {
     GrowParams p;
     p.lattice_m = 10;
-    p.margin_m = 0;
+    p.bounds.margin_m = 0;
     const HeightField base(GridFrame::centred(width, height, 10), -20.0F);
     const Grown grown = grow({base}, p, Seed{1}, {});
     for (const float z : grown.terrain.cells()) ASSERT_TRUE(std::isfinite(z));
@@ -240,33 +241,33 @@ TEST(ReefGrow, TakesOddShapes) {
 TEST(ReefGrow, SaysWhatIsWrong) {
   const HeightField base = slope(200, 20);
   GrowParams p;
-  p.kernels = {{0, 0}, {9000, 0}};
-  EXPECT_THAT(message(base, p), HasSubstr("kernels: kernel 2 at (9000, 0) m lies outside the terrain"));
-  p.kernels = {{0, 0}};
-  p.habitat_high_m = -35;
-  EXPECT_THAT(message(base, p), HasSubstr("kernels: kernel 1 at (0, 0) m lies outside the habitat"));
+  p.starts.points = {{0, 0}, {9000, 0}};
+  EXPECT_THAT(message(base, p), HasSubstr("starts.points: place 2 at (9000, 0) m lies outside the terrain"));
+  p.starts.points = {{0, 0}};
+  p.bounds.high_m = -35;
+  EXPECT_THAT(message(base, p), HasSubstr("starts.points: place 1 at (0, 0) m lies outside the habitat"));
   EXPECT_THAT(message(base, p), HasSubstr("the ground is at -30"));
-  p.kernels = {};
-  p.habitat_high_m = -500;
-  EXPECT_THAT(message(base, p), HasSubstr("habitat_high_m: no ground"));
+  p.starts.points = {};
+  p.bounds.high_m = -500;
+  EXPECT_THAT(message(base, p), HasSubstr("bounds.high_m: no ground"));
   p = {};
   p.particles = 100000;
   EXPECT_THAT(message(base, p), HasSubstr("particles: 100000 do not fit the"));
   p = {};
-  p.stickiness = 0;
-  EXPECT_THAT(message(base, p), HasSubstr("stickiness: 0 is outside [0.001, 1]"));
+  p.walk.stickiness = 0;
+  EXPECT_THAT(message(base, p), HasSubstr("walk.stickiness: 0 is outside [0.001, 1]"));
   p = {};
   p.lattice_m = 0.1;
   EXPECT_THAT(message(base, p), HasSubstr("lattice_m: 0.1 m gives 40000 cells a side"));
   p = {};
-  p.margin_m = 5000;
-  EXPECT_THAT(message(base, p), HasSubstr("margin_m: 5000 m leaves nothing"));
+  p.bounds.margin_m = 5000;
+  EXPECT_THAT(message(base, p), HasSubstr("bounds.margin_m: 5000 m leaves nothing"));
   p = {};
-  p.line = {{9000, 9000}, {9500, 9000}};
-  EXPECT_THAT(message(base, p), HasSubstr("line: no covered part"));
+  p.starts.line = {{9000, 9000}, {9500, 9000}};
+  EXPECT_THAT(message(base, p), HasSubstr("starts.line: no covered part"));
   p = {};
-  p.kernel_height_m = 300;
-  EXPECT_THAT(message(base, p), HasSubstr("kernel_height_m: the terrain has no contour at 300 m"));
+  p.starts.contour_m = 300;
+  EXPECT_THAT(message(base, p), HasSubstr("starts.contour_m: the terrain has no contour at 300 m"));
   p = {};
   const ScalarField nowhere(base.frame(), 0.0F), other(GridFrame::centred(3, 3, 1), 1.0F);
   EXPECT_THAT(message(base, p, {.terrain = base, .habitat = &nowhere}), HasSubstr("habitat: the mask has no"));
@@ -274,9 +275,9 @@ TEST(ReefGrow, SaysWhatIsWrong) {
   EXPECT_THAT(message(base, p, {.terrain = base, .habitat = &other}), HasSubstr("habitat: 3 x 3 cells do not match"));
   const LabelMap labels(other.frame(), Region::abyss);
   EXPECT_THAT(message(base, p, {.terrain = base, .labels = &labels}), HasSubstr("labels: 3 x 3 cells do not match"));
-  p.normalise = true;
-  p.normalised_low_m = 300;
-  EXPECT_THAT(message(base, p), HasSubstr("normalised_low_m: 300 is not below"));
+  p.finish.normalise = true;
+  p.finish.low_m = 300;
+  EXPECT_THAT(message(base, p), HasSubstr("finish.low_m: 300 is not below"));
 }
 
 }  // namespace

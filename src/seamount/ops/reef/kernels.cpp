@@ -15,7 +15,7 @@ const double kTan22 = std::sqrt(2.0) - 1.0;  // of 22.5 degrees
 const double kTan67 = std::sqrt(2.0) + 1.0;
 
 /// The lattice step of each direction, rows counted from the north.
-constexpr std::array<Site, 8> kSteps = {{{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
+constexpr std::array<LatticeCell, 8> kSteps = {{{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
 
 SEAMOUNT_VECTORISED void add_normal(const geom::CurveTable& table, float x0, float dx, float dy2, float scale2,
                                     int count, float* out) {
@@ -62,13 +62,13 @@ double edge_kernel(double t, double k1, double k2) {
 
 double normal_reach(double k) { return std::pow(-std::log(kCutOff), 1.0 / k); }
 
-std::vector<Colony> place_colonies(const std::vector<Site>& sites, const GridFrame& lattice, const Scatter& scatter,
-                                   Seed seed) {
+std::vector<Colony> place_colonies(const std::vector<LatticeCell>& cells, const GridFrame& lattice,
+                                   const Scatter& scatter, Seed seed) {
   Grid<uint8_t> taken(lattice, 0);
-  for (const Site s : sites) taken(s.x, s.y) = 1;
+  for (const LatticeCell s : cells) taken(s.x, s.y) = 1;
   std::vector<Colony> colonies;
-  colonies.reserve(sites.size());
-  for (const Site s : sites) {
+  colonies.reserve(cells.size());
+  for (const LatticeCell s : cells) {
     // Keyed by place: a colony looks the same whatever grew before it.
     Rng rng(seed.derive("reef.colony", (static_cast<uint64_t>(s.y) << 32) | static_cast<uint64_t>(s.x)));
     Colony colony;
@@ -77,7 +77,7 @@ std::vector<Colony> place_colonies(const std::vector<Site>& sites, const GridFra
     colony.radius_m = scatter.radius_m * (1.0 + scatter.radius * rng.uniform(-1, 1));
     colony.k1 = scatter.k1 * (1.0 + scatter.k1_jitter * rng.uniform(-1, 1));
     for (size_t i = 0; i < kSteps.size(); ++i) {
-      const Site n{s.x + kSteps[i].x, s.y + kSteps[i].y};
+      const LatticeCell n{s.x + kSteps[i].x, s.y + kSteps[i].y};
       if (taken.contains(n.x, n.y) && taken(n.x, n.y) != 0)
         colony.neighbours = static_cast<uint8_t>(colony.neighbours | (1U << i));
     }

@@ -49,8 +49,8 @@ struct Scatter {
 };
 
 /// The colonies of an aggregate in a lattice's coordinates. Linear time.
-std::vector<Colony> place_colonies(const std::vector<Site>& sites, const GridFrame& lattice, const Scatter& scatter,
-                                   Seed seed);
+std::vector<Colony> place_colonies(const std::vector<LatticeCell>& cells, const GridFrame& lattice,
+                                   const Scatter& scatter, Seed seed);
 
 /// Sums over colonies along rows: sum of exp(-t^k) of eq. 1 and sum of w_d exp(-|ln(k1 (1 - t))|^k2) of eq. 2, from
 /// tables of 4096 samples (error below 1e-4 a kernel for exponents up to 12). Colonies are added in a fixed order.

@@ -40,11 +40,11 @@ TEST(Kernels, DirectionsAreEighthsOfTheCompass) {
   }
 }
 
-std::vector<Site> some_sites() { return {{5, 5}, {6, 5}, {6, 6}, {7, 7}, {5, 4}, {10, 3}, {0, 11}, {11, 11}}; }
+std::vector<LatticeCell> some_cells() { return {{5, 5}, {6, 5}, {6, 6}, {7, 7}, {5, 4}, {10, 3}, {0, 11}, {11, 11}}; }
 
 TEST(Kernels, ColoniesKnowTheirNeighbours) {
   const GridFrame lattice = GridFrame::centred(12, 12, 50.0);
-  const std::vector<Colony> colonies = place_colonies(some_sites(), lattice, {.radius_m = 70}, Seed{1});
+  const std::vector<Colony> colonies = place_colonies(some_cells(), lattice, {.radius_m = 70}, Seed{1});
   EXPECT_EQ(colonies[0].neighbours, 1U << 0 | 1U << 2 | 1U << 3);  // north, east, south-east
   EXPECT_EQ(colonies[5].neighbours, 0U);
   EXPECT_DOUBLE_EQ(colonies[0].centre.x, lattice.x(5));
@@ -55,7 +55,7 @@ TEST(Kernels, ColoniesKnowTheirNeighbours) {
 TEST(Kernels, RowsAreTheSumsOfEquationsOneAndTwo) {
   const GridFrame lattice = GridFrame::centred(12, 12, 50.0);
   for (const Scatter& scatter : {Scatter{73.0, 0, 0, 5.0, 0}, Scatter{90.0, 0.4, 0.3, 5.0, 0.3}}) {
-    const std::vector<Colony> colonies = place_colonies(some_sites(), lattice, scatter, Seed{2});
+    const std::vector<Colony> colonies = place_colonies(some_cells(), lattice, scatter, Seed{2});
     const KernelSums sums(colonies, 10, 10);
     const GridFrame frame = GridFrame::centred(97, 83, 7.3);
     std::vector<float> normal(97), edge(97);

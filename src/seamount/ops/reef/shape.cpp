@@ -21,18 +21,18 @@ constexpr float kOutside = 4.0F;    // of min d / R where no colony is near
 /// Colonies by lattice cell.
 class ColonyGrid {
  public:
-  ColonyGrid(const std::vector<Colony>& colonies, const std::vector<Site>& sites, const GridFrame& lattice)
+  ColonyGrid(const std::vector<Colony>& colonies, const std::vector<LatticeCell>& cells, const GridFrame& lattice)
       : colonies_(colonies), index_(lattice, -1), near_(lattice, 0) {
     double widest = 0, furthest = 0;
-    for (size_t i = 0; i < sites.size(); ++i) {
+    for (size_t i = 0; i < cells.size(); ++i) {
       const Colony& c = colonies[i];
       widest = std::max(widest, c.radius_m);
-      const double fx = lattice.column(c.centre.x) - sites[i].x, fy = lattice.row(c.centre.y) - sites[i].y;
+      const double fx = lattice.column(c.centre.x) - cells[i].x, fy = lattice.row(c.centre.y) - cells[i].y;
       furthest = std::max({furthest, std::abs(fx), std::abs(fy)});
-      index_(sites[i].x, sites[i].y) = static_cast<int32_t>(i);
+      index_(cells[i].x, cells[i].y) = static_cast<int32_t>(i);
     }
     reach_ = static_cast<int>(std::ceil(1.4 * widest / lattice.cell_m + furthest + 0.5));
-    for (const Site s : sites) mark_near(s);
+    for (const LatticeCell s : cells) mark_near(s);
   }
 
   /// min over colonies of d / R, right up to 1.4 at least.
@@ -54,7 +54,7 @@ class ColonyGrid {
   }
 
  private:
-  void mark_near(Site s) {
+  void mark_near(LatticeCell s) {
     for (int y = std::max(0, s.y - reach_); y <= std::min(near_.height() - 1, s.y + reach_); ++y) {
       for (int x = std::max(0, s.x - reach_); x <= std::min(near_.width() - 1, s.x + reach_); ++x) near_(x, y) = 1;
     }
@@ -114,10 +114,10 @@ GridFrame shape_frame(const GridFrame& frame, double step_m) {
   return shape;
 }
 
-ScalarField outline_distance(const std::vector<Colony>& colonies, const std::vector<Site>& sites,
+ScalarField outline_distance(const std::vector<Colony>& colonies, const std::vector<LatticeCell>& cells,
                              const GridFrame& lattice, const GridFrame& frame, const Bend& bend, Seed seed,
                              const RunContext& run) {
-  const ColonyGrid grid(colonies, sites, lattice);
+  const ColonyGrid grid(colonies, cells, lattice);
   const geom::Fbm noise{.wavelength_m = bend.wavelength_m, .octaves = 6, .gain = 0.55, .cell_m = 0.7 * frame.cell_m};
   const double strength = bend.amplitude_m / 0.35;
   ScalarField t(frame);

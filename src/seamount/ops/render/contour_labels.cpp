@@ -16,12 +16,12 @@ double distance(Vec2 a, Vec2 b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 /// Stretches as long as the label, one beginning at every step along the line.
 void add_candidates(const LabelLine& line, size_t number, double size_px, std::vector<Candidate>& candidates) {
-  constexpr double kLeastTurns = 2.5;  // a label may take so much of its ring
+  constexpr double kMinTurns = 2.5;  // a label may take so much of its ring
   const Ring& ring = *line.ring;
   const size_t n = ring.size();
   double length = 0.0;
   for (size_t i = 0; i < n; ++i) length += distance(ring[i], ring[(i + 1) % n]);
-  if (length < kLeastTurns * line.width) return;
+  if (length < kMinTurns * line.width) return;
   double since = size_px;
   for (size_t i = 0; i < n; ++i) {
     since += distance(ring[(i + n - 1) % n], ring[i]);

@@ -21,8 +21,8 @@ struct ContourLabel {
   double width;
 };
 
-/// The straightest stretches first; none that leaves the map, bends more than a third of the size of text, or comes
-/// near another label, more so one of the same height. Linear in the points, but for the labels.
+/// The straightest stretches first; none that leaves the map, bends by more than a third of the text's height, or
+/// comes near another label; labels of one height keep a greater distance. Linear in the points, but for the labels.
 std::vector<ContourLabel> place_labels(const std::vector<LabelLine>& lines, double size_px, int width, int height);
 
 }  // namespace seamount::render

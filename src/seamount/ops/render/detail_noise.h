@@ -1,5 +1,5 @@
-// Small-scale noise for shading: one gradient noise in float with its slope, made for tens of millions of points that
-// no grid joins (geom/scalar/noise.h works along rows). Octaves finer than the footprint of a pixel fade out, so
+// Small-scale noise for shading: gradient noise in float together with its slope, for tens of millions of single points
+// (geom/scalar/noise.h works along rows of a grid). Octaves finer than the footprint of a pixel fade out, so
 // nothing shimmers.
 #pragma once
 

@@ -70,18 +70,20 @@ Vec3 middle(const std::vector<Vec3>& places) {
 Camera place_camera(const PerspectiveParams& params, const GridFrame& frame, const Ground& ground, bool sea,
                     float base) {
   View view;
-  view.azimuth = radians(params.camera_azimuth_deg);
-  view.elevation = radians(params.camera_elevation_deg);
-  view.field_of_view = radians(params.field_of_view_deg);
-  view.distance = params.distance;
+  view.azimuth = radians(params.camera.azimuth_deg);
+  view.elevation = radians(params.camera.elevation_deg);
+  view.field_of_view = radians(params.camera.field_of_view_deg);
+  view.distance = params.camera.distance;
   view.width_px = params.width_px;
   view.height_px = params.height_px;
   view.horizon = sea;
   const std::vector<Vec3> places = places_to_show(ground, sea, base);
   Vec3 target = middle(places);
   const Vec3 fitted = target;
-  if (params.target_x_m) target.x = static_cast<float>(*params.target_x_m - (frame.west_m + 0.5 * frame.width_m()));
-  if (params.target_y_m) target.y = static_cast<float>(*params.target_y_m - (frame.north_m - 0.5 * frame.height_m()));
+  if (params.camera.target_x_m)
+    target.x = static_cast<float>(*params.camera.target_x_m - (frame.west_m + 0.5 * frame.width_m()));
+  if (params.camera.target_y_m)
+    target.y = static_cast<float>(*params.camera.target_y_m - (frame.north_m - 0.5 * frame.height_m()));
   Camera camera = fit_camera(view, fitted, places);
   camera.position = camera.position + (target - fitted);
   // Never under ground or water.
@@ -164,7 +166,7 @@ class Painter {
 Image perspective(const HeightField& terrain, const LabelMap* labels, const PerspectiveParams& params,
                   const RunContext& run) {
   check_params(params);
-  const SunDirection sun{radians(params.sun_azimuth_deg), radians(params.sun_elevation_deg)};
+  const SunDirection sun{radians(params.sun.azimuth_deg), radians(params.sun.elevation_deg)};
   const Ground ground(terrain, labels,
                       {.water_level_m = params.water_level_m,
                        .exaggeration = params.vertical_exaggeration,

@@ -27,7 +27,7 @@ TEST(Perspective, SameBytesForAnyNumberOfThreads) {
 TEST(Perspective, ShowsSkyOverSeaWhenTheCameraIsLow) {
   const HeightField terrain = test_island(128, 128, 20000.0, 1200.0);
   PerspectiveParams params = small();
-  params.camera_elevation_deg = 8.0;
+  params.camera.elevation_deg = 8.0;
   const Image image = perspective(terrain, nullptr, params, {});
   const Colour sky = image.colour(80, 2), sea = image.colour(80, 87);
   EXPECT_GT(sky.r + sky.g + sky.b, 330);
@@ -54,10 +54,10 @@ TEST(Perspective, TheSunLightsTheSideItStandsOn) {
     for (int x = 0; x < 80; ++x) ridge(x, y) = 2000.0F - 60.0F * std::abs(static_cast<float>(x) - 39.5F) + 500.0F;
   }
   PerspectiveParams params = small();
-  params.camera_azimuth_deg = 180.0;
-  params.camera_elevation_deg = 60.0;
+  params.camera.azimuth_deg = 180.0;
+  params.camera.elevation_deg = 60.0;
   const auto brightness = [&](double azimuth, int x) {
-    params.sun_azimuth_deg = azimuth;
+    params.sun.azimuth_deg = azimuth;
     const Colour c = perspective(ridge, nullptr, params, {}).colour(x, 40);
     return c.r + c.g + c.b;
   };
@@ -77,8 +77,8 @@ TEST(Perspective, OddTerrainsAndCamerasAreDrawn) {
   for (const double elevation : {1.0, 89.0}) {
     for (const double distance : {0.02, 10.0}) {
       PerspectiveParams params = small();
-      params.camera_elevation_deg = elevation;
-      params.distance = distance;
+      params.camera.elevation_deg = elevation;
+      params.camera.distance = distance;
       EXPECT_EQ(perspective(terrain, nullptr, params, {}).height, 90);
     }
   }

@@ -35,7 +35,7 @@ struct Ground {
   Ground(const HeightField& ground, const ExtractParams& params, const RunContext& run)
       : terrain(ground), sea(params.sea ? 0.0F : geom::kNoSea) {
     if (!params.sea) return;
-    land = geom::raise_inland(terrain, sea, params.least_sea_m2, run);
+    land = geom::raise_inland(terrain, sea, params.min_sea_m2, run);
     bool all = true;
     for (float& z : land.cells()) all = all && z > sea, z = z > sea ? 1.0F : 0.0F;
     if (all) land = {};

@@ -9,6 +9,7 @@
 // land alone, and a coarse cell is land where half of it is, so that the sketch keeps to the coast.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <tuple>
 
@@ -31,7 +32,7 @@ struct ExtractParams {
   std::optional<double> shallow_m;
   double min_length = 4.0;
   bool sea = true;
-  std::optional<double> least_sea_m2;
+  std::optional<double> min_sea_m2;
   bool rivers = true;
   bool ridges = true;
   bool cues = true;
@@ -54,10 +55,12 @@ struct ExtractParams {
               "shortest branch and piece that is kept, in coarse cells"),
         field(&P::sea, "sea",
               "rivers end at sea level and ridges stand above it; otherwise the sea floor is ground as well"),
-        field(&P::least_sea_m2, "least_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning),
+        field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning),
         field(&P::rivers, "rivers", "draw rivers"), field(&P::ridges, "ridges", "draw ridges"),
         field(&P::cues, "cues", "draw peaks and basins with their heights"));
   }
+
+  static constexpr std::array kFormerNames = {FormerName{"least_sea_m2", "min_sea_m2"}};
 };
 
 struct Sketch {

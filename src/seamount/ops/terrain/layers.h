@@ -1,5 +1,5 @@
 // terrain.layers: how much of each cell is low, middle and high ground: three masks that sum to one, for splat maps,
-// scattering, or to be different about each of them.
+// for scattering, or as inputs of steps that treat each layer in its own way.
 //
 // Source: P4 sec. 3.4, eq. 3 to 6 (geom/grid/height_layers.h). Pictures drawn in a style and splat maps show these
 // layers.

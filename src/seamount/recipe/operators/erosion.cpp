@@ -7,18 +7,18 @@ namespace seamount::recipe {
 namespace {
 
 using kinds::Field;
-using Layers = std::tuple<HeightField, ScalarField, ScalarField, ScalarField, ScalarField, Report>;
+using Parts = std::tuple<HeightField, ScalarField, ScalarField, ScalarField, ScalarField, Report>;
 
-Layers run(const erosion::RunParams& params, const Call& call, const HeightField& terrain, const ScalarField* hardness,
-           const ScalarField* mask, const ScalarField* uplift, const ScalarField* rain, const ScalarField* rock,
-           const ScalarField* sediment) {
+Parts run(const erosion::RunParams& params, const Call& call, const HeightField& terrain, const ScalarField* hardness,
+          const ScalarField* mask, const ScalarField* uplift, const ScalarField* rain, const ScalarField* debris,
+          const ScalarField* sediment) {
   const auto copy_of = [](const ScalarField* given) { return given == nullptr ? ScalarField() : *given; };
-  erosion::Ground ground{terrain, copy_of(rock), copy_of(sediment)};
-  erosion::Site site{copy_of(hardness), copy_of(mask), copy_of(uplift), copy_of(rain)};
+  erosion::Layers ground{terrain, copy_of(debris), copy_of(sediment)};
+  erosion::Maps site{copy_of(hardness), copy_of(mask), copy_of(uplift), copy_of(rain)};
   erosion::Eroded made = erosion::run(std::move(ground), std::move(site), params, call.seed, call.run);
-  Report balance = erosion::balance_report({terrain, rock, sediment}, made, params);
-  return {std::move(made.terrain), std::move(made.rock), std::move(made.sediment),
-          std::move(made.flow),    std::move(made.lake), std::move(balance)};
+  Report balance = erosion::balance_report({terrain, debris, sediment}, made, params);
+  return {std::move(made.terrain), std::move(made.debris), std::move(made.sediment),
+          std::move(made.flow),    std::move(made.lake),   std::move(balance)};
 }
 
 }  // namespace
@@ -28,17 +28,19 @@ void add_erosion_operators(Registry& registry) {
       {.name = "erosion.run",
        .revision = 4,
        .summary =
-           "Years of rivers, slides, creep and waves on bedrock, rock and sediment; or a range that rises and wears",
+           "Years of rivers, slides, creep and waves on bedrock, debris and sediment; or a range that rises and wears",
        .source = "P1 sec. 5.4; Braun and Willett 2013, Yuan et al. 2019, Tarboton 1997, Musgrave et al. 1989",
        .stochastic = true},
-      inputs(in<kinds::Terrain>("terrain", "heights in metres"),
-             optional_in<Field>("hardness", "how many times as hard as `erodibility` says; 1 if absent"),
-             optional_in<Field>("mask", "where erosion acts: 0 nowhere, 1 fully"),
-             optional_in<Field>("uplift", "share of `uplift_mm`; 1 if absent"),
-             optional_in<Field>("rain", "share of `rain_m`, as wet and dry sides of mountains; 1 if absent"),
-             optional_in<Field>("rock", "thickness of debris on the bedrock in metres; 0 if absent"),
-             optional_in<Field>("sediment", "thickness of fine sediment in metres; 0 if absent")),
-      outputs(out<kinds::Terrain>("terrain", "heights in metres"), out<Field>("rock", "thickness of debris in metres"),
+      inputs(
+          in<kinds::Terrain>("terrain", "heights in metres"),
+          optional_in<Field>("hardness", "how many times as hard as `erodibility` says; 1 if absent"),
+          optional_in<Field>("mask", "where erosion acts: 0 nowhere, 1 fully"),
+          optional_in<Field>("uplift", "share of `uplift_mm_yr`; 1 if absent"),
+          optional_in<Field>("rain", "share of `runoff_mm_yr`, as wet and dry sides of mountains; 1 if absent"),
+          formerly("rock", optional_in<Field>("debris", "thickness of debris on the bedrock in metres; 0 if absent")),
+          optional_in<Field>("sediment", "thickness of fine sediment in metres; 0 if absent")),
+      outputs(out<kinds::Terrain>("terrain", "heights in metres"),
+              formerly("rock", out<Field>("debris", "thickness of debris in metres")),
               out<Field>("sediment", "thickness of fine sediment in metres"),
               out<Field>("flow", "discharge in m3 per year"),
               out<Field>("lake", "depth of standing water on land in metres"),

@@ -52,14 +52,14 @@ std::vector<double> chosen_levels(const ExtractParams& params, double low, doubl
 
 /// Takes out contours that are too small, with all that they enclose. REQUIRES: parents before children.
 void drop_small(std::vector<Contour>& contours, const ExtractParams& params) {
-  if (params.least_area_m2 <= 0.0 && params.least_length_m <= 0.0) return;
+  if (params.min_area_m2 <= 0.0 && params.min_length_m <= 0.0) return;
   std::vector<Contour> kept;
   std::vector<int> place(contours.size(), -1);
   for (size_t i = 0; i < contours.size(); ++i) {
     Contour& contour = contours[i];
     const bool orphan = contour.parent >= 0 && place[static_cast<size_t>(contour.parent)] < 0;
-    const bool small = std::abs(geom::signed_area(contour.ring)) < params.least_area_m2 ||
-                       geom::ring_length(contour.ring) < params.least_length_m;
+    const bool small = std::abs(geom::signed_area(contour.ring)) < params.min_area_m2 ||
+                       geom::ring_length(contour.ring) < params.min_length_m;
     if (orphan || small) continue;
     if (contour.parent >= 0) contour.parent = place[static_cast<size_t>(contour.parent)];
     place[i] = static_cast<int>(kept.size());

@@ -5,6 +5,7 @@
 // geom/contour/contour.h), so that each encloses its land; the tree of inclusion comes with them.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <tuple>
 #include <vector>
@@ -23,8 +24,8 @@ struct ExtractParams {
   double base_m = 0.0;
   int count = 20;
   double simplify_m = 0.0;
-  double least_area_m2 = 0.0;
-  double least_length_m = 0.0;
+  double min_area_m2 = 0.0;
+  double min_length_m = 0.0;
 
   static constexpr auto fields() {
     using P = ExtractParams;
@@ -37,10 +38,13 @@ struct ExtractParams {
               "number of heights, evenly over the range, where neither levels_m nor interval_m is given"),
         field(&P::simplify_m, "simplify_m", "m", between(0, 1e5),
               "points are dropped that lie no further than this from the rest; 0: all are kept"),
-        field(&P::least_area_m2, "least_area_m2", "m2", between(0, 1e12),
+        field(&P::min_area_m2, "min_area_m2", "m2", between(0, 1e12),
               "smaller contours are left out, with all that they enclose"),
-        field(&P::least_length_m, "least_length_m", "m", between(0, 1e9), "the same for shorter ones"));
+        field(&P::min_length_m, "min_length_m", "m", between(0, 1e9), "the same for shorter ones"));
   }
+
+  static constexpr std::array kFormerNames = {FormerName{"least_area_m2", "min_area_m2"},
+                                              FormerName{"least_length_m", "min_length_m"}};
 };
 
 /// Contours of a network, in its frame. Throws InvalidArgument for params out of range, levels outside the heights and

@@ -109,8 +109,8 @@ TEST(ContourExtract, LeavesOutTheSmallWithAllInside) {
   ExtractParams params;
   params.interval_m = 5.0;
   const ContourSet all = extract(raster(), params, {});
-  params.least_area_m2 = 400;
-  params.least_length_m = 90;
+  params.min_area_m2 = 400;
+  params.min_length_m = 90;
   const ContourSet some = extract(raster(), params, {});
   EXPECT_LT(some.contours.size(), all.contours.size());
   expect_sound(some);

@@ -18,7 +18,7 @@ Polyline random_stroke(Rng& rng, int points) {
 
 /// Least Jacobian determinant over a lattice, by differences.
 template <class Map>
-double least_jacobian(const Map& map) {
+double min_jacobian(const Map& map) {
   double least = 1.0;
   constexpr double h = 1e-4;
   for (double y = -4500; y <= 4500; y += 187.3) {
@@ -58,7 +58,7 @@ TEST(Drag, CarriesTheBeginningOfAStrokeToItsEnd) {
 
 /// Least Jacobian determinant of a drag along the ways of lattice points: that of p + g(p) d is 1 + dg / dd, and those
 /// of the steps multiply.
-double least_jacobian_on_the_way(const Drag& drag, int k) {
+double min_jacobian_on_the_way(const Drag& drag, int k) {
   constexpr double h = 1e-3;
   std::vector<Drag> steps;
   for (const DragStep& s : drag.steps())
@@ -86,7 +86,7 @@ TEST(Drag, IsOneToOneUpToTheBoundOnRandomStrokes) {
     const int k = 1 + trial % 4;
     const double radius = rng.uniform(200, 900);
     const Drag drag(random_stroke(rng, 2 + trial % 4), radius, longest_segment(radius, k), Displacement(k));
-    least = std::min(least, least_jacobian_on_the_way(drag, k));
+    least = std::min(least, min_jacobian_on_the_way(drag, k));
   }
   EXPECT_GE(least, -1e-9);
   EXPECT_LT(least, 0.1);  // the bound is met, not merely kept far from
@@ -97,7 +97,7 @@ TEST(Drag, HasAPositiveJacobianAsAWhole) {
   for (int trial = 0; trial < 8; ++trial) {
     const double radius = rng.uniform(400, 1200);
     const Drag drag(random_stroke(rng, 2 + trial % 4), radius, 0.5 * longest_segment(radius, 2), Displacement(2));
-    EXPECT_GT(least_jacobian([&](Vec2 p) { return drag.moved(1.0, p); }), -1e-6) << trial;
+    EXPECT_GT(min_jacobian([&](Vec2 p) { return drag.moved(1.0, p); }), -1e-6) << trial;
   }
 }
 
@@ -147,7 +147,7 @@ TEST(Squeeze, KeepsTheOrderAlongEveryRayAtFullStrength) {
 TEST(Squeeze, IsOneToOneAlongAStraightCurve) {
   const Squeeze squeeze({{-2000, -700}, {1800, 900}}, 600, 2);
   for (const double strength : {-0.95, 0.95}) {
-    EXPECT_GT(least_jacobian([&](Vec2 p) {
+    EXPECT_GT(min_jacobian([&](Vec2 p) {
                 Polyline place = {p};
                 squeeze.move(strength, place, {});
                 return place[0];
@@ -169,7 +169,7 @@ TEST(Roughen, IsOneToOneAndFadesWithItsWeight) {
       roughen.move(1.0, place, {});
       return place[0];
     };
-    EXPECT_GT(least_jacobian(map), 0.0) << seed;
+    EXPECT_GT(min_jacobian(map), 0.0) << seed;
     const Vec2 outside = {4600, 10};
     EXPECT_EQ(map(outside), outside);
     const Vec2 off = map({10, 20}) - Vec2{10, 20};

@@ -10,13 +10,13 @@
 #include "seamount/geom/contour/nesting.h"
 #include "seamount/geom/solve/drain.h"
 #include "seamount/geom/tin/tin_raster.h"
-#include "seamount/ops/contour/convert/reconstruct_ground.h"
+#include "seamount/ops/contour/convert/face_ground.h"
 
 namespace seamount::contour {
 namespace {
 
 /// The plain interpolation, with a shape for faces with one bound: the slope of the ground around them, less and less.
-HeightField interpolated(Ground ground, const RunContext& run) {
+HeightField interpolated(FaceGround ground, const RunContext& run) {
   HeightField heights = std::move(ground.between.height_m);
   parallel_rows(run, heights.width(), heights.height(), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
@@ -113,7 +113,7 @@ HeightField reconstruct(const ContourSet& set, const ReconstructParams& params, 
   check_contours(set);
   const GridFrame frame = wanted_frame(set.frame, params.cell_m);
   if (params.method == Method::stairs) return stairs(set, frame, run);
-  Ground ground = make_ground(set, params.summits, frame, run.part(0.0, 0.3));
+  FaceGround ground = make_face_ground(set, params.summits, frame, run.part(0.0, 0.3));
   if (params.method == Method::smooth) return smooth_surface(set, std::move(ground), run.part(0.3, 1.0));
   return interpolated(std::move(ground), run.part(0.3, 1.0));
 }

@@ -17,7 +17,7 @@
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/solve/drain.h"
 #include "seamount/geom/solve/thin_plate.h"
-#include "seamount/ops/contour/convert/reconstruct_ground.h"
+#include "seamount/ops/contour/convert/face_ground.h"
 
 namespace seamount::contour {
 namespace {
@@ -27,7 +27,7 @@ constexpr float kBeside = 6.0F;  ///< cells over which an edge's own slope fades
 
 /// Metres a cell across the face's band where it is nearest to a place (in cells); kNoSlope where no cell of the face
 /// is near or no band has two bounds.
-float slope_beside(const Ground& ground, int32_t face, double column, double row) {
+float slope_beside(const FaceGround& ground, int32_t face, double column, double row) {
   if (ground.faces.bounds_of(face) != 2) return kNoSlope;
   constexpr int kNear = 2;
   const auto x0 = static_cast<int>(std::clamp(std::round(column), -1e6, 1e9));
@@ -65,7 +65,7 @@ void average_along(std::span<const float> raw, std::span<float> slopes) {
 }
 
 /// Per edge of all rings.
-std::vector<float> edge_slopes(const ContourSet& set, const Ground& ground, const RunContext& run) {
+std::vector<float> edge_slopes(const ContourSet& set, const FaceGround& ground, const RunContext& run) {
   std::vector<size_t> first = {0};
   first.reserve(set.contours.size() + 1);
   for (const Contour& contour : set.contours) first.push_back(first.back() + contour.ring.size());
@@ -92,7 +92,7 @@ std::vector<float> edge_slopes(const ContourSet& set, const Ground& ground, cons
 /// The height of one cell.
 class Blend {
  public:
-  Blend(const Ground& ground, const std::vector<float>& slopes) : ground_(ground), slopes_(slopes) {}
+  Blend(const FaceGround& ground, const std::vector<float>& slopes) : ground_(ground), slopes_(slopes) {}
 
   float at(int x, int y) const {
     const int32_t face = ground_.between.face(x, y);
@@ -123,7 +123,7 @@ class Blend {
     return slope > 0.0F ? slope : otherwise;
   }
 
-  const Ground& ground_;
+  const FaceGround& ground_;
   const std::vector<float>& slopes_;
 };
 
@@ -131,7 +131,7 @@ class Blend {
 struct Bounds {
   HeightField low, high;
 };
-Bounds smoothing_bounds(const Ground& ground, const HeightField& heights, const RunContext& run) {
+Bounds smoothing_bounds(const FaceGround& ground, const HeightField& heights, const RunContext& run) {
   constexpr float kShare = 0.2F;
   constexpr float kFull = 2.0F;  ///< cells from a contour at which heights may move by the whole share
   Bounds bounds{HeightField(heights.frame()), HeightField(heights.frame())};
@@ -160,7 +160,7 @@ Bounds smoothing_bounds(const Ground& ground, const HeightField& heights, const 
 }
 
 /// Smooths; drains, and smooths the channels' surroundings down to them.
-HeightField settle(const Ground& ground, HeightField heights, Bounds bounds, const RunContext& run) {
+HeightField settle(const FaceGround& ground, HeightField heights, Bounds bounds, const RunContext& run) {
   constexpr int kFirstSweeps = 3;
   constexpr int kSweeps = 7;
   constexpr int kRounds = 2;
@@ -189,7 +189,7 @@ HeightField settle(const Ground& ground, HeightField heights, Bounds bounds, con
 
 }  // namespace
 
-HeightField smooth_surface(const ContourSet& set, Ground ground, const RunContext& run) {
+HeightField smooth_surface(const ContourSet& set, FaceGround ground, const RunContext& run) {
   const std::vector<float> slopes = edge_slopes(set, ground, run.part(0.0, 0.05));
   const Blend blend(ground, slopes);
   HeightField& heights = ground.between.height_m;

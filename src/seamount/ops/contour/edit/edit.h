@@ -1,37 +1,20 @@
 // contour.edit: an editing session on contours, as a list of tools that can be replayed.
 //
-// Source: P2 sec. 5 (smoothing, warping, slope), sec. 6.2 (patterns), sec. 6.6 (what it says is missing: delete, cut,
-// copy, paste, fill, fractalize). Contours never cross after any edit: it is checked after each. Departures of each
-// tool stand in its own header: drag.h (warp), squeeze.h (slope), smooth.h, roughen.h (fractalize), pattern.h (copy,
-// cut, paste), fill.h.
+// Source: P2 sec. 5 (smoothing, warping, slope), sec. 6.2 (patterns), sec. 6.6 (tools that it leaves to future work:
+// delete, cut, copy, paste, fill, fractalize). Contours never cross after any edit: it is checked after each.
+// Departures of each tool stand in its own header: drag.h (warp), squeeze.h (slope), smooth.h, roughen.h (fractalize),
+// pattern.h (copy, cut, paste), fill.h.
 #pragma once
 
 #include <functional>
-#include <tuple>
-#include <vector>
 
-#include "seamount/base/fields.h"
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/contour_set.h"
-#include "seamount/ops/contour/edit/tools.h"
+#include "seamount/ops/contour/edit/edit_params.h"
 
 namespace seamount::contour {
-
-enum class OnCrossing { limit, refuse };
-
-struct EditParams {
-  std::vector<Edit> edits;
-  OnCrossing on_crossing = OnCrossing::limit;
-
-  static constexpr auto fields() {
-    using P = EditParams;
-    return std::tuple(field(&P::edits, "edits", "the tools, in the order of their use"),
-                      field(&P::on_crossing, "on_crossing",
-                            "of an edit that would make contours cross: limit its strength and say so, or refuse it"));
-  }
-};
 
 /// What pastes read besides the session itself.
 struct PatternSource {
@@ -47,8 +30,3 @@ ContourSet edit(const ContourSet& contours, const EditParams& params, const Patt
                 const RunContext& run);
 
 }  // namespace seamount::contour
-
-template <>
-struct seamount::Choices<seamount::contour::OnCrossing> {
-  static constexpr std::array<std::string_view, 2> names = {"limit", "refuse"};
-};

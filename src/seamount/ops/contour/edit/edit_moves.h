@@ -6,7 +6,7 @@
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
 #include "seamount/model/contour_set.h"
-#include "seamount/ops/contour/edit/edit.h"
+#include "seamount/ops/contour/edit/edit_params.h"
 
 namespace seamount::contour {
 

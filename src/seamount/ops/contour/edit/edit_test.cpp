@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/ops/contour/edit/edit_area.h"
 #include "seamount/ops/contour/edit/pattern.h"
-#include "seamount/ops/contour/edit/site.h"
 #include "seamount/ops/contour/move/test_contours.h"
 
 namespace seamount::contour {

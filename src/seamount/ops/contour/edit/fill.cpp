@@ -14,8 +14,8 @@
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/solve/poisson.h"
+#include "seamount/ops/contour/edit/edit_area.h"
 #include "seamount/ops/contour/edit/selection.h"
-#include "seamount/ops/contour/edit/site.h"
 #include "seamount/ops/contour/move/roughen.h"
 
 namespace seamount::contour {
@@ -238,14 +238,14 @@ void fill_contour(size_t contour, const FillTool& tool, ContourSet& set, const s
   gone[contour] = 0;
   const Polygon outline{set.contours[contour].ring, {}};
   remove_contours(set, gone);
-  const Site site = make_site(set, outline, true, 0.0, name, run);
-  const GridFrame& frame = site.patch.nodes;
+  const EditArea area = make_edit_area(set, outline, true, 0.0, name, run);
+  const GridFrame& frame = area.patch.nodes;
   constexpr float kContrast = 2.5F;  // of the logarithm of the speed over the noise
   ScalarField speed = geom::fbm_grid(frame, seed.derive("fill"), landforms(tool.wavelength_m, frame.cell_m), run);
   for (float& value : speed.cells()) value = std::exp(kContrast * value);
-  const std::vector<int32_t> order = Front(site.patch, speed).run(run);
-  ScalarField heights = site.ground;
-  const double border = std::abs(static_cast<double>(least_gap(levels))) * 0.02;
+  const std::vector<int32_t> order = Front(area.patch, speed).run(run);
+  ScalarField heights = area.ground;
+  const double border = std::abs(static_cast<double>(min_gap(levels))) * 0.02;
   double top = base;
   for (size_t i = 0; i < order.size(); ++i) {
     const double share = 1.0 - (static_cast<double>(i) + 0.5) / static_cast<double>(order.size());
@@ -254,7 +254,7 @@ void fill_contour(size_t contour, const FillTool& tool, ContourSet& set, const s
     top = sign * height > sign * top ? height : top;
   }
   levels = levels_covering(levels, std::min(base, top), std::max(base, top), name);
-  replace_patch(set, site.patch, heights, levels, name, run);
+  replace_patch(set, area.patch, heights, levels, name, run);
 }
 
 /// Raises inner nodes until each has a neighbour that is lower, by `step` where it was not.
@@ -277,14 +277,14 @@ float bent(float value, const std::vector<float>& own, const std::vector<float>&
 }
 
 /// Root of the mean square of what a blur over one wavelength takes from the ground outside.
-double roughness(const Site& site, double wavelength_m, const RunContext& run) {
-  ScalarField smooth = site.ground;
+double roughness(const EditArea& area, double wavelength_m, const RunContext& run) {
+  ScalarField smooth = area.ground;
   geom::gaussian_blur(smooth, 0.5 * wavelength_m, run);
   double sum = 0.0;
   double count = 0.0;
   for (size_t i = 0; i < smooth.size(); ++i) {
-    if (site.inward.cells()[i] > 0.0F) continue;
-    const auto off = static_cast<double>(site.ground.cells()[i] - smooth.cells()[i]);
+    if (area.inward.cells()[i] > 0.0F) continue;
+    const auto off = static_cast<double>(area.ground.cells()[i] - smooth.cells()[i]);
     sum += off * off;
     count += 1.0;
   }
@@ -293,12 +293,12 @@ double roughness(const Site& site, double wavelength_m, const RunContext& run) {
 
 /// Ground stretched smoothly over the outline, read at places that noise displaces one to one: rough, and as free of
 /// basins as it was.
-ScalarField stretched(const Site& site, const ScalarField& share, double share_slope, double wavelength_m, Seed seed,
-                      const RunContext& run) {
-  const GridFrame& frame = site.patch.nodes;
-  ScalarField smooth = site.ground;
+ScalarField stretched(const EditArea& area, const ScalarField& share, double share_slope, double wavelength_m,
+                      Seed seed, const RunContext& run) {
+  const GridFrame& frame = area.patch.nodes;
+  ScalarField smooth = area.ground;
   Grid<uint8_t> fixed(frame, 0);
-  for (size_t i = 0; i < smooth.size(); ++i) fixed.cells()[i] = site.inward.cells()[i] <= 0.0F ? 1 : 0;
+  for (size_t i = 0; i < smooth.size(); ++i) fixed.cells()[i] = area.inward.cells()[i] <= 0.0F ? 1 : 0;
   geom::solve_laplace(smooth, fixed, run);
   constexpr double kAmplitude = 0.2;
   const Roughen roughen({kAmplitude * wavelength_m, wavelength_m, 5, 0.5}, share, share_slope, seed);
@@ -317,23 +317,23 @@ ScalarField stretched(const Site& site, const ScalarField& share, double share_s
 void fill_polygon(const Polygon& outline, const FillTool& tool, ContourSet& set, const std::string& name, Seed seed,
                   const RunContext& run) {
   const double reach = 0.5 * std::sqrt(std::abs(geom::signed_area(outline.outer)));
-  const Site site = make_site(set, outline, false, reach, name, run);
-  const GridFrame& frame = site.patch.nodes;
+  const EditArea area = make_edit_area(set, outline, false, reach, name, run);
+  const GridFrame& frame = area.patch.nodes;
   const double rim = std::max(0.25 * tool.wavelength_m, 4.0 * frame.cell_m);
   ScalarField share(frame);
   for (size_t i = 0; i < share.size(); ++i) {
-    share.cells()[i] = static_cast<float>(geom::smoothstep(static_cast<double>(site.inward.cells()[i]) / rim));
+    share.cells()[i] = static_cast<float>(geom::smoothstep(static_cast<double>(area.inward.cells()[i]) / rim));
   }
-  ScalarField heights = stretched(site, share, 1.5 / rim, tool.wavelength_m, seed.derive("stretch"), run);
+  ScalarField heights = stretched(area, share, 1.5 / rim, tool.wavelength_m, seed.derive("stretch"), run);
   const ScalarField noise = geom::fbm_grid(frame, seed.derive("fill"), landforms(tool.wavelength_m, frame.cell_m), run);
   constexpr double kDeviation = 0.35;  // of fbm
   constexpr double kRelief = 0.5;      // the rest comes from the displacement
-  const double amplitude = kRelief * tool.relief * roughness(site, tool.wavelength_m, run) / kDeviation;
+  const double amplitude = kRelief * tool.relief * roughness(area, tool.wavelength_m, run) / kDeviation;
   std::vector<float> own;
   std::vector<float> like;
   for (size_t i = 0; i < heights.size(); ++i) {
     heights.cells()[i] += share.cells()[i] * static_cast<float>(amplitude) * noise.cells()[i];
-    (site.inward.cells()[i] > 0.0F ? own : like).push_back(heights.cells()[i]);
+    (area.inward.cells()[i] > 0.0F ? own : like).push_back(heights.cells()[i]);
   }
   std::sort(own.begin(), own.end());
   std::sort(like.begin(), like.end());
@@ -341,11 +341,11 @@ void fill_polygon(const Polygon& outline, const FillTool& tool, ContourSet& set,
     float& height = heights.cells()[i];
     if (share.cells()[i] > 0.0F) height += share.cells()[i] * (bent(height, own, like) - height);
   }
-  fill_basins(heights, site.patch, static_cast<float>(1e-5 * least_gap(levels_of(set))), run);
+  fill_basins(heights, area.patch, static_cast<float>(1e-5 * min_gap(levels_of(set))), run);
   const std::vector<double> levels =
       levels_covering(levels_of(set), static_cast<double>(std::min(own.front(), like.front())),
                       static_cast<double>(std::max(own.back(), like.back())), name);
-  replace_patch(set, site.patch, heights, levels, name, run);
+  replace_patch(set, area.patch, heights, levels, name, run);
 }
 
 }  // namespace

@@ -9,10 +9,10 @@
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/solve/poisson.h"
-#include "seamount/ops/contour/edit/ground.h"
+#include "seamount/ops/contour/edit/edit_area.h"
+#include "seamount/ops/contour/edit/lattice_heights.h"
 #include "seamount/ops/contour/edit/pattern.h"
 #include "seamount/ops/contour/edit/selection.h"
-#include "seamount/ops/contour/edit/site.h"
 
 namespace seamount::contour {
 namespace {
@@ -61,7 +61,7 @@ ScalarField pattern_ground(const Drawing& pattern, const RunContext& run) {
   frame.north_m = box.high.y + kMargin * cell;
   frame.width = static_cast<int>(std::ceil((box.high.x - box.low.x) / cell)) + 2 * kMargin;
   frame.height = static_cast<int>(std::ceil((box.high.y - box.low.y) / cell)) + 2 * kMargin;
-  return ground(level_lines(pattern), frame, least_gap(levels), 0.0, run);
+  return lattice_heights(level_lines(pattern), frame, min_gap(levels), 0.0, run);
 }
 
 /// Extends values given at the nodes that are at most half a cell within the outline smoothly over it.
@@ -72,12 +72,12 @@ void stretch_membrane(ScalarField& values, const ScalarField& inward, const RunC
   geom::solve_laplace(values, fixed, run);
 }
 
-void replace(ContourSet& set, const Site& site, const ScalarField& heights, const std::string& name,
+void replace(ContourSet& set, const EditArea& area, const ScalarField& heights, const std::string& name,
              const RunContext& run) {
   const auto [low, high] = std::minmax_element(heights.cells().begin(), heights.cells().end());
   const std::vector<double> levels =
       levels_covering(levels_of(set), static_cast<double>(*low), static_cast<double>(*high), name);
-  replace_patch(set, site.patch, heights, levels, name, run);
+  replace_patch(set, area.patch, heights, levels, name, run);
 }
 
 }  // namespace
@@ -88,9 +88,9 @@ void paste_pattern(const Drawing& pattern, const PasteTool& tool, ContourSet& se
   const Polygon& own = pattern.areas[0].parts[0];
   Polygon outline{to_world(placement, own.outer), {}};
   for (const Ring& hole : own.holes) outline.holes.push_back(to_world(placement, hole));
-  const Site site = make_site(set, outline, false, 0.0, name, run);
+  const EditArea area = make_edit_area(set, outline, false, 0.0, name, run);
   const ScalarField relief = pattern_ground(pattern, run);
-  const GridFrame& frame = site.patch.nodes;
+  const GridFrame& frame = area.patch.nodes;
   ScalarField laid(frame);
   ScalarField fit(frame);
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
@@ -99,19 +99,19 @@ void paste_pattern(const Drawing& pattern, const PasteTool& tool, ContourSet& se
         const Vec2 p = placement.to_pattern({frame.x(x), frame.y(y)});
         laid(x, y) = static_cast<float>(tool.height_scale) *
                      geom::sample_bicubic(relief, relief.frame().column(p.x), relief.frame().row(p.y));
-        fit(x, y) = site.ground(x, y) - laid(x, y);
+        fit(x, y) = area.ground(x, y) - laid(x, y);
       }
     }
   });
-  stretch_membrane(fit, site.inward, run);
-  ScalarField heights = site.ground;
+  stretch_membrane(fit, area.inward, run);
+  ScalarField heights = area.ground;
   const double width = std::max(tool.blend_m, frame.cell_m);
   for (size_t i = 0; i < heights.size(); ++i) {
-    const float share = static_cast<float>(geom::smoothstep(static_cast<double>(site.inward.cells()[i]) / width));
+    const float share = static_cast<float>(geom::smoothstep(static_cast<double>(area.inward.cells()[i]) / width));
     const float pasted = laid.cells()[i] + fit.cells()[i] + static_cast<float>(tool.raise_m);
     heights.cells()[i] += share * (pasted - heights.cells()[i]);
   }
-  replace(set, site, heights, name, run);
+  replace(set, area, heights, name, run);
 }
 
 void clear_outline(const Outline& outline, ContourSet& set, const std::string& name, const RunContext& run) {
@@ -124,10 +124,10 @@ void clear_outline(const Outline& outline, ContourSet& set, const std::string& n
     }
     return remove_contours(set, gone);
   }
-  const Site site = make_site(set, outline.polygon, false, 0.0, name, run);
-  ScalarField heights = site.ground;
-  stretch_membrane(heights, site.inward, run);
-  replace(set, site, heights, name, run);
+  const EditArea area = make_edit_area(set, outline.polygon, false, 0.0, name, run);
+  ScalarField heights = area.ground;
+  stretch_membrane(heights, area.inward, run);
+  replace(set, area, heights, name, run);
 }
 
 }  // namespace seamount::contour

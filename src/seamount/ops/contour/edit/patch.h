@@ -31,7 +31,7 @@ struct Patch {
 bool is_clear(const Patch& patch, const ContourSet& set);
 
 /// Replaces all contours within the patch by those of `heights` at `levels` (ascending); loops of less than two squares
-/// are left out. At nodes of the border `heights` must be the ground that ground() finds for the set. `name` stands in
+/// are left out. At nodes of the border `heights` must be what lattice_heights() finds for the set. `name` stands in
 /// messages. Throws InvalidArgument{name} where a contour outside has nothing to be joined to because its neighbours'
 /// levels are missing. Ends of contours without a counterpart outside are dropped with their line. REQUIRES:
 /// is_clear(patch, set). n log n in the set's points and the patch's nodes.

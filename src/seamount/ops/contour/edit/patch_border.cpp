@@ -6,7 +6,7 @@
 namespace seamount::contour {
 namespace {
 
-constexpr double kLeastApart = 1e-9;  ///< of a cell
+constexpr double kMinApart = 1e-9;  ///< of a cell
 
 /// Where an edge of a contour crosses a line of the lattice.
 struct LatticeCrossing {
@@ -112,7 +112,7 @@ class Cutter {
       along = column - x;
       edge = {1.0, 0.0};
     }
-    if (along < kLeastApart || along > 1.0 - kLeastApart) return false;
+    if (along < kMinApart || along > 1.0 - kMinApart) return false;
     const int64_t key = edge_key(patch_, x, y, crossing.column);
     out_.on_edge[key].push_back(out_.cuts.size());
     // A contour that crosses the edge to its left has the edge's first node on its own left: on its higher side.
@@ -143,7 +143,7 @@ std::optional<CutContours> cut_contours(const ContourSet& set, const Patch& patc
       return out.cuts[a].along != out.cuts[b].along ? out.cuts[a].along < out.cuts[b].along : a < b;
     });
     for (size_t i = 1; i < cuts.size(); ++i) {
-      if (out.cuts[cuts[i]].along - out.cuts[cuts[i - 1]].along < kLeastApart) return std::nullopt;
+      if (out.cuts[cuts[i]].along - out.cuts[cuts[i - 1]].along < kMinApart) return std::nullopt;
     }
   }
   return out;

@@ -7,8 +7,8 @@
 #include "seamount/base/text.h"
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/geom/polygon/predicates.h"
+#include "seamount/ops/contour/edit/edit_area.h"
 #include "seamount/ops/contour/edit/selection.h"
-#include "seamount/ops/contour/edit/site.h"
 
 namespace seamount::contour {
 namespace {

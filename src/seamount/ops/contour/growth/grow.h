@@ -7,79 +7,17 @@
 // beyond it for two spacings, so that it has no coast there.
 #pragma once
 
-#include <optional>
-#include <tuple>
+#include <vector>
 
-#include "seamount/base/fields.h"
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/tin.h"
+#include "seamount/ops/contour/growth/grow_params.h"
 #include "seamount/ops/contour/growth/regions.h"
 
 namespace seamount::contour {
-
-enum class ProbabilityKind { uniform, noise };
-
-}  // namespace seamount::contour
-
-template <>
-struct seamount::Choices<seamount::contour::ProbabilityKind> {
-  static constexpr std::array<std::string_view, 2> names = {"uniform", "noise"};
-};
-
-namespace seamount::contour {
-
-struct GrowParams {
-  std::vector<RegionOutline> outlines;
-  FilePath regions;
-  std::string feature;
-  std::vector<RiverLine> rivers;
-  bool darkest_is_land = false;
-  double irregularity = 0.0;
-  std::optional<double> spacing_m;
-  int particles = 50000;
-  ProbabilityKind probability = ProbabilityKind::noise;
-  FilePath probability_picture;
-  std::optional<double> feature_m;
-  int octaves = 5;
-  double exponent = 2.0;
-
-  static constexpr auto fields() {
-    using P = GrowParams;
-    return std::tuple(
-        field(
-            &P::outlines, "outlines", "m", between(-12000, 9000),
-            "nested regions, each with a name, a ring, the height of its outline if wanted, and whether it is a basin"),
-        field(&P::regions, "regions",
-              "the regions instead as a GeoJSON, GeoPackage or Shapefile, or as a picture whose grey levels are nested "
-              "regions"),
-        field(&P::feature, "feature", "only the areas of this name in the file `regions`"),
-        field(&P::rivers, "rivers",
-              "rivers from source to mouth, each with its bed at all points, at source and mouth, at the mouth, or "
-              "none, and the width of its valley floor"),
-        field(&P::darkest_is_land, "darkest_is_land",
-              "the darkest grey of a picture is the lowest region instead of the world outside"),
-        field(&P::irregularity, "irregularity", "", between(0, 1),
-              "detail given to outlines drawn with few points: round corners, bays and headlands smaller than their "
-              "sides; 0 keeps every point"),
-        field(&P::spacing_m, "spacing_m", "m", between(1e-3, 1e6),
-              "least distance between nodes; absent: what gives `particles`"),
-        field(&P::particles, "particles", "", between(1, 16e6),
-              "number of nodes in the regions, within a few per cent"),
-        field(&P::probability, "probability",
-              "where growth runs ahead and cuts valleys: uniform: nowhere, rings that follow the outline; noise: along "
-              "fractal noise; the input 'probability' replaces it"),
-        field(&P::probability_picture, "probability_picture",
-              "the probability as a picture laid over the domain, black 0 to white 1"),
-        field(&P::feature_m, "feature_m", "m", between(1e-3, 1e7),
-              "size of the noise's largest forms; absent: a third of the regions' size"),
-        field(&P::octaves, "octaves", "", between(1, 16), "layers of detail of the noise, each of half the size"),
-        field(&P::exponent, "exponent", "", between(0.05, 20),
-              "power to which probabilities are raised: higher values carve narrower, deeper valleys"));
-  }
-};
 
 /// The network of the regions in the part of the domain that they cover, with a rim of two spacings around it and
 /// beyond the domain's edge; rank per node, no heights. `probability`: in [0, 1] wherever nodes lie, read bilinearly,
@@ -91,7 +29,7 @@ struct GrowParams {
 Tin grow(RegionTree tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
          GrowParams params, Seed seed, const RunContext& run);
 
-// Its two halves, for networks whose regions are not a person's own (refine.h). Params are not checked.
+// The two halves of grow(), for networks whose regions nobody drew (refine.h). Params are not checked.
 
 /// Nodes, triangles, beds and the region of each node; regions may be without nodes.
 Tin scatter_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<RiverLine> rivers,

@@ -10,8 +10,8 @@
 //    its range instead of 0 and 1, so that a low hill in a high region does not draw the ground around it up; between
 //    outlines of different height the shares blend.
 //  - Land whose outline lies nowhere in the network starts where rivers leave it, else at the network's edge. A part of
-//  a region that no lower
-//    ground touches drains over that edge if it reaches it, else (in a basin) to its own lowest node.
+//    a region that no lower ground touches drains over that edge if it reaches it, else (in a basin) to its own lowest
+//    node.
 #pragma once
 
 #include <array>
@@ -23,17 +23,12 @@
 #include "seamount/base/run_context.h"
 #include "seamount/model/tin.h"
 #include "seamount/ops/contour/growth/region_graph.h"
+#include "seamount/ops/contour/growth/river_nodes.h"
 
 namespace seamount::contour {
 
 /// Most nodes: all ranks of a region are different floats.
 inline constexpr int64_t kMostNodes = 16'000'000;
-
-/// Nodes of river beds (rivers.h).
-struct RiverNodes {
-  std::vector<int32_t> upstream;  ///< each after those that it flows to
-  std::vector<int32_t> outlets;   ///< where rivers leave the domain
-};
 
 /// Ranks in (0, 1), all different within a region, 0 outside (model/tin.h). Each node has a neighbour of lower rank in
 /// its region or one on a lower side of its border (border_of), but for those where a part without lower ground drains.

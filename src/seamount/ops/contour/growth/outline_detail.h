@@ -1,10 +1,10 @@
 // The detail that outlines drawn with a few points lack.
 //
-// P2 draws regions as coarse polygons and leaves their detail to the unevenness of the nodes, so that a coast drawn
-// with a dozen points keeps a dozen straight sides however many nodes there are. Here corners are rounded by a spline,
-// then one common field of displacement (roughen.h) is laid over all outlines and rivers: one to one, so that nesting
-// stays. Its longest waves are as long as two and a half of their sides: what was drawn is kept, what lies below its
-// resolution is added.
+// P2 draws regions as coarse polygons and gets their detail from the unevenness of the nodes alone, so that a coast
+// drawn with a dozen points keeps a dozen straight sides however many nodes there are. Here corners are rounded by a
+// spline, then one common field of displacement (roughen.h) is laid over all outlines and rivers: one to one, so that
+// nesting stays. Its longest waves are as long as two and a half of their sides: what was drawn is kept, what lies
+// below its resolution is added.
 #pragma once
 
 #include <vector>

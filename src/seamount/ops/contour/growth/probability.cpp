@@ -11,7 +11,7 @@ namespace seamount::contour {
 namespace {
 
 constexpr int64_t kGrain = 4096;
-constexpr double kLeastNoise = 0.25;  ///< before it is raised: growth that all but stops leaves cliffs
+constexpr double kMinNoise = 0.25;  ///< before it is raised: growth that all but stops leaves cliffs
 
 /// Every cell, also where no node lies: a map with a bad cell is a mistake wherever that is.
 void check_field(const ScalarField& field) {
@@ -43,7 +43,7 @@ double raise(double p, double exponent) { return exponent == 1.0 ? p : std::pow(
 std::vector<float> noise_probability(std::span<const Vec2> places, const geom::Fbm& shape, double exponent, Seed seed,
                                      const RunContext& run) {
   constexpr double kContrast = 0.75;  // noise has a deviation of about 0.35
-  const double slowest = std::log(kLeastNoise) * exponent;
+  const double slowest = std::log(kMinNoise) * exponent;
   std::vector<float> probability(places.size());
   parallel_blocks(run, static_cast<int64_t>(places.size()), kGrain, [&](int64_t begin, int64_t end) {
     for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kLevelGap = 16;        ///< greys between two levels
 constexpr int kFlat = 12;            ///< greys that a flat neighbourhood may span (JPEG noise)
-constexpr int kSmallestPatch = 12;   ///< pixels
+constexpr int kMinPatch = 12;        ///< pixels
 constexpr int kFan = 3;              ///< pixels between outlines that were painted at the same place
 constexpr size_t kMostLevels = 16;   ///< 255 / kLevelGap
 constexpr double kTolerance = 0.25;  ///< pixels, of the simplified outlines
@@ -61,7 +61,7 @@ std::vector<int> find_levels(const Greys& greys, const RunContext& run) {
                    [&](int a, int b) { return weight[static_cast<size_t>(a)] > weight[static_cast<size_t>(b)]; });
   std::vector<int> levels;
   for (const int grey : order) {
-    if (window(grey) < kSmallestPatch / 2 || levels.size() == kMostLevels) break;
+    if (window(grey) < kMinPatch / 2 || levels.size() == kMostLevels) break;
     const bool apart = std::all_of(levels.begin(), levels.end(), [&](int level) {
       if (std::abs(level - grey) < kLevelGap) return false;
       int64_t lowest = window(grey);
@@ -105,7 +105,7 @@ std::vector<GrowthRegion> trace_levels(const Greys& greys, const std::vector<int
   const int margin = kFan * static_cast<int>(levels.size()) + 2;
   std::vector<GrowthRegion> regions;
   const auto add = [&](Ring ring, std::string name, bool basin) {
-    if (std::abs(geom::signed_area(ring)) < kSmallestPatch) return;
+    if (std::abs(geom::signed_area(ring)) < kMinPatch) return;
     for (Vec2& p : ring) p = p + Vec2{-static_cast<double>(margin), static_cast<double>(margin)};
     regions.push_back({std::move(name), geom::simplify(ring, kTolerance), -1, std::nullopt, basin});
   };
@@ -147,7 +147,7 @@ RegionTree from_greys(const Greys& greys, const GridFrame& place, const GridFram
     for (Vec2& p : region.outline) p = {place.west_m + wide * p.x, place.north_m + high * p.y};
   }
   if (regions.empty()) {
-    throw InvalidArgument(field, fmt::format("every patch of the picture is smaller than {} pixels", kSmallestPatch));
+    throw InvalidArgument(field, fmt::format("every patch of the picture is smaller than {} pixels", kMinPatch));
   }
   return nest_regions(std::move(regions), domain, field);
 }

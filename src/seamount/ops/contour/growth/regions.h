@@ -2,8 +2,8 @@
 //
 // Source: P2 sec. 3.1 (nesting), 4.5 (several regions, local maxima, basins). A region is the inside of an outline less
 // the insides of the outlines in it; the region of a point is the innermost outline that holds it. A basin is a region
-// whose inside lies lower than its outline, which only its author can want. Where we depart: the paper numbers its
-// regions by height; a tree says the same and lets two ranges of different height stand side by side.
+// whose inside lies lower than its outline; there is one only where somebody drew it. Where we depart: the paper
+// numbers its regions by height; a tree says the same and lets two ranges of different height stand side by side.
 #pragma once
 
 #include <optional>
@@ -81,10 +81,10 @@ int region_at(const RegionTree& tree, Vec2 p);
 /// Region of every point. n log n: outlines are entered into rows of a grid once.
 std::vector<int32_t> regions_at(const RegionTree& tree, const std::vector<Vec2>& points, const RunContext& run);
 
-/// The tree as a network carries it.
+/// The tree in the form in which a network carries it (model/tin.h).
 std::vector<TinRegion> tin_regions(const RegionTree& tree);
 
-/// And back, of a network that grew in regions. Throws IncompatibleInputs if it holds no outlines.
+/// The tree of a network that grew in regions. Throws IncompatibleInputs if it holds no outlines.
 RegionTree regions_of(const Tin& tin);
 
 }  // namespace seamount::contour

@@ -11,7 +11,7 @@ namespace seamount::contour {
 namespace {
 
 constexpr double kRoom = 0.6;        ///< spacings that other nodes keep from the courses
-constexpr double kLeastStep = 0.45;  ///< spacings between nodes of courses that meet
+constexpr double kMinStep = 0.45;    ///< spacings between nodes of courses that meet
 constexpr double kBeyond = 1.5;      ///< spacings that courses go on beyond the domain's edge
 constexpr double kFloorRise = 1e-3;  ///< of the valley floor away from the course, m/m
 
@@ -68,7 +68,7 @@ struct BedPoint {
 std::vector<BedPoint> bed_points(const std::vector<River>& rivers, const RegionTree& tree, const GridFrame& domain,
                                  double spacing_m, Cells& cells) {
   std::vector<BedPoint> points;
-  const double least = kLeastStep * spacing_m;
+  const double least = kMinStep * spacing_m;
   for (const River& river : rivers) {
     std::vector<Vec2> places;
     places.reserve(river.points.size());

@@ -16,10 +16,10 @@
 namespace seamount::contour {
 namespace {
 
-constexpr double kGrade = 0.03;      ///< mean fall of a river whose bed is not given, m/m
-constexpr double kLeastFall = 1e-4;  ///< m/m: what flat water falls all the same
-constexpr double kJoinSteps = 2.0;   ///< a mouth this near to water comes to it,
-constexpr double kJoinShare = 0.1;   ///< or this near, as a share of the river's length
+constexpr double kGrade = 0.03;     ///< mean fall of a river whose bed is not given, m/m
+constexpr double kMinFall = 1e-4;   ///< m/m: what flat water falls all the same
+constexpr double kJoinSteps = 2.0;  ///< a mouth this near to water comes to it,
+constexpr double kJoinShare = 0.1;  ///< or this near, as a share of the river's length
 constexpr double kHighest = 20000.0;
 
 double length(Vec2 a) { return std::hypot(a.x, a.y); }
@@ -266,7 +266,7 @@ std::vector<River> prepare_rivers(const std::vector<RiverLine>& lines, const Reg
     if (joined) river.bed_m.back() = *joined;
     const std::vector<double> along = ways(river.points);
     for (size_t k = river.points.size() - 1; k-- > 0;) {
-      river.bed_m[k] = std::max(river.bed_m[k], river.bed_m[k + 1] + kLeastFall * (along[k + 1] - along[k]));
+      river.bed_m[k] = std::max(river.bed_m[k], river.bed_m[k + 1] + kMinFall * (along[k + 1] - along[k]));
     }
     for (const double way : along) {
       const double t = way / along.back();

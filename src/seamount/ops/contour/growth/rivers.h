@@ -13,8 +13,8 @@
 #include "seamount/model/areas.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/tin.h"
-#include "seamount/ops/contour/growth/growth.h"
 #include "seamount/ops/contour/growth/regions.h"
+#include "seamount/ops/contour/growth/river_nodes.h"
 
 namespace seamount::contour {
 

@@ -13,8 +13,8 @@
 namespace seamount::contour {
 namespace {
 
-constexpr double kBasinShare = 0.15;   ///< depth of a basin, as a share of the range, where no outline tells
-constexpr double kLeastSummit = 0.05;  ///< least share of the range above its outline that a summit takes
+constexpr double kBasinShare = 0.15;  ///< depth of a basin, as a share of the range, where no outline tells
+constexpr double kMinSummit = 0.05;   ///< least share of the range above its outline that a summit takes
 
 size_t at(int i) { return static_cast<size_t>(i); }
 
@@ -153,7 +153,7 @@ class Planner {
     if (params_.summits == Summits::by_size) {
       share = std::sqrt(static_cast<double>(group.open_nodes) / static_cast<double>(most));
     }
-    group.heights[key] = below + (distribution_.high_m() - below) * std::max(share, kLeastSummit);
+    group.heights[key] = below + (distribution_.high_m() - below) * std::max(share, kMinSummit);
   }
 
   /// Keys between known ones lie where as much ground is below them as their levels hold.

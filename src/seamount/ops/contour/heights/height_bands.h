@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "seamount/model/tin.h"
-#include "seamount/ops/contour/heights/heights.h"
+#include "seamount/ops/contour/heights/heights_params.h"
 
 namespace seamount::contour {
 

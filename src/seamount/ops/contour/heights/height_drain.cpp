@@ -1,4 +1,4 @@
-// Water's way down a grown network (height_nodes.h).
+// Water's way down a grown network (node_heights.h).
 //
 // Growth gave every node a neighbour of lower rank or below its region; heights follow ranks only as far as outlines
 // and rivers let them. The lowest such neighbour is a node's drain. Ranks order the drains before the nodes, so that
@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "seamount/ops/contour/growth/region_graph.h"
-#include "seamount/ops/contour/heights/height_nodes.h"
+#include "seamount/ops/contour/heights/node_heights.h"
 
 namespace seamount::contour {
 namespace {

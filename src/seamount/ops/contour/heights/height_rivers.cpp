@@ -1,7 +1,7 @@
-// Heights along rivers (height_nodes.h).
+// Heights along rivers (node_heights.h).
 #include <algorithm>
 
-#include "seamount/ops/contour/heights/height_nodes.h"
+#include "seamount/ops/contour/heights/node_heights.h"
 
 namespace seamount::contour {
 namespace {

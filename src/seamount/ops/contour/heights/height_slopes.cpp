@@ -1,11 +1,11 @@
-// No ground so steep that it stands out as a needle or a wall (height_nodes.h). Places that growth leaves to the very
+// No ground so steep that it stands out as a spike or a wall (node_heights.h). Places that growth leaves to the very
 // end have the highest ranks, and with them the summits' heights, however narrow they are: alone by a coast they would
 // be towers. Such ground is cut back to a slope that rises from the lower ground around it.
 #include <algorithm>
 #include <cmath>
 #include <queue>
 
-#include "seamount/ops/contour/heights/height_nodes.h"
+#include "seamount/ops/contour/heights/node_heights.h"
 
 namespace seamount::contour {
 namespace {
@@ -35,8 +35,8 @@ double usual_slope(const Tin& tin, const std::vector<double>& height) {
 
 }  // namespace
 
-void cut_needles(const Tin& tin, const geom::NodeGraph& graph, const Limits& limits, std::vector<double>& height,
-                 const RunContext& run) {
+void cut_spikes(const Tin& tin, const geom::NodeGraph& graph, const Limits& limits, std::vector<double>& height,
+                const RunContext& run) {
   const double steepest = kSteepest * usual_slope(tin, height);
   if (!(steepest > 0.0)) return;
   using Open = std::pair<double, int32_t>;

@@ -8,7 +8,7 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
-#include "seamount/ops/contour/heights/height_nodes.h"
+#include "seamount/ops/contour/heights/node_heights.h"
 
 namespace seamount::contour {
 namespace {
@@ -120,7 +120,7 @@ Tin heights(Tin tin, const HeightField* terrain, const HeightsParams& params, co
     follow_outlines(tin, graph, bands, shores, height, known, run.part(0.5, 0.7));
     apply(limits, tin, height);
   }
-  if (params.needles == Needles::cut) cut_needles(tin, graph, limits, height, run);
+  if (params.spikes == Spikes::cut) cut_spikes(tin, graph, limits, height, run);
   const double slope = std::tan(params.shore_slope_deg * std::numbers::pi / 180.0);
   fall_outside(tin, graph, bands, shores, known, slope, height, run);
   tin.height_m = drain(tin, graph, bands, limits, std::move(height), run);

@@ -118,7 +118,7 @@ TEST(Heights, QuantilesMatchTheHistogramInTheOrderOfRanks) {
   params.min_m = 0;
   params.max_m = 800;
   params.outlines = Outlines::loose;
-  params.needles = Needles::keep;
+  params.spikes = Spikes::keep;
   for (const std::vector<double>& histogram : {std::vector<double>{1, 1}, {5, 2, 1, 0, 1}, {0, 1, 8, 1, 2, 2}}) {
     params.histogram = histogram;
     const Tin made = heights(tin, nullptr, params, {});
@@ -145,7 +145,7 @@ TEST(Heights, RegionsOfOneDepthRiseTogether) {
   params.min_m = 0;
   params.max_m = 1000;
   params.outlines = Outlines::loose;
-  params.needles = Needles::keep;
+  params.spikes = Spikes::keep;
   const Tin made = heights(tin, nullptr, params, {});
   EXPECT_LT(kolmogorov(land_heights(made), HeightDistribution::from_bins(params.histogram, 0, 1000, "")), 2e-3);
   std::vector<float> top(3, 0.0F);
@@ -219,7 +219,7 @@ TEST(Heights, GroundBetweenOutlinesFollowsItsPartOfTheHistogram) {
   params.histogram = {4, 1, 1, 1, 1, 3};
   params.max_m = 600;
   params.outlines = Outlines::loose;
-  params.needles = Needles::keep;
+  params.spikes = Spikes::keep;
   const Tin made = heights(tin, nullptr, params, {});
   EXPECT_LT(kolmogorov(land_heights(made, 0, 300), HeightDistribution::from_bins({4, 1, 1}, 0, 300, "")), 0.02);
   EXPECT_LT(kolmogorov(land_heights(made, 300), HeightDistribution::from_bins({1, 1, 3}, 300, 600, "")), 0.02);
@@ -283,7 +283,7 @@ std::pair<int, double> steep_nodes(const Tin& tin, double steep) {
   return {count, most};
 }
 
-TEST(Heights, NoNeedlesAndTheRestStays) {
+TEST(Heights, NoSpikesAndTheRestStays) {
   for (const Landform landform : {Landform::mountain, Landform::coastal, Landform::volcano, Landform::canyon}) {
     for (uint64_t seed = 1; seed <= 6; ++seed) {
       const Tin tin = grown({{"isle", blob(380), 0.0, false}}, 5000, seed);
@@ -291,7 +291,7 @@ TEST(Heights, NoNeedlesAndTheRestStays) {
       params.landform = landform;
       params.max_m = 120;
       const Tin cut = heights(tin, nullptr, params, {});
-      params.needles = Needles::keep;
+      params.spikes = Spikes::keep;
       const Tin kept = heights(tin, nullptr, params, {});
       EXPECT_EQ(endorheic(cut), 0) << seed;
       EXPECT_EQ(dishonoured(cut), 0) << seed;

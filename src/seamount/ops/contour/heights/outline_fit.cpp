@@ -1,11 +1,11 @@
-// Contours through outlines (height_nodes.h). Between a node at distance a inside an outline and one at b outside, the
+// Contours through outlines (node_heights.h). Between a node at distance a inside an outline and one at b outside, the
 // contour passes where the outline does if their heights above and below it are as a to b: if both lie on one plane.
 #include <algorithm>
 #include <cmath>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/polygon/edge_grid.h"
-#include "seamount/ops/contour/heights/height_nodes.h"
+#include "seamount/ops/contour/heights/node_heights.h"
 
 namespace seamount::contour {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 size_t at(int32_t i) { return static_cast<size_t>(i); }
 
 /// Of a node's longest side: nearer to the outline, its height says nothing of the slope.
-constexpr double kLeastRun = 0.25;
+constexpr double kMinRun = 0.25;
 
 double longest_side(const Tin& tin, const geom::NodeGraph& graph, size_t node) {
   double longest = 0.0;
@@ -56,7 +56,7 @@ class OutlineFit {
         Beside& b = beside_[i];
         const double side = longest_side(tin_, graph_, b.node);
         b.distance = grid.distance(tin_.nodes[b.node], side);
-        b.run *= std::max(b.distance, kLeastRun * side);
+        b.run *= std::max(b.distance, kMinRun * side);
       }
     });
   }

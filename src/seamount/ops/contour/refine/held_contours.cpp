@@ -119,10 +119,10 @@ void nest(Held& held) {
   }
 }
 
-void drop_small(Held& held, double least_area_m2) {
+void drop_small(Held& held, double min_area_m2) {
   std::vector<char> gone;
   for (size_t i = 0; i < held.outline.size(); ++i)
-    gone.push_back(held.outline[i] < 0 && std::abs(geom::signed_area(held.set.contours[i].ring)) < least_area_m2);
+    gone.push_back(held.outline[i] < 0 && std::abs(geom::signed_area(held.set.contours[i].ring)) < min_area_m2);
   drop(held, gone);
 }
 

@@ -12,6 +12,7 @@
 #include "seamount/base/text.h"
 #include "seamount/geom/contour/marching_triangles.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/ops/contour/growth/grow.h"
 #include "seamount/ops/contour/heights/heights.h"
 #include "seamount/ops/contour/refine/held_contours.h"
 #include "seamount/ops/contour/refine/refine_ground.h"
@@ -20,9 +21,9 @@
 namespace seamount::contour {
 namespace {
 
-constexpr double kFeature = 12.0;   ///< the noise's largest forms, in spacings of the network that is refined
-constexpr int kBins = 1024;         ///< of the distribution of heights
-constexpr double kLeastPeak = 0.1;  ///< of a summit that no sample shows, in steps between levels
+constexpr double kFeature = 12.0;  ///< the noise's largest forms, in spacings of the network that is refined
+constexpr int kBins = 1024;        ///< of the distribution of heights
+constexpr double kMinPeak = 0.1;   ///< of a summit that no sample shows, in steps between levels
 
 size_t at(int32_t i) { return static_cast<size_t>(i); }
 
@@ -41,7 +42,7 @@ void set_peaks(Tin& tin, const CoarseGround& ground, const std::vector<int32_t>&
   for (const TinRegion& r : tin.regions) {
     if (r.parent >= 0 && r.basin == tin.regions[at(r.parent)].basin) ends[at(r.parent)] = 0;
   }
-  const double least = kLeastPeak * step_of(ground);
+  const double least = kMinPeak * step_of(ground);
   for (size_t i = 0; i < count; ++i) {
     TinRegion& r = tin.regions[i];
     r.peak_m.reset();
@@ -68,7 +69,7 @@ HeightsParams heights_params(const CoarseGround& ground, const Tin& tin, const s
     heights.histogram[static_cast<size_t>(std::clamp(static_cast<int>(share * kBins), 0, kBins - 1))] += 1.0;
   }
   heights.summits = Summits::equal;
-  heights.needles = Needles::keep;  // the contours around hold the ground
+  heights.spikes = Spikes::keep;  // the contours around hold the ground
   heights.shore_slope_deg = params.shore_slope_deg;
   return heights;
 }

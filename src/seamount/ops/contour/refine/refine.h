@@ -22,7 +22,7 @@
 #include "seamount/base/run_context.h"
 #include "seamount/model/contour_set.h"
 #include "seamount/model/tin.h"
-#include "seamount/ops/contour/growth/grow.h"
+#include "seamount/ops/contour/growth/grow_params.h"
 
 namespace seamount::contour {
 

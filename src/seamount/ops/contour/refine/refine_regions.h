@@ -5,15 +5,15 @@
 
 namespace seamount::contour {
 
-/// Gives nodes to other regions until water finds its way out of each: river nodes to where their beds lie, parts of a
-/// hill's region that the network cuts off from all lower ground to the region around them. Then takes out regions
-/// without nodes; what they enclosed belongs to what encloses them. Throws InvalidArgument where nothing is left.
-/// REQUIRES: every region has a height. About linear.
+/// Moves nodes to other regions until water finds its way out of each: river nodes to the region of their bed's height,
+/// parts of a hill's region that the network cuts off from all lower ground to the region around them. Then takes out
+/// regions without nodes; what they enclosed belongs to what encloses them. Throws InvalidArgument where nothing is
+/// left. REQUIRES: every region has a height. About linear.
 void fit_regions(Tin& tin);
 
-/// Lifts nodes without a lower neighbour, and what then needs it, to where their water leaves: between hills too near
-/// for nodes in the valley. Nodes outside the regions, in basins and at the network's border stay. n log n if there are
-/// such nodes.
+/// Lifts nodes without a lower neighbour, and those that have none because of it, to the height at which their water
+/// leaves: this happens between hills that are too near each other for nodes in the valley. Nodes outside the regions,
+/// in basins and at the network's border stay. n log n if there are such nodes.
 void fill_pits(Tin& tin);
 
 }  // namespace seamount::contour

@@ -1,4 +1,4 @@
-#include "seamount/ops/contour/heights/height_nodes.h"
+#include "seamount/ops/contour/heights/node_heights.h"
 
 #include <algorithm>
 #include <cmath>

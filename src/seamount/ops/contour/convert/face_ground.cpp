@@ -1,4 +1,4 @@
-#include "seamount/ops/contour/convert/reconstruct_ground.h"
+#include "seamount/ops/contour/convert/face_ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace seamount::contour {
 namespace {
 
 /// Mean distances of the cells of each face to its nearest bound, in cells; 0 where it has none.
-std::vector<double> mean_distances(const Ground& ground) {
+std::vector<double> mean_distances(const FaceGround& ground) {
   std::vector<double> sums(static_cast<size_t>(ground.faces.count()), 0.0);
   std::vector<double> counts(sums.size(), 0.0);
   const std::span<const int32_t> faces = ground.between.face.cells();
@@ -39,10 +39,10 @@ double usual_interval(const ContourSet& set) {
   return geom::median(std::move(steps));
 }
 
-Ground make_ground(const ContourSet& set, double summits, const GridFrame& frame, const RunContext& run) {
+FaceGround make_face_ground(const ContourSet& set, double summits, const GridFrame& frame, const RunContext& run) {
   geom::ContourFaces faces(set.contours);
   geom::ContourInterpolation between = geom::interpolate_contours(set.contours, faces, frame, run);
-  Ground ground{std::move(faces), std::move(between), {}, {}};
+  FaceGround ground{std::move(faces), std::move(between), {}, {}};
   const double usual = usual_interval(set);
   const std::vector<double> means = mean_distances(ground);
   ground.reach_m.reserve(means.size());
@@ -71,7 +71,7 @@ float saturated_late(float u) {
   return u / std::sqrt(std::sqrt(1.0F + squared * squared));
 }
 
-std::vector<int64_t> basin_floors(const Ground& ground, const HeightField& heights) {
+std::vector<int64_t> basin_floors(const FaceGround& ground, const HeightField& heights) {
   std::vector<int64_t> lowest(static_cast<size_t>(ground.faces.count()), -1);
   const std::span<const float> z = heights.cells();
   for (size_t i = 0; i < z.size(); ++i) {

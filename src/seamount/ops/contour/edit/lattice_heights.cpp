@@ -1,4 +1,4 @@
-#include "seamount/ops/contour/edit/ground.h"
+#include "seamount/ops/contour/edit/lattice_heights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -170,8 +170,8 @@ std::vector<LevelLine> level_lines(const Drawing& pattern) {
   return lines;
 }
 
-ScalarField ground(const std::vector<LevelLine>& lines, const GridFrame& frame, double gap_m, double without,
-                   const RunContext& run) {
+ScalarField lattice_heights(const std::vector<LevelLine>& lines, const GridFrame& frame, double gap_m, double without,
+                            const RunContext& run) {
   Nearest nearest(frame);
   for (const LevelLine& line : lines) enter(line, frame, nearest);
   run.check_cancelled();

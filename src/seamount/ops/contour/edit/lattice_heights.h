@@ -1,4 +1,4 @@
-// The ground between contours on a lattice, for tools that make contours anew within an outline.
+// Heights between contours on a lattice, for tools that make contours anew within an outline.
 //
 // Heights solve the Laplace equation between contours. Lattice nodes next to a contour are given their height from
 // their distance to it and the slope there, so contours of the lattice lie where the given ones do, not on its steps;
@@ -27,7 +27,7 @@ std::vector<LevelLine> level_lines(const Drawing& pattern);
 
 /// Heights at the frame's cell centres. `gap_m`: the least difference between the lines' heights. Where no line comes
 /// into the frame all is `without`. Parallel; about 20 solver steps a node and linear in the points of the lines.
-ScalarField ground(const std::vector<LevelLine>& lines, const GridFrame& frame, double gap_m, double without,
-                   const RunContext& run);
+ScalarField lattice_heights(const std::vector<LevelLine>& lines, const GridFrame& frame, double gap_m, double without,
+                            const RunContext& run);
 
 }  // namespace seamount::contour

@@ -1,7 +1,7 @@
 // What erosion works on: three layers of material per cell, and where and how easily they wear.
 //
-// Layers after Benes and Forsbach 2001: bedrock below, then rock (coarse debris of slopes), then fine sediment. The
-// surface is stored, and bedrock is what is left: surface - rock - sediment.
+// Layers after Benes and Forsbach 2001: bedrock below, then debris (coarse, from slopes), then fine sediment. The
+// surface is stored, and bedrock is what is left: surface - debris - sediment.
 #pragma once
 
 #include <algorithm>
@@ -11,20 +11,20 @@
 
 namespace seamount::erosion {
 
-/// Layers of one resolution. rock and sediment are thicknesses in metres, never negative.
-struct Ground {
+/// The layers of a terrain. Debris and sediment are thicknesses in metres, never negative.
+struct Layers {
   HeightField surface;
-  ScalarField rock;
+  ScalarField debris;
   ScalarField sediment;
 
   const GridFrame& frame() const { return surface.frame(); }
-  /// Takes `depth` >= 0 metres from the top of a cell: sediment, then rock, then bedrock.
+  /// Takes `depth` >= 0 metres from the top of a cell: sediment, then debris, then bedrock.
   void lower(size_t cell, float depth) {
     surface.data()[cell] -= depth;
     float& fine = sediment.data()[cell];
     const float from_fine = std::min(fine, depth);
     fine -= from_fine;
-    float& coarse = rock.data()[cell];
+    float& coarse = debris.data()[cell];
     coarse -= std::min(coarse, depth - from_fine);
   }
   /// Lays `depth` >= 0 metres of fine sediment on a cell.
@@ -39,8 +39,8 @@ SEAMOUNT_INLINE float value_or_one(const ScalarField& map, size_t cell) {
   return map.empty() ? 1.0F : map.data()[cell];
 }
 
-/// Maps of a site, each empty where it was not given.
-struct Site {
+/// Where and how fast a terrain wears and rises, each empty where it was not given.
+struct Maps {
   ScalarField hardness;  ///< how many times as hard as the erodibility says; > 0
   Mask mask;             ///< where erosion acts: 0 nowhere, 1 fully
   ScalarField uplift;    ///< share of the uplift

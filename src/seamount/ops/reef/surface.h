@@ -1,4 +1,5 @@
-// From lifts to heights, row by row (grow.h has the equations).
+// The surface that a reef makes of the ground, row by row: from the kernels' lifts to heights (grow.h has the
+// equations).
 #pragma once
 
 #include <optional>
@@ -10,14 +11,14 @@
 #include "seamount/geom/scalar/curve.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/model/grid.h"
-#include "seamount/ops/reef/grow_params.h"
 #include "seamount/ops/reef/kernels.h"
+#include "seamount/ops/reef/surface_params.h"
 
 namespace seamount::reef {
 
 /// The kernels as tables: N over t = 1 - D / R and E over k1 D / R.
 struct KernelTables {
-  explicit KernelTables(const GrowParams& params);
+  explicit KernelTables(const KernelParams& params);
   geom::CurveTable normal;
   geom::CurveTable edge;
 };
@@ -32,10 +33,20 @@ struct Form {
   std::optional<KernelSums> sums;  ///< of P4's kernels; absent: union
 };
 
+/// What shapes the surface: groups of grow()'s parameters.
+struct SurfaceParams {
+  KernelParams kernel;
+  HeightParams heights;
+  SandParams sand;
+  DetailParams detail;
+  double irregularity = 1.0;
+  double radius_m = 100.0;  ///< of the kernels
+};
+
 /// Computes rows of the result. Keeps scratch: one per thread. `form` must outlive it.
-class RowComposer {
+class SurfaceRows {
  public:
-  RowComposer(const Form& form, const GrowParams& params, double radius_m, const GridFrame& frame, Seed seed);
+  SurfaceRows(const Form& form, const SurfaceParams& params, const GridFrame& frame, Seed seed);
 
   /// base -> height and aggregate of row y.
   void row(int y, std::span<const float> base, std::span<float> height, std::span<float> aggregate);
@@ -45,10 +56,9 @@ class RowComposer {
   void add_grooves(int y);
 
   const Form& form_;
-  const GrowParams& params_;
+  SurfaceParams params_;
   GridFrame frame_;
   Seed seed_;
-  double radius_m_;
   geom::Fbm fine_, relief_;
   geom::RowUpsampler distance_rows_, crowding_rows_, exposure_rows_, cay_rows_, above_rows_, below_rows_;
   std::vector<float> distance_, crowding_, exposure_, cay_, above_, below_, fine_noise_, relief_noise_, normal_lift_,

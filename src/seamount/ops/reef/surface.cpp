@@ -1,4 +1,4 @@
-#include "seamount/ops/reef/compose.h"
+#include "seamount/ops/reef/surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +18,25 @@ struct Law {
   float lift_m, rim_m, flat_m, crest_m, lagoon_m, fill, relief_m, lee_rim, cay_m, radius_m, k1, k1_jitter;
 };
 
-Law make_law(const GrowParams& p, double radius_m) {
+Law make_law(const SurfaceParams& p) {
   const auto f = [](double v) { return static_cast<float>(v); };
-  return {f(p.w0),     f(p.datum_m), f(p.w1),       f(p.w2),          f(p.lift_m),   f(p.rim_m),
-          f(p.flat_m), f(p.crest_m), f(p.lagoon_m), f(p.lagoon_fill), f(p.relief_m), f(p.lee_rim),
-          f(p.cay_m),  f(radius_m),  f(p.k1),       f(p.k1_jitter)};
+  const HeightParams& h = p.heights;
+  return {f(h.w0),
+          f(h.datum_m),
+          f(h.w1),
+          f(h.w2),
+          f(h.lift_m),
+          f(h.rim_m),
+          f(h.flat_m),
+          f(h.crest_m),
+          f(p.sand.lagoon_m),
+          f(p.sand.fill),
+          f(p.detail.relief_m),
+          f(h.lee_rim),
+          f(p.sand.cay_m),
+          f(p.radius_m),
+          f(p.kernel.k1),
+          f(p.kernel.k1_jitter)};
 }
 
 /// What a lift adds below a ceiling: smoothly the smaller of both, never negative.
@@ -83,20 +97,19 @@ SEAMOUNT_VECTORISED void saturating(const Law law, const float* base, const floa
 
 }  // namespace
 
-KernelTables::KernelTables(const GrowParams& params)
+KernelTables::KernelTables(const KernelParams& params)
     : normal(
           make_table([k = params.k](double t) { return normal_kernel(t, k); }, 0.0, normal_reach(params.k), kSamples)),
       edge(make_table([k2 = params.k2](double s) { return s > 0.0 ? edge_kernel(0.0, s, k2) : 0.0; }, 0.0,
                       std::exp(std::pow(14.0, 1.0 / params.k2)), kSamples)) {}
 
-RowComposer::RowComposer(const Form& form, const GrowParams& params, double radius_m, const GridFrame& frame, Seed seed)
+SurfaceRows::SurfaceRows(const Form& form, const SurfaceParams& params, const GridFrame& frame, Seed seed)
     : form_(form),
       params_(params),
       frame_(frame),
       seed_(seed),
-      radius_m_(radius_m),
-      fine_{.wavelength_m = 0.6 * radius_m, .octaves = 6, .gain = 0.55, .cell_m = frame.cell_m},
-      relief_{.wavelength_m = 1.6 * radius_m, .octaves = 7, .gain = 0.6, .cell_m = frame.cell_m},
+      fine_{.wavelength_m = 0.6 * params.radius_m, .octaves = 6, .gain = 0.55, .cell_m = frame.cell_m},
+      relief_{.wavelength_m = 1.6 * params.radius_m, .octaves = 7, .gain = 0.6, .cell_m = frame.cell_m},
       distance_rows_(form.distance),
       crowding_rows_(form.crowding),
       exposure_rows_(form.exposure),
@@ -110,40 +123,40 @@ RowComposer::RowComposer(const Form& form, const GrowParams& params, double radi
 }
 
 /// N and E of a row; false where the row lies far from any reef.
-bool RowComposer::read_lifts(int y) {
+bool SurfaceRows::read_lifts(int y) {
   const double x0 = frame_.x(0), dx = frame_.cell_m, place = frame_.y(y);
   if (form_.sums) {
     form_.sums->row(x0, dx, place, normal_lift_, edge_lift_);
-    if (params_.lift == Lift::proportional) return true;
+    if (params_.heights.mode == Lift::proportional) return true;
   }
   distance_rows_.read(x0, dx, place, distance_);
   const float nearest = *std::max_element(distance_.begin(), distance_.end());
   crowding_rows_.read(x0, dx, place, crowding_);
   const float crowd = *std::max_element(crowding_.begin(), crowding_.end());
   if (!form_.sums) {
-    if (nearest < -radius_m_ * normal_reach(params_.k) && crowd <= 0.0F) return false;
+    if (nearest < -params_.radius_m * normal_reach(params_.kernel.k) && crowd <= 0.0F) return false;
     if (params_.irregularity > 0) {
       geom::fbm_row(seed_.derive("reef.fine"), fine_, x0, dx, place, fine_noise_);
-      const auto scale = static_cast<float>(0.12 * radius_m_ * params_.irregularity);
+      const auto scale = static_cast<float>(0.12 * params_.radius_m * params_.irregularity);
       for (size_t i = 0; i < distance_.size(); ++i) distance_[i] += scale * fine_noise_[i];
     }
-    if (params_.grooves_m > 0) add_grooves(y);
-    union_lifts(make_law(params_, radius_m_), form_.tables->normal, form_.tables->edge, distance_.data(),
-                fine_noise_.data(), frame_.width, normal_lift_.data(), edge_lift_.data());
+    if (params_.detail.grooves_m > 0) add_grooves(y);
+    union_lifts(make_law(params_), form_.tables->normal, form_.tables->edge, distance_.data(), fine_noise_.data(),
+                frame_.width, normal_lift_.data(), edge_lift_.data());
   }
   return true;
 }
 
 /// Spurs and grooves run straight down the fore reef: noise at the foot of the perpendicular on the outline pushes the
 /// edge in and out. Only where cells can carry them.
-void RowComposer::add_grooves(int y) {
+void SurfaceRows::add_grooves(int y) {
   const double weight = geom::octave_weight(kGrooveWavelength_m, frame_.cell_m);
   if (weight <= 0) return;
   const double x0 = frame_.x(0), dx = frame_.cell_m, place = frame_.y(y), h = form_.distance.cell_m();
   const auto width = distance_.size();
   above_rows_.read(x0, dx, place + h, above_);
   below_rows_.read(x0, dx, place - h, below_);
-  const auto deep = static_cast<float>(-0.5 * radius_m_), shallow = static_cast<float>(0.25 * radius_m_);
+  const auto deep = static_cast<float>(-0.5 * params_.radius_m), shallow = static_cast<float>(0.25 * params_.radius_m);
   const auto span = std::max<size_t>(1, static_cast<size_t>(h / dx));
   const Seed noise = seed_.derive("reef.grooves");
   std::vector<float> plain = distance_;
@@ -158,15 +171,15 @@ void RowComposer::add_grooves(int y) {
     const double n = geom::perlin(noise, px / kGrooveWavelength_m, py / kGrooveWavelength_m);
     const double along = static_cast<double>(d > 0 ? 1.0F - d / shallow : 1.0F - d / deep);
     const double windward = geom::smoothstep(0.5 + 0.8 * static_cast<double>(exposure_[i]));
-    distance_[i] += static_cast<float>(6.0 * params_.grooves_m * weight * along * windward * n);
+    distance_[i] += static_cast<float>(6.0 * params_.detail.grooves_m * weight * along * windward * n);
   }
 }
 
-void RowComposer::row(int y, std::span<const float> base, std::span<float> height, std::span<float> aggregate) {
+void SurfaceRows::row(int y, std::span<const float> base, std::span<float> height, std::span<float> aggregate) {
   const double x0 = frame_.x(0), dx = frame_.cell_m, place = frame_.y(y);
-  const Law law = make_law(params_, radius_m_);
-  const bool rising = params_.lift == Lift::saturating;
-  if (rising && params_.grooves_m > 0) exposure_rows_.read(x0, dx, place, exposure_);
+  const Law law = make_law(params_);
+  const bool rising = params_.heights.mode == Lift::saturating;
+  if (rising && params_.detail.grooves_m > 0) exposure_rows_.read(x0, dx, place, exposure_);
   const bool near = read_lifts(y);
   if (!near) {
     std::fill(normal_lift_.begin(), normal_lift_.end(), 0.0F);
@@ -179,7 +192,7 @@ void RowComposer::row(int y, std::span<const float> base, std::span<float> heigh
   }
   exposure_rows_.read(x0, dx, place, exposure_);
   if (!form_.cays.empty()) cay_rows_.read(x0, dx, place, cay_);
-  if (params_.relief_m > 0) geom::fbm_row(seed_.derive("reef.relief"), relief_, x0, dx, place, relief_noise_);
+  if (params_.detail.relief_m > 0) geom::fbm_row(seed_.derive("reef.relief"), relief_, x0, dx, place, relief_noise_);
   saturating(law, base.data(), distance_.data(), crowding_.data(), exposure_.data(), cay_.data(), normal_lift_.data(),
              edge_lift_.data(), relief_noise_.data(), frame_.width, height.data());
 }

@@ -1,4 +1,4 @@
-#include "seamount/ops/reef/nursery.h"
+#include "seamount/ops/reef/habitat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +20,11 @@ std::string place_text(Vec2 p) {
   return "(" + format_number(std::round(p.x)) + ", " + format_number(std::round(p.y)) + ")";
 }
 
-/// "heights from -40 m to 0 m".
-std::string window_text(const GrowParams& p) {
-  const std::string low = p.habitat_low_m ? format_number(*p.habitat_low_m) + " m" : "any";
-  const std::string high = p.habitat_high_m ? format_number(*p.habitat_high_m) + " m" : "any";
-  return "habitat_low_m " + low + ", habitat_high_m " + high;
+/// "bounds.low_m -40 m, bounds.high_m any".
+std::string window_text(const BoundParams& bounds) {
+  const std::string low = bounds.low_m ? format_number(*bounds.low_m) + " m" : "any";
+  const std::string high = bounds.high_m ? format_number(*bounds.high_m) + " m" : "any";
+  return "bounds.low_m " + low + ", bounds.high_m " + high;
 }
 
 void check_size(const ScalarField* field, const HeightField& terrain, const char* name) {
@@ -48,50 +48,51 @@ class Kernels {
     const GridFrame& f = habitat_.frame();
     return p.x >= f.west_m && p.x <= f.east_m() && p.y >= f.south_m() && p.y <= f.north_m;
   }
-  Site site_at(Vec2 p) const {
+  LatticeCell cell_at(Vec2 p) const {
     const GridFrame& f = habitat_.frame();
     return {std::clamp(static_cast<int>(std::lround(f.column(p.x))), 0, f.width - 1),
             std::clamp(static_cast<int>(std::lround(f.row(p.y))), 0, f.height - 1)};
   }
   /// False where the place is outside or no habitat.
-  bool add(Vec2 p) { return within(p) && add(site_at(p)); }
-  bool add(Site s) {
+  bool add(Vec2 p) { return within(p) && add(cell_at(p)); }
+  bool add(LatticeCell s) {
     if (habitat_(s.x, s.y) == 0) return false;
     if (taken_(s.x, s.y) == 0) {
       taken_(s.x, s.y) = 1;
-      sites_.push_back(s);
+      cells_.push_back(s);
     }
     return true;
   }
-  const std::vector<Site>& sites() const { return sites_; }
+  const std::vector<LatticeCell>& cells() const { return cells_; }
 
  private:
   const Grid<uint8_t>& habitat_;
   Grid<uint8_t> taken_;
-  std::vector<Site> sites_;
+  std::vector<LatticeCell> cells_;
 };
 
-void add_points(const GrowParams& p, const HeightField& ground, Kernels& kernels) {
-  for (size_t i = 0; i < p.kernels.size(); ++i) {
-    const Vec2 place = p.kernels[i];
-    const std::string which = "kernel " + std::to_string(i + 1) + " at " + place_text(place) + " m ";
+void add_points(const Polyline& points, const BoundParams& bounds, const HeightField& ground, Kernels& kernels) {
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Vec2 place = points[i];
+    const std::string which = "place " + std::to_string(i + 1) + " at " + place_text(place) + " m ";
     const GridFrame& f = ground.frame();
     if (!kernels.within(place))
-      throw InvalidArgument("kernels", which + "lies outside the terrain, which spans " +
-                                           place_text({f.west_m, f.south_m()}) + " to " +
-                                           place_text({f.east_m(), f.north_m}));
+      throw InvalidArgument("starts.points", which + "lies outside the terrain, which spans " +
+                                                 place_text({f.west_m, f.south_m()}) + " to " +
+                                                 place_text({f.east_m(), f.north_m}));
     if (kernels.add(place)) continue;
-    const Site s = kernels.site_at(place);
-    throw InvalidArgument("kernels", which + "lies outside the habitat: the ground is at " +
-                                         format_number(std::round(ground(s.x, s.y) * 10.0F) / 10.0) + " m there (" +
-                                         window_text(p) +
-                                         "), or it is within margin_m of the edge; move it or widen the habitat");
+    const LatticeCell s = kernels.cell_at(place);
+    throw InvalidArgument("starts.points",
+                          which + "lies outside the habitat: the ground is at " +
+                              format_number(std::round(ground(s.x, s.y) * 10.0F) / 10.0) + " m there (" +
+                              window_text(bounds) +
+                              "), or it is within bounds.margin_m of the edge; move it or widen the habitat");
   }
 }
 
 /// Starts growth along the covered share of a line's segments; true if any place was in the habitat.
-bool add_line(const Polyline& line, const GrowParams& p, Rng rng, Kernels& kernels) {
-  const double step = 0.5 * p.lattice_m;
+bool add_line(const Polyline& line, double lattice_m, const StartParams& p, Rng rng, Kernels& kernels) {
+  const double step = 0.5 * lattice_m;
   bool any = false;
   double covered = -1.0, segment = 0.0;  // metres left of the covered part, and of the whole segment
   for (size_t i = 0; i + 1 < line.size(); ++i) {
@@ -111,23 +112,25 @@ bool add_line(const Polyline& line, const GrowParams& p, Rng rng, Kernels& kerne
   return any;
 }
 
-void add_lines(const GrowParams& p, const Drawing* drawing, const HeightField& ground, Seed seed, Kernels& kernels) {
+void add_lines(const StartParams& p, const Drawing* drawing, const HeightField& ground, const std::string& window,
+               Seed seed, Kernels& kernels) {
+  const double lattice_m = ground.cell_m();
   if (!p.line.empty()) {
-    if (p.line.size() < 2) throw InvalidArgument("line", "has one point; a line needs two");
-    const Polyline smooth = geom::sample_catmull_rom(p.line, 0.5 * p.lattice_m);
-    if (!add_line(smooth, p, Rng(seed.derive("reef.line")), kernels))
-      throw InvalidArgument("line", "no covered part of it lies in the habitat (" + window_text(p) + ")");
+    if (p.line.size() < 2) throw InvalidArgument("starts.line", "has one point; a line needs two");
+    const Polyline smooth = geom::sample_catmull_rom(p.line, 0.5 * lattice_m);
+    if (!add_line(smooth, lattice_m, p, Rng(seed.derive("reef.line")), kernels))
+      throw InvalidArgument("starts.line", "no covered part of it lies in the habitat (" + window + ")");
   }
-  if (p.kernel_height_m) {
+  if (p.contour_m) {
     bool any = false;
     uint64_t index = 0;
-    for (const Polyline& contour : geom::trace_lines(ground, *p.kernel_height_m)) {
-      if (geom::line_length(contour) < 6.0 * p.lattice_m) continue;
-      any = add_line(contour, p, Rng(seed.derive("reef.contour", index++)), kernels) || any;
+    for (const Polyline& contour : geom::trace_lines(ground, *p.contour_m)) {
+      if (geom::line_length(contour) < 6.0 * lattice_m) continue;
+      any = add_line(contour, lattice_m, p, Rng(seed.derive("reef.contour", index++)), kernels) || any;
     }
     if (!any)
-      throw InvalidArgument("kernel_height_m", "the terrain has no contour at " + format_number(*p.kernel_height_m) +
-                                                   " m in the habitat (" + window_text(p) + ")");
+      throw InvalidArgument("starts.contour_m", "the terrain has no contour at " + format_number(*p.contour_m) +
+                                                    " m in the habitat (" + window + ")");
   }
   if (drawing == nullptr) return;
   bool any = false;
@@ -135,21 +138,21 @@ void add_lines(const GrowParams& p, const Drawing* drawing, const HeightField& g
   for (const ValuedLine& line : drawing->lines) {
     Polyline points = line.points;
     if (line.closed && !points.empty()) points.push_back(points.front());
-    any = add_line(points, p, Rng(seed.derive("reef.drawn_line", index++)), kernels) || any;
+    any = add_line(points, lattice_m, p, Rng(seed.derive("reef.drawn_line", index++)), kernels) || any;
   }
   for (const NamedArea& area : drawing->areas) {
     const Grid<uint8_t> cells = geom::rasterise(area.parts, ground.frame());
     for (int y = 0; y < cells.height(); ++y) {
       for (int x = 0; x < cells.width(); ++x) {
-        if (cells(x, y) != 0) any = kernels.add(Site{x, y}) || any;
+        if (cells(x, y) != 0) any = kernels.add(LatticeCell{x, y}) || any;
       }
     }
   }
-  if (!any) throw InvalidArgument("kernels", "nothing of the drawing lies in the habitat (" + window_text(p) + ")");
+  if (!any) throw InvalidArgument("drawing", "nothing of it lies in the habitat (" + window + ")");
 }
 
 void add_random(int count, const Grid<uint8_t>& where, const std::string& name, Seed seed, Kernels& kernels) {
-  std::vector<Site> places;
+  std::vector<LatticeCell> places;
   for (int y = 0; y < where.height(); ++y) {
     for (int x = 0; x < where.width(); ++x) {
       if (where(x, y) != 0) places.push_back({x, y});
@@ -162,8 +165,8 @@ void add_random(int count, const Grid<uint8_t>& where, const std::string& name, 
 }
 
 /// The habitat under water that lies nearest to the middle, or any habitat where there is no such.
-Site middle_of(const Grid<uint8_t>& habitat, const HeightField& ground) {
-  Site best;
+LatticeCell middle_of(const Grid<uint8_t>& habitat, const HeightField& ground) {
+  LatticeCell best;
   double least = 1e300;
   for (int y = 0; y < habitat.height(); ++y) {
     for (int x = 0; x < habitat.width(); ++x) {
@@ -202,10 +205,10 @@ class Margin {
   Seed seed_;
 };
 
-Grid<uint8_t> find_habitat(const HeightField& ground, const ScalarField* share, double margin_m, const GrowParams& p,
-                           Seed seed) {
-  if (p.habitat_low_m && p.habitat_high_m && *p.habitat_low_m >= *p.habitat_high_m)
-    throw InvalidArgument("habitat_low_m", format_number(*p.habitat_low_m) + " is not below habitat_high_m");
+Grid<uint8_t> suitable_cells(const HeightField& ground, const ScalarField* share, double margin_m, const BoundParams& p,
+                             Seed seed) {
+  if (p.low_m && p.high_m && *p.low_m >= *p.high_m)
+    throw InvalidArgument("bounds.low_m", format_number(*p.low_m) + " is not below bounds.high_m");
   Grid<uint8_t> habitat(ground.frame(), 0);
   const Margin margin(ground.frame(), margin_m, seed);
   int64_t free = 0, masked = 0, cells = 0;
@@ -216,18 +219,18 @@ Grid<uint8_t> find_habitat(const HeightField& ground, const ScalarField* share, 
       if (share != nullptr && (*share)(x, y) < 0.5F) continue;
       ++masked;
       const double z = ground(x, y);
-      if (z < p.habitat_low_m.value_or(-1e9) || z > p.habitat_high_m.value_or(1e9)) continue;
+      if (z < p.low_m.value_or(-1e9) || z > p.high_m.value_or(1e9)) continue;
       habitat(x, y) = 1;
       ++cells;
     }
   }
   if (free == 0)
-    throw InvalidArgument("margin_m", format_number(margin_m) + " m leaves nothing of a terrain of " +
-                                          format_number(ground.frame().width_m()) + " x " +
-                                          format_number(ground.frame().height_m()) + " m; give a smaller one");
+    throw InvalidArgument("bounds.margin_m", format_number(margin_m) + " m leaves nothing of a terrain of " +
+                                                 format_number(ground.frame().width_m()) + " x " +
+                                                 format_number(ground.frame().height_m()) + " m; give a smaller one");
   if (masked == 0) throw InvalidArgument("habitat", "the mask has no lattice cell: it is nowhere 0.5 over lattice_m");
   if (cells == 0)
-    throw InvalidArgument(p.habitat_low_m ? "habitat_low_m" : "habitat_high_m",
+    throw InvalidArgument(p.low_m ? "bounds.low_m" : "bounds.high_m",
                           "no ground lies between them (" + window_text(p) + ")");
   return habitat;
 }
@@ -251,30 +254,29 @@ GridFrame lattice_frame(const GridFrame& frame, double lattice_m) {
   return lattice;
 }
 
-Nursery prepare_nursery(const HeightField& terrain, const ScalarField* habitat, const ScalarField* start,
-                        const Drawing* drawing, double margin_m, const GrowParams& params, Seed seed,
-                        const RunContext& run) {
-  check_size(habitat, terrain, "habitat");
-  check_size(start, terrain, "start");
-  Nursery out;
-  out.lattice = lattice_frame(terrain.frame(), params.lattice_m);
+Habitat find_habitat(const HeightField& terrain, const HabitatInputs& in, double lattice_m, double margin_m,
+                     const StartParams& starts, const BoundParams& bounds, Seed seed, const RunContext& run) {
+  check_size(in.habitat, terrain, "habitat");
+  check_size(in.start, terrain, "start");
+  Habitat out;
+  out.lattice = lattice_frame(terrain.frame(), lattice_m);
   const HeightField ground = geom::resample(terrain, out.lattice, run);
   ScalarField share;
-  if (habitat != nullptr) share = on_lattice(*habitat, terrain, out.lattice, run);
-  out.habitat = find_habitat(ground, habitat != nullptr ? &share : nullptr, margin_m, params, seed);
-  Kernels kernels(out.habitat);
-  add_points(params, ground, kernels);
-  add_lines(params, drawing, ground, seed, kernels);
-  if (start != nullptr) {
-    const ScalarField where = on_lattice(*start, terrain, out.lattice, run);
-    Grid<uint8_t> cells = out.habitat;
+  if (in.habitat != nullptr) share = on_lattice(*in.habitat, terrain, out.lattice, run);
+  out.suitable = suitable_cells(ground, in.habitat != nullptr ? &share : nullptr, margin_m, bounds, seed);
+  Kernels kernels(out.suitable);
+  add_points(starts.points, bounds, ground, kernels);
+  add_lines(starts, in.drawing, ground, window_text(bounds), seed, kernels);
+  if (in.start != nullptr) {
+    const ScalarField where = on_lattice(*in.start, terrain, out.lattice, run);
+    Grid<uint8_t> cells = out.suitable;
     for (size_t i = 0; i < cells.size(); ++i) cells.cells()[i] &= where.cells()[i] >= 0.5F ? 1 : 0;
-    add_random(std::max(1, params.random_kernels), cells, "start", seed, kernels);
-  } else if (params.random_kernels > 0) {
-    add_random(params.random_kernels, out.habitat, "random_kernels", seed, kernels);
+    add_random(std::max(1, starts.random), cells, "start", seed, kernels);
+  } else if (starts.random > 0) {
+    add_random(starts.random, out.suitable, "starts.random", seed, kernels);
   }
-  if (kernels.sites().empty()) kernels.add(middle_of(out.habitat, ground));
-  out.kernels = kernels.sites();
+  if (kernels.cells().empty()) kernels.add(middle_of(out.suitable, ground));
+  out.kernels = kernels.cells();
   return out;
 }
 

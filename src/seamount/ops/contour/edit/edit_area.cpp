@@ -1,4 +1,4 @@
-#include "seamount/ops/contour/edit/site.h"
+#include "seamount/ops/contour/edit/edit_area.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "seamount/geom/contour/nesting.h"
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/polygon/polygon.h"
-#include "seamount/ops/contour/edit/ground.h"
+#include "seamount/ops/contour/edit/lattice_heights.h"
 #include "seamount/ops/contour/move/places.h"
 
 namespace seamount::contour {
@@ -57,7 +57,7 @@ std::vector<double> levels_of(const ContourSet& set) {
   return levels;
 }
 
-double least_gap(const std::vector<double>& levels) {
+double min_gap(const std::vector<double>& levels) {
   double gap = std::numeric_limits<double>::infinity();
   for (size_t i = 1; i < levels.size(); ++i) gap = std::min(gap, levels[i] - levels[i - 1]);
   return std::isfinite(gap) ? gap : 1.0;
@@ -80,7 +80,7 @@ std::vector<double> levels_covering(std::vector<double> levels, double low, doub
 
 double height_around(const ContourSet& set, Vec2 place) {
   const std::vector<double> levels = levels_of(set);
-  const double gap = least_gap(levels);
+  const double gap = min_gap(levels);
   const Contour* around = nullptr;
   for (const Contour& contour : set.contours) {  // parents come first, so the last one found is the innermost
     if (geom::contains(contour.ring, place)) around = &contour;
@@ -104,8 +104,8 @@ double mean_edge(const ContourSet& set, const std::vector<size_t>& contours) {
   return edges > 0.0 ? length / edges : 0.0;
 }
 
-Site make_site(const ContourSet& set, const Polygon& outline, bool strictly_inside, double margin_m,
-               const std::string& name, const RunContext& run) {
+EditArea make_edit_area(const ContourSet& set, const Polygon& outline, bool strictly_inside, double margin_m,
+                        const std::string& name, const RunContext& run) {
   if (set.contours.empty()) throw InvalidArgument(name, "there are no contours to join to");
   if (const auto defect = geom::find_defect(outline)) throw InvalidArgument(name, *defect);
   check_inside(outline.outer, set.frame, name);
@@ -126,7 +126,7 @@ Site make_site(const ContourSet& set, const Polygon& outline, bool strictly_insi
     Patch patch = patch_of(inward, strictly_inside ? 3.5 * cell : 0.0);
     if (!is_clear(patch, set)) continue;
     const double without = height_around(set, outline.outer[0]);
-    ScalarField heights = ground(level_lines(set), frame, least_gap(levels_of(set)), without, run);
+    ScalarField heights = lattice_heights(level_lines(set), frame, min_gap(levels_of(set)), without, run);
     return {std::move(patch), std::move(inward), std::move(heights)};
   }
   throw InvalidArgument(name,

@@ -23,7 +23,7 @@ struct Shore {
 /// Every node beside an outline, once per outline, by outline; nodes outside all regions as well.
 std::vector<Shore> find_shores(const Tin& tin, const geom::NodeGraph& graph);
 
-/// What outlines and rivers leave to a node. A floor above the cap wins.
+/// Between which heights outlines and rivers let a node lie. Where the floor is above the cap, the floor counts.
 struct Limits {
   std::vector<double> floor, cap;
 };
@@ -38,8 +38,8 @@ std::vector<double> band_heights(const Tin& tin, const std::vector<RegionBand>& 
                                  const HeightDistribution& distribution, const HeightsParams& params,
                                  const RunContext& run);
 
-/// Stands the heights of regions with rivers on the bed that the water from there comes to, smoothed across divides,
-/// instead of on their region's lowest height: a node keeps its share of the way up from there.
+/// In regions with rivers, lets heights start from the bed that the water of a node comes to, smoothed across divides,
+/// instead of from the region's lowest height: a node keeps its share of the way from there to the top.
 void stand_on_rivers(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
                      std::vector<double>& height, const RunContext& run);
 
@@ -51,8 +51,8 @@ void follow_outlines(const Tin& tin, const geom::NodeGraph& graph, const std::ve
 
 /// Lowers what is steeper than twice the root of the mean square slope above the lower ground around it, down to the
 /// node's floor at most; nodes of regions with a peak stay. A node that is lowered keeps a lower neighbour.
-void cut_needles(const Tin& tin, const geom::NodeGraph& graph, const Limits& limits, std::vector<double>& height,
-                 const RunContext& run);
+void cut_spikes(const Tin& tin, const geom::NodeGraph& graph, const Limits& limits, std::vector<double>& height,
+                const RunContext& run);
 
 /// Nodes of the regions, drains before what they drain: by level, then rank.
 std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& bands);
@@ -60,8 +60,9 @@ std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& b
 /// The lowest neighbour of lower rank or in lower ground; -1: an outlet, or the deepest node of a basin.
 std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height);
 
-/// Lowers what would dam the water on its way down the ranks, then lifts what still lies below where it drains to, and
-/// rounds to floats that differ: afterwards each node's drain is lower than the node. Outside nodes count as outlets.
+/// Lowers nodes that would dam the water on its way down the ranks, then lifts nodes that still lie below the one that
+/// they drain to, and rounds to floats that differ: afterwards each node lies higher than its drain. Outside nodes
+/// count as outlets.
 std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
                          const Limits& limits, std::vector<double> height, const RunContext& run);
 

@@ -1,0 +1,100 @@
+// Parameters of island.build (build.h).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "seamount/base/fields.h"
+#include "seamount/model/drawn.h"
+#include "seamount/ops/island/width_params.h"
+
+namespace seamount::island {
+
+/// How a drawn curve runs between its knots.
+enum class Interpolation { monotone_cubic, linear };
+
+/// Forms smaller than the plan and the profile say.
+struct BuildDetail {
+  std::optional<double> coast_m;
+  std::optional<double> valley_spacing_m;
+  double smoothing = 0.6;
+  double noise_m = 3.0;
+  double noise_wavelength_m = 600.0;
+
+  static constexpr auto fields() {
+    using P = BuildDetail;
+    return std::tuple(field(&P::coast_m, "coast_m", "m", between(0, 1e5),
+                            "size of bays and headlands below what the plan shows; derived if absent"),
+                      field(&P::valley_spacing_m, "valley_spacing_m", "m", between(1, 1e6),
+                            "distance between the largest valleys; derived if absent"),
+                      field(&P::smoothing, "smoothing", "", between(0, 1),
+                            "how much creases between far parts of the outlines are softened"),
+                      field(&P::noise_m, "noise_m", "m", between(0, 1000), "height of the fine noise"),
+                      field(&P::noise_wavelength_m, "noise_wavelength_m", "m", between(0.1, 1e6),
+                            "size of the largest bumps of the fine noise"));
+  }
+};
+
+struct BuildParams {
+  FilePath coast;
+  std::string feature;
+  std::vector<PolarOutline> outlines;
+  std::vector<Polygon> areas;
+  Vec2 centre;
+  double irregularity = 0.35;
+  std::optional<double> peak_m;
+  std::optional<double> floor_m;
+  double massif = 0.5;
+  double relief = 1.0;
+  Curve profile;
+  Interpolation interpolation = Interpolation::monotone_cubic;
+  GivenWidths widths;
+  BuildDetail detail;
+
+  static constexpr auto fields() {
+    using P = BuildParams;
+    return std::tuple(
+        field(&P::coast, "coast",
+              "coastline to build on: GeoJSON, GeoPackage or Shapefile, or a painted label image (.png)"),
+        field(&P::feature, "feature", "name of the feature in the coast file; empty: all of them"),
+        field(&P::outlines, "outlines", "m", at_least(0),
+              "polar outlines around the centre: the coast alone, or mountain, beach, lagoon, reef, abyss"),
+        field(&P::areas, "areas", "drawn polygons of the coast"),
+        field(&P::centre, "centre", "centre of polar outlines and of random islands"),
+        field(&P::irregularity, "irregularity", "", between(0, 1),
+              "how much the coast of a random island departs from a circle"),
+        field(&P::peak_m, "peak_m", "m", between(0, 9000),
+              "height of the summit; derived from the land's area if absent"),
+        field(&P::floor_m, "floor_m", "m", between(-12000, -1), "height of the sea floor; derived if absent"),
+        field(&P::massif, "massif", "", between(0, 1),
+              "how unevenly the mountains rise: 0 one smooth cone, 1 several massifs"),
+        field(&P::relief, "relief", "", between(0, 2), "depth of the valleys that run down the slopes"),
+        field(
+            &P::profile, "profile", "m", between(-12000, 12000),
+            "height over the region coordinate 0 (summit) to 5 (sea floor); derived from peak_m and floor_m if empty"),
+        field(&P::interpolation, "interpolation", "how the profile runs between its knots"),
+        field(&P::widths, "widths", "widths of the regions around the mountains, where the plan is one coast"),
+        field(&P::detail, "detail", "forms smaller than the plan and the profile say"));
+  }
+
+  static constexpr std::array kFormerNames = {FormerName{"beach_m", "widths.beach_m"},
+                                              FormerName{"lagoon_m", "widths.lagoon_m"},
+                                              FormerName{"reef_m", "widths.reef_m"},
+                                              FormerName{"slope_m", "widths.slope_m"},
+                                              FormerName{"coast_detail_m", "detail.coast_m"},
+                                              FormerName{"valley_spacing_m", "detail.valley_spacing_m"},
+                                              FormerName{"smoothing", "detail.smoothing"},
+                                              FormerName{"noise_m", "detail.noise_m"},
+                                              FormerName{"noise_wavelength_m", "detail.noise_wavelength_m"}};
+};
+
+}  // namespace seamount::island
+
+template <>
+struct seamount::Choices<seamount::island::Interpolation> {
+  static constexpr std::array<std::string_view, 2> names = {"monotone_cubic", "linear"};
+};

@@ -1,0 +1,105 @@
+// Parameters of render.perspective (perspective.h).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <tuple>
+
+#include "seamount/base/fields.h"
+#include "seamount/model/layer_borders.h"
+#include "seamount/ops/render/materials.h"
+
+namespace seamount::render {
+
+/// What lies around the terrain.
+enum class Surround { automatic, sea, block };
+
+struct CameraParams {
+  double azimuth_deg = 205.0;
+  double elevation_deg = 25.0;
+  double distance = 1.0;
+  std::optional<double> target_x_m;
+  std::optional<double> target_y_m;
+  double field_of_view_deg = 35.0;
+
+  static constexpr auto fields() {
+    using P = CameraParams;
+    return std::tuple(
+        field(&P::azimuth_deg, "azimuth_deg", "deg", between(-360, 360),
+              "bearing of the camera from the target, clockwise from north"),
+        field(&P::elevation_deg, "elevation_deg", "deg", between(1, 89),
+              "height of the camera above the horizon as seen from the target"),
+        field(&P::distance, "distance", "", between(0.02, 10),
+              "distance from the target; 1 shows the whole terrain, 0.5 is half as far"),
+        field(&P::target_x_m, "target_x_m", "m", {}, "where to look, east; by default the middle of the land"),
+        field(&P::target_y_m, "target_y_m", "m", {}, "where to look, north; by default the middle of the land"),
+        field(&P::field_of_view_deg, "field_of_view_deg", "deg", between(5, 100), "angle of view from top to bottom"));
+  }
+};
+
+struct SunParams {
+  double azimuth_deg = 285.0;
+  double elevation_deg = 30.0;
+
+  static constexpr auto fields() {
+    using P = SunParams;
+    return std::tuple(
+        field(&P::azimuth_deg, "azimuth_deg", "deg", between(-360, 360), "bearing of the sun, clockwise from north"),
+        field(&P::elevation_deg, "elevation_deg", "deg", between(2, 89), "height of the sun over the horizon"));
+  }
+};
+
+struct PerspectiveParams {
+  int width_px = 1280;
+  int height_px = 720;
+  CameraParams camera;
+  SunParams sun;
+  double vertical_exaggeration = 1.0;
+  double haze = 1.0;
+  double exposure = 1.0;
+  bool water = true;
+  double water_level_m = 0.0;
+  double water_clarity = 1.0;
+  Surround surround = Surround::automatic;
+  double tree_line_m = 2000.0;
+  double snow_line_m = 4500.0;
+  Style style = Style::natural;
+  LayerBorders layers;
+
+  static constexpr auto fields() {
+    using P = PerspectiveParams;
+    return std::tuple(
+        field(&P::width_px, "width_px", "", between(16, 8192), "width of the picture in pixels"),
+        field(&P::height_px, "height_px", "", between(16, 8192), "height of the picture in pixels"),
+        field(&P::camera, "camera", "from where to look"), field(&P::sun, "sun", "where the light comes from"),
+        field(&P::vertical_exaggeration, "vertical_exaggeration", "", between(0.1, 20), "heights are drawn times this"),
+        field(&P::haze, "haze", "", between(0, 5), "haze with distance; 0 is clear"),
+        field(&P::exposure, "exposure", "", between(0.1, 10), "brightness of the picture"),
+        field(&P::water, "water", "fill the ground below the water level"),
+        field(&P::water_level_m, "water_level_m", "m", between(-12000, 9000), "height of the water's surface"),
+        field(&P::water_clarity, "water_clarity", "", between(0.05, 5),
+              "how far one sees in water, 1 in clear tropical water"),
+        field(&P::surround, "surround", "what lies around the terrain"),
+        field(&P::tree_line_m, "tree_line_m", "m", between(1, 9000), "height over the water where forest ends"),
+        field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000), "height over the water where snow stays"),
+        field(&P::style, "style", "what the ground is made of: natural, or three layers by height in a style"),
+        field(&P::layers, "layers", "borders of the style's layers, as heights over the water"));
+  }
+
+  static constexpr std::array kFormerNames = {FormerName{"camera_azimuth_deg", "camera.azimuth_deg"},
+                                              FormerName{"camera_elevation_deg", "camera.elevation_deg"},
+                                              FormerName{"distance", "camera.distance"},
+                                              FormerName{"target_x_m", "camera.target_x_m"},
+                                              FormerName{"target_y_m", "camera.target_y_m"},
+                                              FormerName{"field_of_view_deg", "camera.field_of_view_deg"},
+                                              FormerName{"sun_azimuth_deg", "sun.azimuth_deg"},
+                                              FormerName{"sun_elevation_deg", "sun.elevation_deg"}};
+};
+
+}  // namespace seamount::render
+
+template <>
+struct seamount::Choices<seamount::render::Surround> {
+  static constexpr std::array<std::string_view, 3> names = {"automatic", "sea", "block"};
+};
