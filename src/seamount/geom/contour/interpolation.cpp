@@ -83,12 +83,14 @@ std::optional<Piece> clip(Vec2 a, Vec2 b, const GridFrame& frame) {
 /// Each edge within the frame twice: as a bound of the face inside and of the face outside.
 class BoundPieces {
  public:
-  BoundPieces(const std::vector<Contour>& contours, const ContourFaces& faces, const GridFrame& frame)
+  BoundPieces(const std::vector<Contour>& contours, const ContourFaces& faces, const GridFrame& frame,
+              const RunContext& run)
       : starts_(faces.bounds().size() + 1, 0) {
     int32_t number = 0;
     for (size_t c = 0; c < contours.size(); ++c) {
       const Ring& ring = contours[c].ring;
       for (size_t i = 0; i < ring.size(); ++i, ++number) {
+        run.check_cancelled();
         const Vec2& p = ring[i];
         const Vec2& q = ring[i + 1 < ring.size() ? i + 1 : 0];
         std::optional<Piece> piece =
@@ -101,7 +103,10 @@ class BoundPieces {
         pieces_.push_back(*piece);
       }
     }
-    std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) { return a.bound < b.bound; });
+    std::stable_sort(pieces_.begin(), pieces_.end(), [&](const Piece& a, const Piece& b) {
+      run.check_cancelled();
+      return a.bound < b.bound;
+    });
     for (const Piece& piece : pieces_) ++starts_[piece.bound + 1];
     for (size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
   }
@@ -258,7 +263,7 @@ ContourInterpolation interpolate_contours(const std::vector<Contour>& contours, 
                             ScalarField(frame),
                             Grid<int32_t>(frame),
                             Grid<int32_t>(frame)};
-  const BoundPieces pieces(contours, faces, frame);
+  const BoundPieces pieces(contours, faces, frame, run);
   const int columns = (frame.width + kTile - 1) / kTile;
   const int rows = (frame.height + kTile - 1) / kTile;
   parallel_blocks(run, static_cast<int64_t>(columns) * rows, 1, [&](int64_t begin, int64_t end) {

@@ -64,10 +64,11 @@ class LatticeTracer {
     }
   }
 
-  std::vector<ContourChain> trace() {
+  std::vector<ContourChain> trace(const RunContext& run) {
     read_row(0);
     cross_row(0, top_);
     for (int row = 0; row + 1 < field_.height() + 2 * margin_; ++row) {
+      run.check_cancelled();
       std::swap(above_, below_);
       read_row(row + 1);
       cross_row(row + 1, bottom_);
@@ -75,7 +76,7 @@ class LatticeTracer {
       for (size_t c = 0; c + 1 < above_.size(); ++c) add_square(c);
       std::swap(top_, bottom_);
     }
-    return join_segments(crossings_, segments_);
+    return join_segments(crossings_, segments_, run);
   }
 
  private:
@@ -172,9 +173,10 @@ class LatticeTracer {
 
 }  // namespace
 
-std::vector<ContourChain> trace_lattice(const ScalarField& field, std::span<const double> levels, LatticeEdge edge) {
+std::vector<ContourChain> trace_lattice(const ScalarField& field, std::span<const double> levels, LatticeEdge edge,
+                                        const RunContext& run) {
   if (field.empty() || levels.empty()) return {};
-  return LatticeTracer(field, levels, edge).trace();
+  return LatticeTracer(field, levels, edge).trace(run);
 }
 
 }  // namespace seamount::geom

@@ -16,6 +16,7 @@ enum class LatticeEdge { open, closed, apron };
 
 /// REQUIRES: levels ascend strictly. Values that are not numbers count as below everything. Chains in the order of
 /// their first square, row by row; higher ground on the left.
-std::vector<ContourChain> trace_lattice(const ScalarField& field, std::span<const double> levels, LatticeEdge edge);
+std::vector<ContourChain> trace_lattice(const ScalarField& field, std::span<const double> levels, LatticeEdge edge,
+                                        const RunContext& run);
 
 }  // namespace seamount::geom

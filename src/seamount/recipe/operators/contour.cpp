@@ -45,7 +45,7 @@ contour::RegionTree make_regions(const contour::GrowParams& p, const Call& call,
   if (!p.outlines.empty()) return contour::regions_from_outlines(p.outlines, frame, "outlines");
   if (const Drawing* drawing = call.shapes("regions")) return from_drawing(*drawing);
   if (const Value* contours = call.input("contours"))
-    return contour::regions_from_contours(contours->contour_set(), frame, "contours");
+    return contour::regions_from_contours(contours->contour_set(), frame, "contours", call.run);
   if (const ScalarField* mask = call.scalars("mask"))
     return contour::regions_from_mask(*mask, frame, painted, "mask", call.run);
   if (p.regions.path.empty()) return contour::random_region(frame, call.seed);

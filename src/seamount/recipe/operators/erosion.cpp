@@ -16,7 +16,7 @@ Values run(const erosion::RunParams& params, const Call& call) {
   erosion::Site site{copy_of(call, "hardness"), copy_of(call, "mask"), copy_of(call, "uplift"), copy_of(call, "rain")};
   erosion::Eroded made = erosion::run(std::move(ground), std::move(site), params, call.seed, call.run);
   Report balance = erosion::balance_report(
-      {call.in.at("terrain").heights(), call.scalars("rock"), call.scalars("sediment")}, made, params);
+      {call.in.at("terrain").heights(), call.scalars("rock"), call.scalars("sediment")}, made, params, call.run);
   return {{"terrain", Value::terrain(std::move(made.terrain))}, {"rock", Value::field(std::move(made.rock))},
           {"sediment", Value::field(std::move(made.sediment))}, {"flow", Value::field(std::move(made.flow))},
           {"lake", Value::field(std::move(made.lake))},         {"balance", Value::report(std::move(balance))}};

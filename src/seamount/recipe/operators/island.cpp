@@ -48,7 +48,7 @@ island::Plan make_plan(const island::BuildParams& p, const Call& call) {
   if (call.input("labels") != nullptr) given.emplace_back("the input 'labels'");
   if (given.size() > 1)
     throw InvalidArgument(given[0], "given together with " + given[1] + "; an island is built on one of them");
-  if (const LabelMap* labels = call.labels("labels")) return island::plan_from_labels(*labels, widths);
+  if (const LabelMap* labels = call.labels("labels")) return island::plan_from_labels(*labels, widths, call.run);
   if (const Value* drawing = call.input("outlines"))
     return island::plan_from_areas(drawing->shapes(), widths, "outlines");
   if (!p.outlines.empty()) return island::plan_from_polar(p.outlines, p.centre, widths);
@@ -56,7 +56,7 @@ island::Plan make_plan(const island::BuildParams& p, const Call& call) {
   if (p.coast.path.empty()) return island::random_plan(call.domain, p.centre, p.irregularity, call.seed, widths);
   const std::string path = call.resolve(p.coast);
   if (is_picture(path)) {
-    return island::plan_from_labels(read_label_picture(path, call.domain, call.run), widths);
+    return island::plan_from_labels(read_label_picture(path, call.domain, call.run), widths, call.run);
   }
   return island::plan_from_areas(io::read_areas(path, {.feature = p.feature, .layer = {}}), widths, "coast");
 }

@@ -21,7 +21,7 @@ struct Shore {
 };
 
 /// Every node beside an outline, once per outline, by outline; nodes outside all regions as well.
-std::vector<Shore> find_shores(const Tin& tin, const geom::NodeGraph& graph);
+std::vector<Shore> find_shores(const Tin& tin, const geom::NodeGraph& graph, const RunContext& run);
 
 /// What outlines and rivers leave to a node. A floor above the cap wins.
 struct Limits {
@@ -55,10 +55,11 @@ void cut_needles(const Tin& tin, const geom::NodeGraph& graph, const Limits& lim
                  const RunContext& run);
 
 /// Nodes of the regions, drains before what they drain: by level, then rank.
-std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& bands);
+std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& bands, const RunContext& run);
 
 /// The lowest neighbour of lower rank or in lower ground; -1: an outlet, or the deepest node of a basin.
-std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height);
+std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height,
+                                 const RunContext& run);
 
 /// Lowers what would dam the water on its way down the ranks, then lifts what still lies below where it drains to, and
 /// rounds to floats that differ: afterwards each node's drain is lower than the node. Outside nodes count as outlets.
