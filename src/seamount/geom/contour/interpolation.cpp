@@ -123,8 +123,8 @@ class BoundPieces {
 /// Works down one tile.
 class Descent {
  public:
-  Descent(const ContourFaces& faces, ContourInterpolation& made)
-      : faces_(faces), made_(made), seen_(static_cast<size_t>(faces.count()), 0) {}
+  Descent(const ContourFaces& faces, ContourInterpolation& made, const RunContext& run)
+      : faces_(faces), made_(made), run_(run), seen_(static_cast<size_t>(faces.count()), 0) {}
 
   void fill_tile(const BoundPieces& pieces, int x0, int y0) {
     left_ = x0;
@@ -164,6 +164,7 @@ class Descent {
     const int width = std::min(size, made_.face.width() - x0);
     const int height = std::min(size, made_.face.height() - y0);
     if (width <= 0 || height <= 0) return;
+    run_.check_cancelled();
     mark_faces(x0, y0, width, height);
     const float reach = 0.5F * std::hypot(static_cast<float>(width - 1), static_cast<float>(height - 1));
     keep_near(edges, static_cast<float>(x0 - left_) + 0.5F * static_cast<float>(width - 1),
@@ -246,6 +247,7 @@ class Descent {
 
   const ContourFaces& faces_;
   ContourInterpolation& made_;
+  const RunContext& run_;
   int left_ = 0, top_ = 0;
   uint32_t stamp_ = 0;
   std::vector<uint32_t> seen_;  ///< per face: the last square that it was seen in
@@ -267,7 +269,7 @@ ContourInterpolation interpolate_contours(const std::vector<Contour>& contours, 
   const int columns = (frame.width + kTile - 1) / kTile;
   const int rows = (frame.height + kTile - 1) / kTile;
   parallel_blocks(run, static_cast<int64_t>(columns) * rows, 1, [&](int64_t begin, int64_t end) {
-    Descent descent(faces, made);
+    Descent descent(faces, made, run);
     for (int64_t tile = begin; tile < end; ++tile) {
       descent.fill_tile(pieces, static_cast<int>(tile % columns) * kTile, static_cast<int>(tile / columns) * kTile);
     }

@@ -11,12 +11,15 @@
 namespace seamount::geom {
 namespace {
 
-std::vector<RingEdge> all_edges(const std::vector<Contour>& contours) {
+std::vector<RingEdge> all_edges(const std::vector<Contour>& contours, const RunContext& run) {
   size_t count = 0;
   for (const Contour& contour : contours) count += contour.ring.size();
   std::vector<RingEdge> edges;
   edges.reserve(count);
-  for (size_t i = 0; i < contours.size(); ++i) add_ring_edges(contours[i].ring, i, edges);
+  for (size_t i = 0; i < contours.size(); ++i) {
+    run.check_cancelled();
+    add_ring_edges(contours[i].ring, i, edges);
+  }
   return edges;
 }
 
@@ -25,7 +28,7 @@ bool further_west(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 }  // namespace
 
 std::optional<ContourCrossing> find_contour_crossing(const std::vector<Contour>& contours, const RunContext& run) {
-  const std::vector<RingEdge> edges = all_edges(contours);
+  const std::vector<RingEdge> edges = all_edges(contours, run);
   const EdgeGrid grid(edges, run);
   const auto meeting = grid.find_meeting([&](const RingEdge&, const RingEdge&) {
     run.check_cancelled();
@@ -38,7 +41,7 @@ std::optional<ContourCrossing> find_contour_crossing(const std::vector<Contour>&
 }
 
 std::vector<int> find_contour_parents(const std::vector<Contour>& contours, const RunContext& run) {
-  const std::vector<RingEdge> edges = all_edges(contours);
+  const std::vector<RingEdge> edges = all_edges(contours, run);
   const EdgeGrid grid(edges, run);
   std::vector<int> parents(contours.size(), -1);
   std::vector<Vec2> tips;

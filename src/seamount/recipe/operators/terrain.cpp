@@ -45,6 +45,7 @@ Values import_terrain(const ImportParams& params, const Call& call) {
   }
   options.voids = params.fill_voids ? io::Voids::fill : io::Voids::refuse;
   options.band = params.band;
+  options.run = call.run;
   return {{"terrain", Value::terrain(io::read_heights(call.resolve(params.file), options))}};
 }
 
