@@ -253,8 +253,9 @@ void expect_is_terrain(const ReadMesh& mesh, const HeightField& heights) {
     EXPECT_NEAR(row, y, 1e-4);
     EXPECT_EQ(static_cast<float>(p[2]), heights(x, y));
     seen(x, y) = 1;
-    if (mesh.normals.size() == mesh.places.size())
+    if (mesh.normals.size() == mesh.places.size()) {
       EXPECT_NEAR(dot(mesh.normals[i], ground_normal(heights, x, y)), 1.0, 1e-5);
+    }
     if (mesh.uvs.empty()) continue;
     EXPECT_NEAR(mesh.uvs[i][0], (x + 0.5) / heights.width(), 1e-6);
     EXPECT_NEAR(mesh.uvs[i][1], (y + 0.5) / heights.height(), 1e-6);
