@@ -26,7 +26,7 @@ struct Extent {
 };
 constexpr Extent kSmall = {96, 80, 900};
 constexpr Extent kSomeBlocks = {260, 200, 2000};  ///< for what takes long
-#if defined(__has_feature)  // clang alone; g++ is not used with sanitizers
+#if defined(__has_feature)                        // clang alone; g++ is not used with sanitizers
 #if __has_feature(address_sanitizer)
 #define SEAMOUNT_SANITIZED
 #endif
