@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <atomic>
+#include <chrono>
 #include <numeric>
+#include <thread>
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/rng.h"
@@ -77,6 +81,23 @@ TEST(Parallel, PassesExceptionsOnAndStopsWhenCancelled) {
                                }),
                Cancelled);
   EXPECT_EQ(blocks, 10);
+}
+
+TEST(Parallel, AThreadThatWaitsInALoopTakesUpNoOtherWork) {
+  const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
+  std::atomic<int> taken_up{0};
+  tbb::task_arena(4).execute([&] {
+    parallel_blocks({}, 64, 1, [&](int64_t step, int64_t) {
+      thread_local bool busy = false;
+      if (busy) ++taken_up;
+      busy = true;
+      parallel_blocks({}, 4, 1, [&](int64_t block, int64_t) {
+        if (block == step % 4) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      });
+      busy = false;
+    });
+  });
+  EXPECT_EQ(taken_up, 0);
 }
 
 TEST(Parallel, ProgressRisesToOne) {

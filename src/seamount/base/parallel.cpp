@@ -47,8 +47,10 @@ void parallel_blocks(const RunContext& run, int64_t count, int64_t grain, const 
     return;
   }
   const auto run_all = [&] {
-    tbb::parallel_for(tbb::blocked_range<int64_t>(0, blocks, 1), [&](const tbb::blocked_range<int64_t>& range) {
-      for (int64_t block = range.begin(); block != range.end(); ++block) run_block(block);
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(tbb::blocked_range<int64_t>(0, blocks, 1), [&](const tbb::blocked_range<int64_t>& range) {
+        for (int64_t block = range.begin(); block != range.end(); ++block) run_block(block);
+      });
     });
   };
   if (run.threads == 0) {

@@ -26,6 +26,8 @@ class FileSnapshot {
   /// Cancelled.
   explicit FileSnapshot(const std::string& path, const RunContext& run = {});
 
+  const std::string& path() const { return path_; }
+
   /// Hash of the content, and of that of every companion with its ending.
   const Digest& digest() const { return digest_; }
 

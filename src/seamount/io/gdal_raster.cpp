@@ -100,12 +100,14 @@ std::optional<Placement> placement_of(GDALDataset& dataset, bool& south_up, cons
 }
 
 /// Values as float, NaN where the band's mask (nodata, alpha, mask band) says that there is none.
-Grid<float> read_band(GDALRasterBand& band, bool south_up, const GdalCall& call) {
+Grid<float> read_band(GDALRasterBand& band, bool south_up, const GdalCall& call, const RunContext& run) {
   const int width = band.GetXSize(), height = band.GetYSize();
   const bool masked = (band.GetMaskFlags() & GMF_ALL_VALID) == 0;
   std::vector<uint8_t> mask(masked ? static_cast<size_t>(width) : 0);
   Grid<float> grid(GridFrame{width, height});
   for (int y = 0; y < height; ++y) {
+    run.check_cancelled();
+    if (y % 64 == 63) run.report(static_cast<double>(y) / height);
     const std::span<float> row = grid.row(south_up ? height - 1 - y : y);
     if (band.RasterIO(GF_Read, 0, y, width, 1, row.data(), width, 1, GDT_Float32, 0, 0, nullptr) != CE_None)
       call.fail("is truncated or damaged in row " + std::to_string(y));
@@ -164,7 +166,8 @@ Stored read_gdal(const std::string& place, const std::string& name, const ReadOp
   bool south_up = false;
   std::optional<Placement> placement = placement_of(*dataset, south_up, call);
   const GDALDataType type = band.GetRasterDataType();
-  Stored stored{read_band(band, south_up, call), false, 0.0, format_name(*dataset), type_name(type)};
+  Stored stored{read_band(band, south_up, call, options.run.part(0.0, 0.5)), false, 0.0, format_name(*dataset),
+                type_name(type)};
   const bool no_unit = std::strlen(band.GetUnitType()) == 0 && band.GetScale() == 1.0;
   if ((type == GDT_Byte || type == GDT_UInt16) && no_unit) stored.code_max = type == GDT_Byte ? 255 : 65535;
   apply_scale(stored.values, band, heights);
@@ -201,7 +204,7 @@ RasterInfo gdal_info(const std::string& path) {
   int has_nodata = 0;
   const double nodata = band.GetNoDataValue(&has_nodata);
   if (has_nodata != 0) info.nodata = nodata;
-  Grid<float> values = read_band(band, south_up, call);
+  Grid<float> values = read_band(band, south_up, call, {});
   apply_scale(values, band, true);
   count_values(values, info);
   return info;

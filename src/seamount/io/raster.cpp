@@ -87,7 +87,7 @@ void apply_range(Stored& stored, const std::string& name, const ReadOptions& opt
 }
 
 /// Interpolates cells without a value from the rim of their hole.
-void fill_voids(Grid<float>& grid, const std::string& name) {
+void fill_voids(Grid<float>& grid, const std::string& name, const RunContext& run) {
   GdalCall call(name);
   Grid<uint8_t> valid(grid.frame());
   for (size_t i = 0; i < grid.size(); ++i) valid.cells()[i] = std::isfinite(grid.cells()[i]) ? 255 : 0;
@@ -105,12 +105,20 @@ void fill_voids(Grid<float>& grid, const std::string& name) {
   };
   const DatasetPtr heights = band_over(grid.data(), GDT_Float32), mask = band_over(valid.data(), GDT_Byte);
   const double reach = grid.width() + grid.height();
-  if (GDALFillNodata(heights->GetRasterBand(1), mask->GetRasterBand(1), reach, 0, 0, nullptr, nullptr, nullptr) !=
-      CE_None)
-    call.fail("its holes cannot be filled");
+  const auto go_on = [](double share, const char*, void* context) {
+    const auto& here = *static_cast<const RunContext*>(context);
+    if (here.cancelled != nullptr && here.cancelled->load(std::memory_order_relaxed)) return FALSE;
+    here.report(share);
+    return TRUE;
+  };
+  RunContext filling = run;
+  const CPLErr result =
+      GDALFillNodata(heights->GetRasterBand(1), mask->GetRasterBand(1), reach, 0, 0, nullptr, go_on, &filling);
+  run.check_cancelled();
+  if (result != CE_None) call.fail("its holes cannot be filled");
 }
 
-void treat_voids(Grid<float>& grid, const std::string& name, Voids voids) {
+void treat_voids(Grid<float>& grid, const std::string& name, const ReadOptions& options) {
   int64_t count = 0, first = -1;
   for (int64_t i = 0; i < static_cast<int64_t>(grid.size()); ++i) {
     if (std::isfinite(grid.cells()[static_cast<size_t>(i)])) continue;
@@ -120,18 +128,19 @@ void treat_voids(Grid<float>& grid, const std::string& name, Voids voids) {
   if (count == 0) return;
   const std::string all = std::to_string(grid.size());
   if (count == static_cast<int64_t>(grid.size())) throw IoError(name, "none of its " + all + " cells has a value");
-  if (voids == Voids::refuse)
+  if (options.voids == Voids::refuse)
     throw IoError(name, std::to_string(count) + " of " + all + " cells have no value, the first is (column " +
                             std::to_string(first % grid.width()) + ", row " + std::to_string(first / grid.width()) +
                             "); terrain.import and convert fill voids");
-  fill_voids(grid, name);
+  fill_voids(grid, name, options.run.part(0.5, 1.0));
 }
 
 Grid<float> finish(Stored stored, const std::string& name, const ReadOptions& options,
                    const std::optional<Sidecar>& sidecar, Meaning meaning) {
   place(stored, name, options, sidecar);
   apply_range(stored, name, options, sidecar, meaning);
-  treat_voids(stored.values, name, options.voids);
+  options.run.check_cancelled();
+  treat_voids(stored.values, name, options);
   return std::move(stored.values);
 }
 
@@ -255,8 +264,8 @@ HeightField read_heights(const std::string& path, const ReadOptions& options) {
 }
 
 HeightField read_heights(std::span<const uint8_t> bytes, const std::string& name, const ReadOptions& options) {
-  return finish(decode(bytes, name, options, std::nullopt, Meaning::heights), name, options, std::nullopt,
-                Meaning::heights);
+  const std::optional<Sidecar> none;
+  return finish(decode(bytes, name, options, none, Meaning::heights), name, options, none, Meaning::heights);
 }
 
 ScalarField read_field(const std::string& path, const ReadOptions& options) {

@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/io/sidecar.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
@@ -55,6 +56,7 @@ struct ReadOptions {
   Voids voids = Voids::refuse;
   int band = 1;                     ///< of a multi-band raster
   int64_t max_cells = 300'000'000;  ///< larger rasters are refused (17 320 squared)
+  RunContext run;                   ///< progress and cancelling of what GDAL reads and of the filling of voids
 };
 
 struct WriteOptions {

@@ -253,7 +253,7 @@ class Engine::Work {
   std::vector<std::string> ids_;
   std::vector<std::shared_ptr<const Plan>> exports_;
   std::map<Source, Latest> latest_;
-  FileDigests files_;
+  FileSnapshots files_;
   std::mutex calling_;
   Scheduler scheduler_;  // the threads of these two use all of the above
   Background planner_;

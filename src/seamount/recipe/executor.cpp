@@ -106,7 +106,7 @@ class StepsRun {
   }
 
   const RunContext& run_;
-  FileDigests files_;
+  FileSnapshots files_;
   GrowingFraction progress_;
   double share_ = 1.0;
   std::mutex saying_;

@@ -7,7 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "seamount/recipe/kinds.h"
+#include "seamount/io/atomic_file.h"
+#include "seamount/recipe/ports.h"
 #include "seamount/recipe/value_bytes.h"
 
 namespace seamount::recipe {
@@ -211,6 +212,47 @@ TEST(ValueBytes, TruncatedOrChangedBytesAreRefused) {
     std::stringstream other(changed);
     EXPECT_FALSE(read_values(other, standard_registry()).has_value()) << n;
   }
+}
+
+struct ReaderParams {
+  FilePath file;
+  static constexpr auto fields() { return std::tuple(field(&ReaderParams::file, "file", "a file")); }
+};
+
+/// Makes a field of a file's length; while `meddle`, somebody writes to the file in the meantime.
+Registry with_reader(const bool& meddle) {
+  Registry registry = standard_registry();
+  registry.add(make_operator<ReaderParams>(
+      {.name = "test.length", .summary = "The length of a file"}, inputs(),
+      outputs(out<kinds::Field>("length", "everywhere the same")), [&meddle](const ReaderParams& p, const Call& call) {
+        const auto length = static_cast<float>(io::read_file(call.resolve(p.file)).size());
+        if (meddle) io::write_text(call.resolve(p.file), "written meanwhile");
+        return ScalarField(call.domain, length);
+      }));
+  return registry;
+}
+
+TEST_F(Execute, ResultOfAFileThatIsWrittenToMeanwhileIsNotKept) {
+  const std::string folder = folder_.string();
+  io::write_text(folder + "/a.txt", "four");
+  bool meddle = true;
+  const Registry registry = with_reader(meddle);
+  const Recipe recipe = parse_recipe(R"({"seamount": 1, "domain": {"width_m": 40, "height_m": 40, "cell_m": 10},
+    "steps": [{"id": "l", "op": "test.length", "params": {"file": "a.txt"}}]})",
+                                     "r.json", folder, {}, registry);
+  const auto length = [&] {
+    return evaluate(recipe, {{"l", "length", ""}}, {"", folder + "/cache"}, {})[0].get<kinds::Field>()(0, 0);
+  };
+  try {
+    length();
+    FAIL();
+  } catch (const IoError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a.txt: was written to while it was read"));
+  }
+  meddle = false;
+  EXPECT_EQ(length(), 17.0F);
+  io::write_text(folder + "/a.txt", "four");
+  EXPECT_EQ(length(), 4.0F);  // a key that the first run had; what it read is not believed
 }
 
 }  // namespace

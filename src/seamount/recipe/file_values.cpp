@@ -2,7 +2,6 @@
 
 #include "seamount/geom/grid/painted_labels.h"
 #include "seamount/io/atomic_file.h"
-#include "seamount/io/file_digest.h"
 #include "seamount/io/image_file.h"
 #include "seamount/io/raster.h"
 
@@ -31,7 +30,5 @@ LabelMap read_label_picture(const std::string& path, const GridFrame& domain, co
 LabelMap read_placed_labels(const std::string& path, const RunContext& run) {
   return decode_picture(path, io::read_placed_image(path), run);
 }
-
-Digest file_digest(const std::string& path) { return io::file_digest(path); }
 
 }  // namespace seamount::recipe

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "seamount/base/hash.h"
 #include "seamount/base/run_context.h"
 #include "seamount/model/label_map.h"
 
@@ -16,8 +15,5 @@ bool is_picture(const std::string& path);
 LabelMap read_label_picture(const std::string& path, const GridFrame& domain, const RunContext& run);
 /// The same where its side-car says that it lies.
 LabelMap read_placed_labels(const std::string& path, const RunContext& run);
-
-/// Hash of a file's content and of the files that belong to it (io/file_digest.h). Throws IoError.
-Digest file_digest(const std::string& path);
 
 }  // namespace seamount::recipe

@@ -1,6 +1,8 @@
 // Golden recipes: tests/golden/<name>/recipe.json against expected.json, which holds for every output of every step the
 // digest of its bytes (equal for both compilers and any number of threads) and statistics for people to compare.
 //
+// Every operator stands in at least one of them.
+//
 // A change on purpose: SEAMOUNT_UPDATE_GOLDEN=1 recipe_tests --gtest_filter='Golden*' rewrites expected.json and
 // preview.png; look at the pictures, raise the operator's revision, and say why in the commit.
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "seamount/io/atomic_file.h"
@@ -51,31 +54,87 @@ std::string digest_of(const Value& value) {
   return hash_bytes(std::as_bytes(std::span(text))).hex();
 }
 
+std::string number(double v) { return fmt::format("{:.6g}", v); }
+
+Json statistics_of(const ScalarField& field) {
+  const auto& cells = field.cells();
+  double sum = 0;
+  for (const float z : cells) sum += static_cast<double>(z);
+  const auto [low, high] = std::minmax_element(cells.begin(), cells.end());
+  return {{"min", number(static_cast<double>(*low))},
+          {"max", number(static_cast<double>(*high))},
+          {"mean", number(sum / static_cast<double>(cells.size()))}};
+}
+
+Json statistics_of(const LabelMap& labels) {
+  std::array<int, kRegionCount> counts{};
+  for (const Region region : labels.cells()) ++counts[static_cast<size_t>(region)];
+  Json cells;
+  for (const Region region : kRegions) cells[std::string(region_name(region))] = counts[static_cast<size_t>(region)];
+  return {{"cells", cells}};
+}
+
+/// Areas by name where they are few, else how many there are; the same of lines and points.
+Json statistics_of(const Drawing& drawing) {
+  constexpr size_t kFew = 8;
+  Json result = Json::object();
+  if (drawing.areas.size() > kFew) result["areas"] = drawing.areas.size();
+  for (const NamedArea& area : drawing.areas) {
+    if (drawing.areas.size() > kFew) break;
+    size_t points = 0;
+    for (const Polygon& part : area.parts) points += part.outer.size();
+    result["areas"].push_back(fmt::format("{}: {} parts, {} points", area.name, area.parts.size(), points));
+  }
+  size_t points = 0;
+  for (const ValuedLine& line : drawing.lines) points += line.points.size();
+  if (!drawing.lines.empty()) result["lines"] = fmt::format("{} with {} points", drawing.lines.size(), points);
+  if (!drawing.points.empty()) result["points"] = drawing.points.size();
+  return result;
+}
+
+Json statistics_of(const Tin& tin) {
+  Json result = {{"nodes", tin.nodes.size()}, {"triangles", tin.triangles.size()}, {"regions", tin.regions.size()}};
+  if (tin.height_m.empty()) return result;
+  const auto [low, high] = std::minmax_element(tin.height_m.begin(), tin.height_m.end());
+  result["min"] = number(static_cast<double>(*low));
+  result["max"] = number(static_cast<double>(*high));
+  return result;
+}
+
+Json statistics_of(const ContourSet& set) {
+  size_t points = 0;
+  for (const Contour& contour : set.contours) points += contour.ring.size();
+  return {{"contours", set.contours.size()}, {"points", points}};
+}
+
+Json statistics_of(const Report& report) {
+  Json result = Json::object();
+  for (const Descriptor& descriptor : report.descriptors) {
+    std::string line;
+    for (const Measure& measure : descriptor.measures) {
+      line += (line.empty() ? "" : "; ") + measure.name;
+      for (const double value : measure.values) line += " " + number(value);
+    }
+    if (descriptor.distance) line += "; distance " + number(*descriptor.distance);
+    result[descriptor.name] = line;
+  }
+  return {{"descriptors", result}};
+}
+
 /// What a person compares: rounded, so that the text is short.
 Json statistics(const Value& value) {
-  const auto number = [](double v) { return fmt::format("{:.6g}", v); };
   Json result = {{"kind", value.kind().name}};
   if (const GridFrame* frame = value.frame()) result["size"] = fmt::format("{} x {}", frame->width, frame->height);
-  if (value.is<kinds::Terrain>() || value.is<kinds::Field>()) {
-    const auto& cells =
-        value.is<kinds::Terrain>() ? value.get<kinds::Terrain>().cells() : value.get<kinds::Field>().cells();
-    double sum = 0;
-    for (const float z : cells) sum += static_cast<double>(z);
-    const auto [low, high] = std::minmax_element(cells.begin(), cells.end());
-    result["min"] = number(static_cast<double>(*low));
-    result["max"] = number(static_cast<double>(*high));
-    result["mean"] = number(sum / static_cast<double>(cells.size()));
-  } else if (value.is<kinds::Labels>()) {
-    std::array<int, kRegionCount> counts{};
-    for (const Region region : value.get<kinds::Labels>().cells()) ++counts[static_cast<size_t>(region)];
-    for (const Region region : kRegions)
-      result["cells"][std::string(region_name(region))] = counts[static_cast<size_t>(region)];
-  } else if (value.is<kinds::Drawing>()) {
-    for (const NamedArea& area : value.get<kinds::Drawing>().areas) {
-      size_t points = 0;
-      for (const Polygon& part : area.parts) points += part.outer.size();
-      result["areas"].push_back(fmt::format("{}: {} parts, {} points", area.name, area.parts.size(), points));
-    }
+  if (value.is<kinds::Terrain>()) result.update(statistics_of(value.get<kinds::Terrain>()));
+  if (value.is<kinds::Field>()) result.update(statistics_of(value.get<kinds::Field>()));
+  if (value.is<kinds::Labels>()) result.update(statistics_of(value.get<kinds::Labels>()));
+  if (value.is<kinds::Drawing>()) result.update(statistics_of(value.get<kinds::Drawing>()));
+  if (value.is<kinds::Tin>()) result.update(statistics_of(value.get<kinds::Tin>()));
+  if (value.is<kinds::Contours>()) result.update(statistics_of(value.get<kinds::Contours>()));
+  if (value.is<kinds::Report>()) result.update(statistics_of(value.get<kinds::Report>()));
+  if (value.is<kinds::Image>()) {
+    const Image& image = value.get<kinds::Image>();
+    result["size"] = fmt::format("{} x {}", image.width, image.height);
   }
   return result;
 }
@@ -104,15 +163,20 @@ Golden compute(const std::string& name, int threads) {
   return golden;
 }
 
-/// The last terrain from above.
+/// The last picture; of a recipe without any the last terrain from above.
 void write_preview(const std::string& name, const Golden& golden) {
-  const auto last = std::find_if(golden.values.rbegin(), golden.values.rend(),
-                                 [](const Value& value) { return value.is<kinds::Terrain>(); });
-  if (last == golden.values.rend()) return;
+  const auto last_of = [&](const Kind& kind) {
+    const auto found = std::find_if(golden.values.rbegin(), golden.values.rend(),
+                                    [&](const Value& value) { return &value.kind() == &kind; });
+    return found == golden.values.rend() ? nullptr : &*found;
+  };
+  const std::string path = (golden_folder() / name / "preview.png").string();
+  if (const Value* picture = last_of(kinds::Image::kind())) return io::write_png(picture->get<kinds::Image>(), path);
+  const Value* terrain = last_of(kinds::Terrain::kind());
+  if (terrain == nullptr) return;
   render::ReliefParams params;
   params.width_px = 256;
-  io::write_png(render::relief(last->get<kinds::Terrain>(), params, {}),
-                (golden_folder() / name / "preview.png").string());
+  io::write_png(render::relief(terrain->get<kinds::Terrain>(), params, {}), path);
 }
 
 class GoldenRecipe : public testing::TestWithParam<std::string> {};
@@ -135,6 +199,15 @@ TEST_P(GoldenRecipe, GivesTheSameBytesAsEver) {
 
 TEST_P(GoldenRecipe, GivesTheSameBytesOnOneThread) {
   EXPECT_EQ(compute(GetParam(), 1).expected, compute(GetParam(), 0).expected);
+}
+
+TEST(GoldenRecipes, HoldEveryOperator) {
+  std::set<std::string> held;
+  for (const std::string& name : golden_names()) {
+    for (const Step& step : read_recipe((golden_folder() / name / "recipe.json").string()).steps)
+      held.insert(step.op->name);
+  }
+  for (const std::string& name : standard_registry().operator_names()) EXPECT_TRUE(held.contains(name)) << name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Recipes, GoldenRecipe, testing::ValuesIn(golden_names()),

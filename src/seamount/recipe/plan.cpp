@@ -15,9 +15,12 @@ void hash_domain(const GridFrame& domain, Hasher& hasher) {
                           domain.north_m, domain.crs));
 }
 
-Digest key_of(const Plan& plan, const Step& step, FileDigests& files) {
+Digest key_of(const Plan& plan, const Step& step, PlannedStep& planned, FileSnapshots& files) {
   const Recipe& recipe = *plan.recipe;
-  const auto file_hex = [&](const std::string& name) { return files.of(resolve_file(recipe, name)).hex(); };
+  const auto file_hex = [&](const std::string& name) {
+    planned.files.push_back(files.of(resolve_file(recipe, name)));
+    return planned.files.back()->digest().hex();
+  };
   Hasher hasher;
   hasher.text(kVersion).text(step.op->name).number(static_cast<uint64_t>(step.op->revision)).text(step.params.dump());
   if (step.op->stochastic) hasher.number(step.seed.value);
@@ -35,7 +38,7 @@ Digest key_of(const Plan& plan, const Step& step, FileDigests& files) {
 }
 
 /// The key of a step, or why it has none.
-void find_key(const Plan& plan, size_t index, PlannedStep& planned, FileDigests& files) {
+void find_key(const Plan& plan, size_t index, PlannedStep& planned, FileSnapshots& files) {
   const Step& step = plan.recipe->steps[index];
   planned.defect_of = index;
   try {
@@ -46,7 +49,7 @@ void find_key(const Plan& plan, size_t index, PlannedStep& planned, FileDigests&
       planned.defect_of = plan.steps[from].defect_of;
       return;
     }
-    planned.key = key_of(plan, step, files);
+    planned.key = key_of(plan, step, planned, files);
   } catch (...) {
     planned.defect = std::current_exception();
   }
@@ -72,7 +75,7 @@ std::string resolve_file(const Recipe& recipe, const std::string& name) {
   return path.is_absolute() ? name : (std::filesystem::path(recipe.folder) / path).string();
 }
 
-Plan make_plan(std::shared_ptr<const Recipe> recipe, const std::vector<Source>& wanted, FileDigests& files) {
+Plan make_plan(std::shared_ptr<const Recipe> recipe, const std::vector<Source>& wanted, FileSnapshots& files) {
   Plan plan;
   plan.recipe = std::move(recipe);
   for (size_t i = 0; i < plan.recipe->steps.size(); ++i) {

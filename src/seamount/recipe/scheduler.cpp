@@ -211,7 +211,9 @@ class Scheduler::Work {
     std::exception_ptr failure;
     try {
       if (job.compute) {
-        values = compute(job, inputs, result);
+        Values made = compute(job, inputs, result);
+        check_files(job.planned());
+        values = std::move(made);
       } else {
         values = cache_.load(job.planned().key, job.step().op->out, *job.plan->recipe->registry);
         if (values) notes = cache_.notes(job.planned().key);
@@ -251,6 +253,13 @@ class Scheduler::Work {
     lock.unlock();
     cache_.store(unsaved.key, unsaved.values, unsaved.notes);
     lock.lock();
+  }
+
+  /// A result belongs to its key only if what was read is what was hashed.
+  static void check_files(const PlannedStep& planned) {
+    for (const auto& file : planned.files) {
+      if (!file->still_valid()) throw IoError(file->path(), "was written to while it was read; run again");
+    }
   }
 
   bool keeps_on_disk(const Job& job) const { return !options_.cache_folder.empty() && job.step().op->cached; }

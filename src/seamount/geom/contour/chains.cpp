@@ -8,12 +8,14 @@ namespace {
 constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
 /// Follows segments from a crossing on and takes them out of `next`.
-ContourChain follow(uint32_t first, std::span<const Crossing> crossings, std::vector<uint32_t>& next) {
+ContourChain follow(uint32_t first, std::span<const Crossing> crossings, std::vector<uint32_t>& next,
+                    const RunContext& run) {
   ContourChain chain;
   chain.level = crossings[first].level;
   chain.first = first;
   uint32_t at = first;
   do {
+    if (chain.points.size() % 65536 == 0) run.check_cancelled();
     chain.points.push_back(crossings[at].at);
     chain.last = at;
     const uint32_t to = next[at];
@@ -26,7 +28,8 @@ ContourChain follow(uint32_t first, std::span<const Crossing> crossings, std::ve
 
 }  // namespace
 
-std::vector<ContourChain> join_segments(std::span<const Crossing> crossings, std::span<const ContourSegment> segments) {
+std::vector<ContourChain> join_segments(std::span<const Crossing> crossings, std::span<const ContourSegment> segments,
+                                        const RunContext& run) {
   std::vector<uint32_t> next(crossings.size(), kNone);
   std::vector<char> entered(crossings.size(), 0);
   for (const ContourSegment& segment : segments) {
@@ -35,10 +38,10 @@ std::vector<ContourChain> join_segments(std::span<const Crossing> crossings, std
   }
   std::vector<ContourChain> chains;
   for (const ContourSegment& segment : segments) {
-    if (entered[segment.from] == 0) chains.push_back(follow(segment.from, crossings, next));
+    if (entered[segment.from] == 0) chains.push_back(follow(segment.from, crossings, next, run));
   }
   for (const ContourSegment& segment : segments) {
-    if (next[segment.from] != kNone) chains.push_back(follow(segment.from, crossings, next));
+    if (next[segment.from] != kNone) chains.push_back(follow(segment.from, crossings, next, run));
   }
   return chains;
 }

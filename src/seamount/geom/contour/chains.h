@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/model/drawn.h"
 
 namespace seamount::geom {
@@ -53,6 +54,7 @@ inline double spread_share(double exact, uint32_t position, uint32_t count) {
 
 /// Joins segments into chains, in the order of their first segments, each starting where that one does; open chains
 /// come first and start where nothing leads. REQUIRES: a crossing starts at most one segment and ends at most one.
-std::vector<ContourChain> join_segments(std::span<const Crossing> crossings, std::span<const ContourSegment> segments);
+std::vector<ContourChain> join_segments(std::span<const Crossing> crossings, std::span<const ContourSegment> segments,
+                                        const RunContext& run);
 
 }  // namespace seamount::geom

@@ -29,7 +29,7 @@ Ring tidy(const Polyline& points) {
 }
 
 /// Sorts closed rings into polygons: a clockwise ring is a hole of the smallest ring around it.
-std::vector<Polygon> nest(std::vector<Ring> rings) {
+std::vector<Polygon> nest(std::vector<Ring> rings, const RunContext& run) {
   std::vector<Polygon> polygons;
   std::vector<double> areas;
   std::vector<Box> boxes;
@@ -43,6 +43,7 @@ std::vector<Polygon> nest(std::vector<Ring> rings) {
   }
   for (Ring& ring : rings) {
     if (ring.size() < 3) continue;
+    run.check_cancelled();
     const Vec2 p = ring.front();
     size_t best = polygons.size();
     for (size_t i = 0; i < polygons.size(); ++i) {
@@ -58,13 +59,14 @@ std::vector<Polygon> nest(std::vector<Ring> rings) {
 
 /// Taubin's smoothing (1995: shrink, then swell, so the size stays) with every point kept within `reach` of where it
 /// was, and points on the frame's edge left there.
-Ring smooth_steps(const Ring& ring, double reach, const GridFrame& frame) {
+Ring smooth_steps(const Ring& ring, double reach, const GridFrame& frame, const RunContext& run) {
   constexpr int kRounds = 12;
   const size_t n = ring.size();
   if (n < 4) return ring;
   Ring now = ring;
   Ring next(n);
   for (int half = 0; half < 2 * kRounds; ++half) {
+    run.check_cancelled();
     const double share = half % 2 == 0 ? 0.5 : -0.53;
     for (size_t i = 0; i < n; ++i) {
       const Vec2 middle = 0.5 * (now[(i + n - 1) % n] + now[(i + 1) % n]);
@@ -83,43 +85,44 @@ Ring smooth_steps(const Ring& ring, double reach, const GridFrame& frame) {
 
 }  // namespace
 
-std::vector<Polygon> trace_areas(const ScalarField& field, double level) {
+std::vector<Polygon> trace_areas(const ScalarField& field, double level, const RunContext& run) {
   std::vector<Ring> rings;
   const double levels[] = {static_cast<float>(level)};
-  for (const ContourChain& chain : march_squares(field, levels, FieldEdge::closed)) {
+  for (const ContourChain& chain : march_squares(field, levels, FieldEdge::closed, run)) {
+    run.check_cancelled();
     Ring ring = tidy(chain.points);
     if (ring.size() >= 3) rings.push_back(std::move(ring));
   }
-  return nest(std::move(rings));
+  return nest(std::move(rings), run);
 }
 
-std::vector<Polyline> trace_lines(const ScalarField& field, double level) {
+std::vector<Polyline> trace_lines(const ScalarField& field, double level, const RunContext& run) {
   std::vector<Polyline> lines;
   const double levels[] = {static_cast<float>(level)};
-  for (ContourChain& chain : march_squares(field, levels, FieldEdge::open)) {
+  for (ContourChain& chain : march_squares(field, levels, FieldEdge::open, run)) {
     if (chain.closed) chain.points.push_back(chain.points.front());
     lines.push_back(std::move(chain.points));
   }
   return lines;
 }
 
-std::vector<Contour> trace_contours(const ScalarField& field, std::span<const double> levels) {
+std::vector<Contour> trace_contours(const ScalarField& field, std::span<const double> levels, const RunContext& run) {
   std::vector<Contour> contours;
-  for (ContourChain& chain : march_squares(field, levels, FieldEdge::apron)) {
+  for (ContourChain& chain : march_squares(field, levels, FieldEdge::apron, run)) {
     contours.push_back({levels[chain.level], std::move(chain.points), -1});
   }
   return contours;
 }
 
-std::vector<Polygon> trace_mask(const Grid<uint8_t>& inside) {
+std::vector<Polygon> trace_mask(const Grid<uint8_t>& inside, const RunContext& run) {
   ScalarField field(inside.frame());
   std::transform(inside.cells().begin(), inside.cells().end(), field.cells().begin(),
                  [](uint8_t in) { return in != 0 ? 1.0F : 0.0F; });
-  std::vector<Polygon> polygons = trace_areas(field, 0.5);
+  std::vector<Polygon> polygons = trace_areas(field, 0.5, run);
   const double reach = 0.45 * inside.cell_m();
   for (Polygon& polygon : polygons) {
-    polygon.outer = smooth_steps(polygon.outer, reach, inside.frame());
-    for (Ring& hole : polygon.holes) hole = smooth_steps(hole, reach, inside.frame());
+    polygon.outer = smooth_steps(polygon.outer, reach, inside.frame(), run);
+    for (Ring& hole : polygon.holes) hole = smooth_steps(hole, reach, inside.frame(), run);
   }
   return polygons;
 }

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/model/contour_set.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
@@ -19,21 +20,22 @@ namespace seamount::geom {
 /// The area where value >= level: outer rings counter-clockwise, each with its holes (clockwise); the frame's edge
 /// closes areas that reach it. Rings are simple and do not touch each other. In order of their first cell, row by row.
 /// A value that is not a number counts as below. Linear in cells plus n log n in contour points.
-std::vector<Polygon> trace_areas(const ScalarField& field, double level);
+std::vector<Polygon> trace_areas(const ScalarField& field, double level, const RunContext& run = {});
 
 /// Contour lines for drawing, higher ground on the left; a closed line repeats its first point at the end, an open one
 /// ends at the frame's edge. Same cost.
-std::vector<Polyline> trace_lines(const ScalarField& field, double level);
+std::vector<Polyline> trace_lines(const ScalarField& field, double level, const RunContext& run = {});
 
 /// The contours at all of the levels in one pass, closed, higher ground on the left, that neither cross nor touch each
 /// other or themselves: beyond the frame's edge the field falls below every level within one cell, so that contours
 /// which reach the edge close there, lower ones further out. Not nested yet (nesting.h). REQUIRES: levels ascend, no
 /// two are the same, every value is finite. Linear in the cells (times the logarithm of the number of levels) and the
 /// points.
-std::vector<Contour> trace_contours(const ScalarField& field, std::span<const double> levels);
+std::vector<Contour> trace_contours(const ScalarField& field, std::span<const double> levels,
+                                    const RunContext& run = {});
 
 /// The area of cells with inside != 0, its stair steps smoothed away without moving the border further than one cell
 /// anywhere. Oriented and nested like trace_areas.
-std::vector<Polygon> trace_mask(const Grid<uint8_t>& inside);
+std::vector<Polygon> trace_mask(const Grid<uint8_t>& inside, const RunContext& run = {});
 
 }  // namespace seamount::geom

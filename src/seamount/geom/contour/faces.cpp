@@ -55,11 +55,13 @@ struct RowCrossing {
 };
 
 /// By row, then from west to east.
-std::vector<RowCrossing> row_crossings(const std::vector<Contour>& contours, const GridFrame& frame) {
+std::vector<RowCrossing> row_crossings(const std::vector<Contour>& contours, const GridFrame& frame,
+                                       const RunContext& run) {
   std::vector<RowCrossing> crossings;
   for (size_t c = 0; c < contours.size(); ++c) {
     const Ring& ring = contours[c].ring;
     for (size_t i = 0; i < ring.size(); ++i) {
+      run.check_cancelled();
       const Vec2 from = ring[i];
       const Vec2 to = ring[i + 1 < ring.size() ? i + 1 : 0];
       const double a = frame.row(from.y);
@@ -73,7 +75,8 @@ std::vector<RowCrossing> row_crossings(const std::vector<Contour>& contours, con
       }
     }
   }
-  std::sort(crossings.begin(), crossings.end(), [](const RowCrossing& a, const RowCrossing& b) {
+  std::sort(crossings.begin(), crossings.end(), [&](const RowCrossing& a, const RowCrossing& b) {
+    run.check_cancelled();
     if (a.row != b.row) return a.row < b.row;
     return a.x != b.x ? a.x < b.x : a.contour < b.contour;
   });
@@ -120,7 +123,7 @@ class RowWalk {
 
 Grid<int32_t> rasterise_faces(const std::vector<Contour>& contours, const GridFrame& frame, const RunContext& run) {
   Grid<int32_t> faces(frame);
-  const std::vector<RowCrossing> crossings = row_crossings(contours, frame);
+  const std::vector<RowCrossing> crossings = row_crossings(contours, frame, run);
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
     RowWalk walk(contours);
     auto at = std::lower_bound(crossings.begin(), crossings.end(), begin,

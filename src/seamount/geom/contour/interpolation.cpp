@@ -71,12 +71,14 @@ std::optional<Piece> clip(Vec2 a, Vec2 b, const GridFrame& frame) {
 /// Each edge within the frame twice: as a bound of the face inside and of the face outside.
 class BoundPieces {
  public:
-  BoundPieces(const std::vector<Contour>& contours, const ContourFaces& faces, const GridFrame& frame)
+  BoundPieces(const std::vector<Contour>& contours, const ContourFaces& faces, const GridFrame& frame,
+              const RunContext& run)
       : starts_(faces.bounds().size() + 1, 0) {
     int32_t number = 0;
     for (size_t c = 0; c < contours.size(); ++c) {
       const Ring& ring = contours[c].ring;
       for (size_t i = 0; i < ring.size(); ++i, ++number) {
+        run.check_cancelled();
         const Vec2& p = ring[i];
         const Vec2& q = ring[i + 1 < ring.size() ? i + 1 : 0];
         std::optional<Piece> piece =
@@ -89,7 +91,10 @@ class BoundPieces {
         pieces_.push_back(*piece);
       }
     }
-    std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) { return a.bound < b.bound; });
+    std::stable_sort(pieces_.begin(), pieces_.end(), [&](const Piece& a, const Piece& b) {
+      run.check_cancelled();
+      return a.bound < b.bound;
+    });
     for (const Piece& piece : pieces_) ++starts_[piece.bound + 1];
     for (size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
   }
@@ -106,8 +111,8 @@ class BoundPieces {
 /// Works down one tile.
 class Descent {
  public:
-  Descent(const ContourFaces& faces, ContourInterpolation& made)
-      : faces_(faces), made_(made), seen_(static_cast<size_t>(faces.count()), 0) {}
+  Descent(const ContourFaces& faces, ContourInterpolation& made, const RunContext& run)
+      : faces_(faces), made_(made), run_(run), seen_(static_cast<size_t>(faces.count()), 0) {}
 
   void fill_tile(const BoundPieces& pieces, int x0, int y0) {
     left_ = x0;
@@ -148,6 +153,7 @@ class Descent {
     const int width = std::min(size, made_.face.width() - x0);
     const int height = std::min(size, made_.face.height() - y0);
     if (width <= 0 || height <= 0) return;
+    run_.check_cancelled();
     mark_faces(x0, y0, width, height);
     const float reach = 0.5F * std::hypot(static_cast<float>(width - 1), static_cast<float>(height - 1));
     keep_near(edges, static_cast<float>(x0 - left_) + 0.5F * static_cast<float>(width - 1),
@@ -230,6 +236,7 @@ class Descent {
 
   const ContourFaces& faces_;
   ContourInterpolation& made_;
+  const RunContext& run_;
   int left_ = 0, top_ = 0;
   uint32_t stamp_ = 0;
   std::vector<uint32_t> seen_;  ///< per face: the last square that it was seen in
@@ -247,11 +254,11 @@ ContourInterpolation interpolate_contours(const std::vector<Contour>& contours, 
                             ScalarField(frame),
                             Grid<int32_t>(frame),
                             Grid<int32_t>(frame)};
-  const BoundPieces pieces(contours, faces, frame);
+  const BoundPieces pieces(contours, faces, frame, run);
   const int columns = (frame.width + kTile - 1) / kTile;
   const int rows = (frame.height + kTile - 1) / kTile;
   parallel_blocks(run, static_cast<int64_t>(columns) * rows, 1, [&](int64_t begin, int64_t end) {
-    Descent descent(faces, made);
+    Descent descent(faces, made, run);
     for (int64_t tile = begin; tile < end; ++tile) {
       descent.fill_tile(pieces, static_cast<int>(tile % columns) * kTile, static_cast<int>(tile / columns) * kTile);
     }

@@ -57,7 +57,8 @@ void drop_repeated(ContourChain& chain) {
 
 }  // namespace
 
-std::vector<LevelChain> march_open_triangles(const HeightMesh& mesh, const std::vector<double>& levels) {
+std::vector<LevelChain> march_open_triangles(const HeightMesh& mesh, const std::vector<double>& levels,
+                                             const RunContext& run) {
   const std::vector<Piece> pieces = cut_triangles(mesh, levels);
   // A place is numbered as the piece that starts there; those where none does, at the border, follow.
   std::vector<EdgePlace> places;
@@ -66,6 +67,7 @@ std::vector<LevelChain> march_open_triangles(const HeightMesh& mesh, const std::
   std::vector<ContourSegment> segments;
   segments.reserve(pieces.size());
   for (const Piece& piece : pieces) {
+    if (segments.size() % 4096 == 0) run.check_cancelled();
     const auto end = places.begin() + static_cast<std::ptrdiff_t>(pieces.size());
     const auto found = std::lower_bound(places.begin(), end, piece.to);
     const bool goes_on = found != end && *found == piece.to;
@@ -77,7 +79,7 @@ std::vector<LevelChain> march_open_triangles(const HeightMesh& mesh, const std::
   crossings.reserve(places.size());
   for (const EdgePlace& at : places) crossings.push_back({place(mesh, at, levels[at.level]), at.level});
   std::vector<LevelChain> chains;
-  for (ContourChain& chain : join_segments(crossings, segments)) {
+  for (ContourChain& chain : join_segments(crossings, segments, run)) {
     drop_repeated(chain);
     const int32_t first = places[chain.first].high;
     const int32_t last = chain.closed ? -1 : places[chain.last].high;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/model/drawn.h"
 
 namespace seamount::geom {
@@ -28,6 +29,7 @@ struct LevelChain {
 
 /// All chains at all levels, open ones first, each kind by level and by the nodes of the edge that it starts on.
 /// REQUIRES: levels ascend; edges belong to at most two triangles. n log n in what is made.
-std::vector<LevelChain> march_open_triangles(const HeightMesh& mesh, const std::vector<double>& levels);
+std::vector<LevelChain> march_open_triangles(const HeightMesh& mesh, const std::vector<double>& levels,
+                                             const RunContext& run = {});
 
 }  // namespace seamount::geom

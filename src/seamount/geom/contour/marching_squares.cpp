@@ -61,10 +61,11 @@ class SquareMarch {
     if (edge == FieldEdge::apron) outside_ = height_below(levels);
   }
 
-  std::vector<ContourChain> trace() {
+  std::vector<ContourChain> trace(const RunContext& run) {
     read_row(0);
     cross_row(0, top_);
     for (int row = 0; row + 1 < field_.height() + 2 * margin_; ++row) {
+      run.check_cancelled();
       std::swap(above_, below_);
       read_row(row + 1);
       cross_row(row + 1, bottom_);
@@ -72,7 +73,7 @@ class SquareMarch {
       for (size_t c = 0; c + 1 < above_.size(); ++c) add_square(c);
       std::swap(top_, bottom_);
     }
-    return join_segments(crossings_, segments_);
+    return join_segments(crossings_, segments_, run);
   }
 
  private:
@@ -169,9 +170,10 @@ class SquareMarch {
 
 }  // namespace
 
-std::vector<ContourChain> march_squares(const ScalarField& field, std::span<const double> levels, FieldEdge edge) {
+std::vector<ContourChain> march_squares(const ScalarField& field, std::span<const double> levels, FieldEdge edge,
+                                        const RunContext& run) {
   if (field.empty() || levels.empty()) return {};
-  return SquareMarch(field, levels, edge).trace();
+  return SquareMarch(field, levels, edge).trace(run);
 }
 
 }  // namespace seamount::geom

@@ -16,6 +16,7 @@ enum class FieldEdge { open, closed, apron };
 
 /// REQUIRES: levels ascend strictly. Values that are not numbers count as below everything. Chains in the order of
 /// their first square, row by row; higher ground on the left.
-std::vector<ContourChain> march_squares(const ScalarField& field, std::span<const double> levels, FieldEdge edge);
+std::vector<ContourChain> march_squares(const ScalarField& field, std::span<const double> levels, FieldEdge edge,
+                                        const RunContext& run);
 
 }  // namespace seamount::geom

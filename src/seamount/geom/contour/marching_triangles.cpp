@@ -39,10 +39,10 @@ Vec2 apron_node(Vec2 a, Vec2 b, Vec2 c) {
   return b + 0.25 * std::min(in_length, out_length) * way;
 }
 
-Apron make_apron(const Tin& tin, const std::vector<uint32_t>& ranks) {
+Apron make_apron(const Tin& tin, const std::vector<uint32_t>& ranks, const RunContext& run) {
   Apron apron;
   const auto first = static_cast<int32_t>(tin.nodes.size());
-  for (const std::vector<int32_t>& ring : border_rings(tin)) {
+  for (const std::vector<int32_t>& ring : border_rings(tin, run)) {
     const size_t n = ring.size();
     const auto node = [&](size_t i) { return static_cast<size_t>(ring[i % n]); };
     const auto begin = first + static_cast<int32_t>(apron.nodes.size());
@@ -66,7 +66,7 @@ class TriangleMarch {
       for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
         ranks_[i] = level_rank(levels_, tin_.height_m[i]);
     });
-    apron_ = make_apron(tin, ranks_);
+    apron_ = make_apron(tin, ranks_, run);
     ranks_.resize(ranks_.size() + apron_.nodes.size(), 0);
     outside_ = height_below(levels);
   }
@@ -77,7 +77,7 @@ class TriangleMarch {
     place_crossings();
     link_triangles();
     run_.check_cancelled();
-    std::vector<ContourChain> chains = join_segments(crossings_, segments_);
+    std::vector<ContourChain> chains = join_segments(crossings_, segments_, run_);
     size_t points = 0;
     for (const ContourChain& chain : chains) points += chain.closed ? chain.points.size() : 0;
     if (points != crossings_.size()) throw InvalidArgument("tin", "more than two triangles meet at an edge");
@@ -98,6 +98,7 @@ class TriangleMarch {
     starts_.assign(ranks_.size() + 1, 0);
     const size_t count = tin_.triangles.size() + apron_.triangles.size();
     for (size_t i = 0; i < count; ++i) {
+      if (i % 65536 == 0) run_.check_cancelled();
       const std::array<int32_t, 3>& t = triangle(i);
       const std::array<uint32_t, 3> r = {rank(t[0]), rank(t[1]), rank(t[2])};
       if (r[0] == r[1] && r[1] == r[2]) continue;
@@ -109,6 +110,7 @@ class TriangleMarch {
     lows_.resize(starts_.back());
     std::vector<uint32_t> next(starts_.begin(), starts_.end() - 1);
     for (const uint32_t i : crossed_) {
+      run_.check_cancelled();
       const std::array<int32_t, 3>& t = triangle(i);
       for (size_t k = 0; k < 3; ++k) {
         const int32_t to = t[(k + 1) % 3];
@@ -160,6 +162,7 @@ class TriangleMarch {
   void link_triangles() {
     segments_.reserve(crossings_.size());
     for (const uint32_t i : crossed_) {
+      run_.check_cancelled();
       const std::array<int32_t, 3>& t = triangle(i);
       for (size_t out = 0; out < 3; ++out) {
         const int32_t foot = t[out];

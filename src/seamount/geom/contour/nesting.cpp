@@ -11,12 +11,15 @@
 namespace seamount::geom {
 namespace {
 
-std::vector<RingEdge> all_edges(const std::vector<Contour>& contours) {
+std::vector<RingEdge> all_edges(const std::vector<Contour>& contours, const RunContext& run) {
   size_t count = 0;
   for (const Contour& contour : contours) count += contour.ring.size();
   std::vector<RingEdge> edges;
   edges.reserve(count);
-  for (size_t i = 0; i < contours.size(); ++i) add_ring_edges(contours[i].ring, i, edges);
+  for (size_t i = 0; i < contours.size(); ++i) {
+    run.check_cancelled();
+    add_ring_edges(contours[i].ring, i, edges);
+  }
   return edges;
 }
 
@@ -24,23 +27,27 @@ bool further_west(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 }  // namespace
 
-std::optional<ContourCrossing> find_contour_crossing(const std::vector<Contour>& contours) {
-  const std::vector<RingEdge> edges = all_edges(contours);
-  const EdgeGrid grid(edges);
-  const auto meeting = grid.find_meeting([](const RingEdge&, const RingEdge&) { return true; });
+std::optional<ContourCrossing> find_contour_crossing(const std::vector<Contour>& contours, const RunContext& run) {
+  const std::vector<RingEdge> edges = all_edges(contours, run);
+  const EdgeGrid grid(edges, run);
+  const auto meeting = grid.find_meeting([&](const RingEdge&, const RingEdge&) {
+    run.check_cancelled();
+    return true;
+  });
   if (!meeting) return std::nullopt;
   const RingEdge& e = edges[std::min(meeting->first, meeting->second)];
   const RingEdge& f = edges[std::max(meeting->first, meeting->second)];
   return ContourCrossing{e.ring, f.ring, e.index, f.index, meeting->at};
 }
 
-std::vector<int> find_contour_parents(const std::vector<Contour>& contours) {
-  const std::vector<RingEdge> edges = all_edges(contours);
-  const EdgeGrid grid(edges);
+std::vector<int> find_contour_parents(const std::vector<Contour>& contours, const RunContext& run) {
+  const std::vector<RingEdge> edges = all_edges(contours, run);
+  const EdgeGrid grid(edges, run);
   std::vector<int> parents(contours.size(), -1);
   std::vector<Vec2> tips;
   std::vector<char> hill;
   for (const Contour& contour : contours) {
+    run.check_cancelled();
     tips.push_back(*std::min_element(contour.ring.begin(), contour.ring.end(), further_west));
     hill.push_back(is_hill(contour) ? 1 : 0);
   }
@@ -48,6 +55,7 @@ std::vector<int> find_contour_parents(const std::vector<Contour>& contours) {
   std::iota(order.begin(), order.end(), size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return further_west(tips[a], tips[b]); });
   for (const size_t ring : order) {
+    run.check_cancelled();
     const auto seen = grid.first_to_the_west(tips[ring], [&](const RingEdge& edge) { return edge.ring != ring; });
     if (!seen) continue;
     const RingEdge& edge = edges[*seen];
@@ -58,8 +66,8 @@ std::vector<int> find_contour_parents(const std::vector<Contour>& contours) {
   return parents;
 }
 
-void nest_contours(std::vector<Contour>& contours) {
-  const std::vector<int> parents = find_contour_parents(contours);
+void nest_contours(std::vector<Contour>& contours, const RunContext& run) {
+  const std::vector<int> parents = find_contour_parents(contours, run);
   const size_t n = contours.size();
   std::vector<std::vector<size_t>> children(n + 1);  // the last: those without parent
   for (size_t i = 0; i < n; ++i) children[parents[i] < 0 ? n : static_cast<size_t>(parents[i])].push_back(i);

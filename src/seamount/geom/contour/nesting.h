@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/model/contour_set.h"
 
 namespace seamount::geom {
@@ -22,15 +23,15 @@ struct ContourCrossing {
 /// A place where any two rings cross or touch, or one crosses or touches itself; nothing if contours are as ContourSet
 /// wants them. Always the same place for the same set. Points that repeat their neighbour are no touch. REQUIRES:
 /// finite places. About n log n for n points; a million points take about half a second.
-std::optional<ContourCrossing> find_contour_crossing(const std::vector<Contour>& contours);
+std::optional<ContourCrossing> find_contour_crossing(const std::vector<Contour>& contours, const RunContext& run = {});
 
 /// For each contour the one that directly encloses it, or -1. REQUIRES: finite places, find_contour_crossing() finds
 /// nothing, each ring at least three points. About n log n.
-std::vector<int> find_contour_parents(const std::vector<Contour>& contours);
+std::vector<int> find_contour_parents(const std::vector<Contour>& contours, const RunContext& run = {});
 
 /// Sets `parent` and sorts parents before children: each contour is followed by all that it encloses, siblings keep
 /// their order. Requires and costs the same.
-void nest_contours(std::vector<Contour>& contours);
+void nest_contours(std::vector<Contour>& contours, const RunContext& run = {});
 
 /// Turns rings so that higher ground is on their left, going by heights alone: a contour without parent is a hill, one
 /// higher than its parent a hill, a lower one a basin. One at its parent's height is a basin in a hill and a hill in a

@@ -68,9 +68,15 @@ Kept keep(const Ring& ring, double squared_tolerance) {
 /// Contours of which only some points are kept.
 class Simplified {
  public:
-  Simplified(const std::vector<Contour>& contours, double tolerance_m)
-      : contours_(contours), parents_(find_contour_parents(contours)), squared_tolerance_(tolerance_m * tolerance_m) {
-    for (const Contour& contour : contours) kept_.push_back(keep(contour.ring, squared_tolerance_));
+  Simplified(const std::vector<Contour>& contours, double tolerance_m, const RunContext& run)
+      : contours_(contours),
+        parents_(find_contour_parents(contours, run)),
+        squared_tolerance_(tolerance_m * tolerance_m),
+        run_(run) {
+    for (const Contour& contour : contours) {
+      run.check_cancelled();
+      kept_.push_back(keep(contour.ring, squared_tolerance_));
+    }
   }
 
   std::vector<Contour> made() const {
@@ -88,8 +94,11 @@ class Simplified {
     std::vector<RingEdge> edges;
     for (size_t r = 0; r < fewer.size(); ++r) add_ring_edges(fewer[r].ring, r, edges);
     std::vector<std::pair<size_t, size_t>> wanted;  // ring, edge
-    const auto any = [](const RingEdge&, const RingEdge&) { return true; };
-    EdgeGrid(edges).for_each_meeting(any, [&](const EdgeGrid::Meeting& meeting) {
+    const auto any = [this](const RingEdge&, const RingEdge&) {
+      run_.check_cancelled();
+      return true;
+    };
+    EdgeGrid(edges, run_).for_each_meeting(any, [&](const EdgeGrid::Meeting& meeting) {
       for (const size_t number : {meeting.first, meeting.second})
         wanted.push_back({edges[number].ring, edges[number].index});
       return true;
@@ -100,7 +109,7 @@ class Simplified {
   /// The same for edges that have passed over a whole contour. REQUIRES: none meet.
   bool split_passing_edges() {
     const std::vector<Contour> fewer = made();
-    const std::vector<int> parents = find_contour_parents(fewer);
+    const std::vector<int> parents = find_contour_parents(fewer, run_);
     std::vector<std::pair<size_t, size_t>> wanted;
     for (size_t r = 0; r < parents.size(); ++r) {
       if (parents[r] == parents_[r]) continue;
@@ -157,13 +166,14 @@ class Simplified {
   const std::vector<Contour>& contours_;
   std::vector<int> parents_;
   double squared_tolerance_;
+  const RunContext& run_;
   std::vector<Kept> kept_;
 };
 
 }  // namespace
 
 void simplify_contours(std::vector<Contour>& contours, double tolerance_m, const RunContext& run) {
-  Simplified simplified(contours, tolerance_m);
+  Simplified simplified(contours, tolerance_m, run);
   do {
     do run.check_cancelled();
     while (simplified.split_meeting_edges());

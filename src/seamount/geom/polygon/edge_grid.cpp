@@ -17,7 +17,7 @@ void add_ring_edges(const Ring& ring, size_t number, std::vector<RingEdge>& edge
   if (edges.size() > first) edges.back().next = first;
 }
 
-EdgeGrid::EdgeGrid(const std::vector<RingEdge>& edges) : edges_(edges) {
+EdgeGrid::EdgeGrid(const std::vector<RingEdge>& edges, const RunContext& run) : edges_(edges) {
   if (edges.empty()) return;
   low_ = edges[0].a;
   Vec2 high = low_;
@@ -29,11 +29,17 @@ EdgeGrid::EdgeGrid(const std::vector<RingEdge>& edges) : edges_(edges) {
   const double extent = std::max(high.x - low_.x, high.y - low_.y);
   scale_ = extent > 0.0 ? side_ / extent : 1.0;
   starts_.assign(static_cast<size_t>(side_) * static_cast<size_t>(side_) + 1, 0);
-  for (const RingEdge& edge : edges) for_each_cell(edge, [&](size_t cell) { ++starts_[cell + 1]; });
+  for (const RingEdge& edge : edges) {
+    run.check_cancelled();
+    for_each_cell(edge, [&](size_t cell) { ++starts_[cell + 1]; });
+  }
   std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
   members_.resize(starts_.back());
   std::vector<size_t> next(starts_.begin(), starts_.end() - 1);
-  for (size_t i = 0; i < edges.size(); ++i) for_each_cell(edges[i], [&](size_t cell) { members_[next[cell]++] = i; });
+  for (size_t i = 0; i < edges.size(); ++i) {
+    run.check_cancelled();
+    for_each_cell(edges[i], [&](size_t cell) { members_[next[cell]++] = i; });
+  }
 }
 
 std::optional<Vec2> EdgeGrid::meet(size_t first, size_t second) const {

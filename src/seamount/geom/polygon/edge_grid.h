@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/geom/polygon/predicates.h"
 
@@ -30,7 +31,7 @@ class EdgeGrid {
   };
 
   /// REQUIRES: finite coordinates; `edges` outlives the grid. Linear in the edges unless many span the whole.
-  explicit EdgeGrid(const std::vector<RingEdge>& edges);
+  explicit EdgeGrid(const std::vector<RingEdge>& edges, const RunContext& run = {});
 
   /// The first pair of edges that cross or touch, cell by cell, of those wanted(edge, edge) allows. Neighbours in a
   /// ring meet only where one runs back over the other.

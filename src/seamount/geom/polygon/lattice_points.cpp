@@ -31,12 +31,13 @@ struct Keyed {
 };
 
 /// Stable radix sort by key.
-void sort_by_key(std::vector<Keyed>& items) {
+void sort_by_key(std::vector<Keyed>& items, const RunContext& run) {
   constexpr int kBits = 11;
   std::vector<Keyed> other(items.size());
   for (int shift = 0; shift < 2 * kCurveBits; shift += kBits) {
     std::array<size_t, size_t{1} << kBits> starts{};
     const auto digit = [&](const Keyed& item) { return (item.key >> shift) & ((1U << kBits) - 1); };
+    run.check_cancelled();
     for (const Keyed& item : items) ++starts[digit(item)];
     size_t sum = 0;
     for (size_t& start : starts) {
@@ -70,7 +71,7 @@ Lattice snap(std::span<const Vec2> points, std::vector<LatticePoint>& snapped) {
   return lattice;
 }
 
-std::vector<int32_t> spatial_order(std::span<const LatticePoint> points) {
+std::vector<int32_t> spatial_order(std::span<const LatticePoint> points, const RunContext& run) {
   LatticePoint low{kLatticeEnd, kLatticeEnd}, high{0, 0};
   for (const LatticePoint p : points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -80,11 +81,12 @@ std::vector<int32_t> spatial_order(std::span<const LatticePoint> points) {
   const int shift = std::max(0, static_cast<int>(std::bit_width(extent)) - kCurveBits);
   std::vector<Keyed> items(points.size());
   for (size_t i = 0; i < points.size(); ++i) {
+    if (i % 65536 == 0) run.check_cancelled();
     const auto x = static_cast<uint32_t>(points[i].x - low.x) >> shift;
     const auto y = static_cast<uint32_t>(points[i].y - low.y) >> shift;
     items[i] = {hilbert_index(x, y), static_cast<int32_t>(i)};
   }
-  sort_by_key(items);
+  sort_by_key(items, run);
   std::vector<int32_t> order(points.size());
   for (size_t i = 0; i < points.size(); ++i) order[i] = items[i].index;
   return order;

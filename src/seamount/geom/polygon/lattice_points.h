@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/model/drawn.h"
 
 namespace seamount::geom {
@@ -60,6 +61,6 @@ Lattice snap(std::span<const Vec2> points, std::vector<LatticePoint>& snapped);
 
 /// Indices of the points along a Hilbert curve over their bounding square: neighbours in the order are neighbours in
 /// the plane. Points in one cell of the curve (65536 to a side) stay in their order. Linear time.
-std::vector<int32_t> spatial_order(std::span<const LatticePoint> points);
+std::vector<int32_t> spatial_order(std::span<const LatticePoint> points, const RunContext& run = {});
 
 }  // namespace seamount::geom

@@ -227,6 +227,7 @@ DiscSampling poisson_discs(const std::vector<Polygon>& areas, double margin_m, c
   fill_all(map, seed, run.part(0.2, 0.9));
   std::vector<LatticePoint> points;
   for (const Tile& tile : map.tiles) {
+    run.check_cancelled();
     for (int cell = 0; cell < kCells * kCells; ++cell) {
       const DiscTile::Offset offset = tile.points[static_cast<size_t>(cell)];
       if (offset.empty()) continue;
@@ -234,9 +235,10 @@ DiscSampling poisson_discs(const std::vector<Polygon>& areas, double margin_m, c
                         (tile.y * kCells + cell / kCells) * DiscTile::kCellUnits + offset.y});
     }
   }
-  const std::vector<int32_t> order = spatial_order(points);
+  const std::vector<int32_t> order = spatial_order(points, run);
   DiscSampling sampling{{box.low, spacing_m / DiscSampling::kSpacing}, {}};
   sampling.points.reserve(points.size());
+  run.check_cancelled();
   for (const int32_t i : order) sampling.points.push_back(points[static_cast<size_t>(i)]);
   return sampling;
 }

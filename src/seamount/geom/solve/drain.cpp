@@ -58,11 +58,12 @@ class Drainage {
       seen[static_cast<size_t>(cell)] = 1;
       queue.push({height(cell), cell});
     };
+    run_.check_cancelled();
     for (int64_t cell = 0; cell < static_cast<int64_t>(heights_.size()); ++cell)
       if (on_border(cell)) enter(cell);
     for (const int64_t cell : allowed_) enter(cell);
     for (int64_t popped = 0; !queue.empty(); ++popped) {
-      if (popped % 65536 == 0) run_.check_cancelled();
+      if (popped % 16384 == 0) run_.check_cancelled();
       const Waiting here = queue.top();
       queue.pop();
       for_each_neighbour(here.cell, [&](int64_t next) {
@@ -109,6 +110,7 @@ class Drainage {
     Queue queue;
     queue.push({height(sink), sink});
     while (!queue.empty() && seen.size() < kMostSeen) {
+      if (seen.size() % 4096 == 0) run_.check_cancelled();
       const Waiting here = queue.top();
       queue.pop();
       const bool leaves = on_border(here.cell);

@@ -21,13 +21,14 @@ struct Coarse {
   Grid<uint8_t> fixed;
 };
 
-Coarse means(const HeightField& heights, const Grid<uint8_t>& covered, int step) {
+Coarse means(const HeightField& heights, const Grid<uint8_t>& covered, int step, const RunContext& run) {
   GridFrame frame = heights.frame();
   frame.width = (frame.width + step - 1) / step;
   frame.height = (frame.height + step - 1) / step;
   frame.cell_m *= step;
   Coarse coarse{ScalarField(frame, 0.0F), Grid<uint8_t>(frame, uint8_t{0})};
   for (int y = 0; y < frame.height; ++y) {
+    run.check_cancelled();
     for (int x = 0; x < frame.width; ++x) {
       double sum = 0.0;
       int count = 0;
@@ -64,7 +65,7 @@ double bend(const Grid<uint8_t>& fixed, double slope) {
 
 void extrapolate_ground(HeightField& heights, const Grid<uint8_t>& covered, double slope, const RunContext& run) {
   const int step = (std::max(heights.width(), heights.height()) + kMostAcross - 1) / kMostAcross;
-  Coarse coarse = means(heights, covered, step);
+  Coarse coarse = means(heights, covered, step, run);
   const std::span<const uint8_t> fixed = coarse.fixed.cells();
   if (std::all_of(fixed.begin(), fixed.end(), [](uint8_t f) { return f == 0; }))
     throw IncompatibleInputs("no cell of the terrain is known");

@@ -42,7 +42,7 @@ class Builder {
     fill(p);
   }
 
-  std::vector<Triangle> triangles() const;
+  std::vector<Triangle> triangles(const RunContext& run) const;
 
  private:
   static size_t at(int32_t i) { return static_cast<size_t>(i); }
@@ -142,10 +142,11 @@ class Builder {
   int32_t last_ = 0;
 };
 
-std::vector<Triangle> Builder::triangles() const {
+std::vector<Triangle> Builder::triangles(const RunContext& run) const {
   std::vector<int32_t> starts(points_.size() + 1, 0);
   const auto for_each = [&](auto&& visit) {
     for (int32_t t = 0; t < static_cast<int32_t>(corner_.size() / 3); ++t) {
+      if (t % 65536 == 0) run.check_cancelled();
       if (ghost_corner(t) < 3) continue;
       Triangle abc = {from(3 * t), from(3 * t + 1), from(3 * t + 2)};
       std::rotate(abc.begin(), std::min_element(abc.begin(), abc.end()), abc.end());
@@ -186,14 +187,16 @@ std::vector<std::vector<int32_t>> rounds_of(const std::vector<int32_t>& order) {
 }  // namespace
 
 std::vector<Triangle> delaunay(std::span<const LatticePoint> points, const RunContext& run) {
-  constexpr size_t kPointsPerReport = 1 << 14;
-  const std::vector<int32_t> order = spatial_order(points);
+  constexpr size_t kPointsPerReport = 1 << 12;
+  const std::vector<int32_t> order = spatial_order(points, run);
   Triangle first{};
   if (points.size() < 3 || !first_triangle(points, order, first)) return {};
+  run.check_cancelled();
   Builder builder(points);
   builder.start(first[0], first[1], first[2]);
   size_t done = 0;
   const std::vector<std::vector<int32_t>> rounds = rounds_of(order);
+  run.check_cancelled();
   for (size_t round = rounds.size(); round-- > 0;) {
     for (const int32_t p : rounds[round]) {
       builder.insert(p);
@@ -202,7 +205,7 @@ std::vector<Triangle> delaunay(std::span<const LatticePoint> points, const RunCo
       run.report(static_cast<double>(done) / static_cast<double>(points.size()));
     }
   }
-  return builder.triangles();
+  return builder.triangles(run);
 }
 
 std::vector<Triangle> delaunay(std::span<const Vec2> points, const RunContext& run) {

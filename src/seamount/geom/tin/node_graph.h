@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "seamount/base/run_context.h"
+
 namespace seamount::geom {
 
 struct NodeGraph {
@@ -18,6 +20,6 @@ struct NodeGraph {
 };
 
 /// The nodes that share a triangle's side with each node. REQUIRES: triangles name nodes below `nodes`. Linear.
-NodeGraph make_node_graph(std::span<const std::array<int32_t, 3>> triangles, size_t nodes);
+NodeGraph make_node_graph(std::span<const std::array<int32_t, 3>> triangles, size_t nodes, const RunContext& run = {});
 
 }  // namespace seamount::geom

@@ -30,8 +30,9 @@ std::vector<char> border_nodes(const Tin& tin) {
 }
 
 /// Edges without a twin, sorted.
-std::vector<Edge> border_edges(const Tin& tin) {
+std::vector<Edge> border_edges(const Tin& tin, const RunContext& run) {
   const std::vector<char> on_border = border_nodes(tin);
+  run.check_cancelled();
   std::vector<Edge> edges;
   for (const std::array<int32_t, 3>& t : tin.triangles) {
     for (size_t i = 0; i < 3; ++i) {
@@ -40,6 +41,7 @@ std::vector<Edge> border_edges(const Tin& tin) {
         edges.push_back(edge);
     }
   }
+  run.check_cancelled();
   std::sort(edges.begin(), edges.end());
   std::vector<Edge> alone;
   for (const Edge& edge : edges) {
@@ -56,8 +58,8 @@ bool turns_first(Vec2 node, Vec2 a, Vec2 b, Vec2 c) {
 
 }  // namespace
 
-std::vector<std::vector<int32_t>> border_rings(const Tin& tin) {
-  const std::vector<Edge> edges = border_edges(tin);
+std::vector<std::vector<int32_t>> border_rings(const Tin& tin, const RunContext& run) {
+  const std::vector<Edge> edges = border_edges(tin, run);
   std::vector<char> used(edges.size(), 0);
   const auto place = [&](int32_t node) { return tin.nodes[static_cast<size_t>(node)]; };
   // The next edge of a ring leaves where the gap beside the network ends.
@@ -88,9 +90,9 @@ std::vector<std::vector<int32_t>> border_rings(const Tin& tin) {
 namespace {
 
 /// Nodes that the border passes more than once, ascending.
-std::vector<int32_t> pinched_nodes(const Tin& tin) {
+std::vector<int32_t> pinched_nodes(const Tin& tin, const RunContext& run) {
   std::vector<int32_t> passed;
-  for (const std::vector<int32_t>& ring : border_rings(tin)) passed.insert(passed.end(), ring.begin(), ring.end());
+  for (const std::vector<int32_t>& ring : border_rings(tin, run)) passed.insert(passed.end(), ring.begin(), ring.end());
   std::sort(passed.begin(), passed.end());
   std::vector<int32_t> pinched;
   for (size_t i = 1; i < passed.size(); ++i) {
@@ -128,10 +130,11 @@ std::vector<size_t> smaller_fans(const Tin& tin, int32_t node, const std::vector
 
 }  // namespace
 
-void open_pinches(Tin& tin) {
-  for (std::vector<int32_t> pinched = pinched_nodes(tin); !pinched.empty(); pinched = pinched_nodes(tin)) {
+void open_pinches(Tin& tin, const RunContext& run) {
+  for (std::vector<int32_t> pinched = pinched_nodes(tin, run); !pinched.empty(); pinched = pinched_nodes(tin, run)) {
     std::vector<std::vector<size_t>> about(pinched.size());
     for (size_t i = 0; i < tin.triangles.size(); ++i) {
+      if (i % 65536 == 0) run.check_cancelled();
       for (const int32_t node : tin.triangles[i]) {
         const auto found = std::lower_bound(pinched.begin(), pinched.end(), node);
         if (found != pinched.end() && *found == node) about[static_cast<size_t>(found - pinched.begin())].push_back(i);

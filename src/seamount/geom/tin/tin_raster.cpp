@@ -75,6 +75,7 @@ HeightField rasterise_tin(const Tin& tin, const GridFrame& frame, const RunConte
   const int bands = (frame.height + kBand - 1) / kBand;
   std::vector<std::vector<uint32_t>> members(static_cast<size_t>(bands));
   for (size_t i = 0; i < tin.triangles.size(); ++i) {
+    if (i % 16384 == 0) run.check_cancelled();
     const Rows rows = rows_of(corners_of(tin, i, frame), 0, frame.height - 1);
     for (int band = rows.first / kBand; band * kBand <= rows.last; ++band)
       members[static_cast<size_t>(band)].push_back(static_cast<uint32_t>(i));
@@ -100,10 +101,12 @@ HeightField rasterise_tin(const Tin& tin, const GridFrame& frame, const RunConte
   return heights;
 }
 
-std::vector<int32_t> find_low_nodes(const Tin& tin) {
+std::vector<int32_t> find_low_nodes(const Tin& tin, const RunContext& run) {
   std::vector<char> drains(tin.nodes.size(), 0);
   std::vector<char> used(tin.nodes.size(), 0);
+  size_t done = 0;
   for (const std::array<int32_t, 3>& t : tin.triangles) {
+    if (++done % 65536 == 0) run.check_cancelled();
     for (size_t i = 0; i < 3; ++i) {
       const auto here = static_cast<size_t>(t[i]);
       used[here] = 1;
@@ -111,7 +114,7 @@ std::vector<int32_t> find_low_nodes(const Tin& tin) {
         if (tin.height_m[static_cast<size_t>(t[k])] < tin.height_m[here]) drains[here] = 1;
     }
   }
-  for (const std::vector<int32_t>& ring : border_rings(tin))
+  for (const std::vector<int32_t>& ring : border_rings(tin, run))
     for (const int32_t node : ring) drains[static_cast<size_t>(node)] = 1;
   std::vector<int32_t> low;
   for (size_t i = 0; i < drains.size(); ++i)

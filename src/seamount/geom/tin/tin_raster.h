@@ -17,6 +17,6 @@ namespace seamount::geom {
 HeightField rasterise_tin(const Tin& tin, const GridFrame& frame, const RunContext& run);
 
 /// Nodes within the border of the network that no neighbour is lower than: where its water may stay. Ascending. Linear.
-std::vector<int32_t> find_low_nodes(const Tin& tin);
+std::vector<int32_t> find_low_nodes(const Tin& tin, const RunContext& run = {});
 
 }  // namespace seamount::geom

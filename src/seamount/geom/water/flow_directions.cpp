@@ -65,8 +65,10 @@ class Flats {
     run.check_cancelled();
     run_from_higher(run);
     run_from_outlets(run);
+    run.check_cancelled();
     aim();
-    gather_in_pits();
+    run.check_cancelled();
+    gather_in_pits(run);
   }
 
  private:
@@ -158,8 +160,9 @@ class Flats {
   }
 
   /// A flat without outlet drains to its first cell.
-  void gather_in_pits() {
+  void gather_in_pits(const RunContext& run) {
     for (const int32_t first : flat_) {
+      run.check_cancelled();
       if (codes_[first] <= kOutlet) continue;
       codes_[first] = kOutlet;  // shut while its flat is walked
       queue_.assign(1, first);

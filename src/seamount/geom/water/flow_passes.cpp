@@ -56,6 +56,7 @@ Basins find_basins(const FlowDirections& directions, const RunContext& run) {
   Basins basins{Grid<int32_t>(directions.frame()), {-1}};
   const uint8_t* code = directions.data();
   for (int64_t i = 0; i < directions.frame().cells(); ++i) {
+    if (i % 65536 == 0) run.check_cancelled();
     basins.of.data()[i] = code[i] == kPit ? basins.count() : code[i] == kOutlet ? kOutside : -1;
     if (code[i] == kPit) basins.pits.push_back(static_cast<int32_t>(i));
   }
@@ -72,10 +73,12 @@ std::vector<Pass> find_passes(const HeightField& terrain, const Basins& basins, 
   });
   std::vector<Pass> passes;
   for (std::vector<Pass>& part : parts) {
+    run.check_cancelled();
     passes.insert(passes.end(), part.begin(), part.end());
     part = {};
   }
-  std::sort(passes.begin(), passes.end(), [](const Pass& p, const Pass& q) {
+  std::sort(passes.begin(), passes.end(), [&](const Pass& p, const Pass& q) {
+    run.check_cancelled();
     if (p.height != q.height) return p.height < q.height;
     const uint64_t first = pair_key(p), second = pair_key(q);
     return first != second ? first < second : p.cell < q.cell;

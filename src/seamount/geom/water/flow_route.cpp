@@ -13,6 +13,7 @@ class PassForest {
   PassForest(const HeightField& terrain, const Basins& basins, float highest_pass_m, const RunContext& run)
       : groups_(basins.count()) {
     for (const Pass& pass : find_passes(terrain, basins, run)) {
+      run.check_cancelled();
       if (!(pass.height < highest_pass_m)) break;
       const int32_t a = groups_.find(pass.a), b = groups_.find(pass.b);
       if (a == b) continue;
@@ -99,6 +100,7 @@ void route_through_pits(const HeightField& terrain, FlowDirections& directions, 
   std::vector<int32_t> queue = forest.roots(terrain, basins);
   for (const int32_t root : queue) done[static_cast<size_t>(root)] = true;
   for (size_t next = 0; next < queue.size(); ++next) {
+    if (next % 4096 == 0) run.check_cancelled();
     const int32_t here = queue[next];
     forest.for_each_pass(here, [&](const Pass& pass) {
       const int32_t from = pass.a == here ? pass.b : pass.a;

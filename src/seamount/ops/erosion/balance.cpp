@@ -16,11 +16,12 @@ double change_m(const Before& before, const Eroded& after, size_t cell) {
 }
 
 /// Cells by change of height; without lines where nothing changed.
-Plot change_plot(const Before& before, const Eroded& after) {
+Plot change_plot(const Before& before, const Eroded& after, const RunContext& run) {
   constexpr int kBins = 60;
   Plot plot{PlotKind::histogram, "change of height (m)", "share of the cells", false, false, {{}}};
   double low = 0, high = 0;
   for (size_t i = 0; i < after.terrain.size(); ++i) {
+    if (i % 65536 == 0) run.check_cancelled();
     low = std::min(low, change_m(before, after, i));
     high = std::max(high, change_m(before, after, i));
   }
@@ -30,6 +31,7 @@ Plot change_plot(const Before& before, const Eroded& after) {
   line.y.assign(kBins, 0.0);
   for (int k = 0; k < kBins; ++k) line.x.push_back(low + (k + 0.5) * width);
   for (size_t i = 0; i < after.terrain.size(); ++i) {
+    if (i % 65536 == 0) run.check_cancelled();
     const auto bin = static_cast<size_t>((change_m(before, after, i) - low) / width);
     line.y[std::min<size_t>(bin, kBins - 1)] += 1.0 / static_cast<double>(after.terrain.size());
   }
@@ -59,7 +61,8 @@ Balance balance(const Before& before, const Eroded& after, const RunParams& para
   return volumes;
 }
 
-Report balance_report(const Before& before, const Eroded& after, const RunParams& params) {
+Report balance_report(const Before& before, const Eroded& after, const RunParams& params, const RunContext& run) {
+  run.check_cancelled();
   const Balance volumes = balance(before, after, params);
   const double share = volumes.picked_up > 0 ? volumes.error / volumes.picked_up : 0.0;
   const auto measure = [](const char* name, double value) { return Measure{name, "m3", {value}}; };
@@ -68,7 +71,7 @@ Report balance_report(const Before& before, const Eroded& after, const RunParams
                   "Bedrock worn is what now lies on land and under water as debris and sediment, more than before, and "
                   "what left over the border; the error is what rounding adds. The plot shows how far the ground rose "
                   "or sank.",
-                  change_plot(before, after),
+                  change_plot(before, after, run),
                   {measure("bedrock_worn", volumes.worn),
                    measure("deposited_on_land", volumes.on_land),
                    measure("deposited_under_water", volumes.under_water),

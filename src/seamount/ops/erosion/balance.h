@@ -34,6 +34,6 @@ struct Balance {
 Balance balance(const Before& before, const Eroded& after, const RunParams& params);
 
 /// The balance as numbers by name, beside a histogram of how far the surface rose or sank.
-Report balance_report(const Before& before, const Eroded& after, const RunParams& params);
+Report balance_report(const Before& before, const Eroded& after, const RunParams& params, const RunContext& run = {});
 
 }  // namespace seamount::erosion

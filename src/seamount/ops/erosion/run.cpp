@@ -133,7 +133,9 @@ class Level {
   void finish(bool fill_hollows, Ledger& ledger, ScalarField& flow, ScalarField& lake, const RunContext& run) {
     drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), std::nullopt, room_, run);
     gather(drainage_, site_, rivers_of(params_, 0), flow_, run);
+    run.check_cancelled();
     settle_hollows(ground_, site_, drainage_, static_cast<float>(params_.sea_m), fill_hollows, load_, room_, ledger);
+    run.check_cancelled();
     flow = std::move(flow_);
     lake = std::move(load_);
   }

@@ -43,7 +43,8 @@ Drawing trace_catchments(const ScalarField& basins, const Grid<uint32_t>& cells,
     if (area_m2 < min_area_m2) break;
     const auto number = static_cast<float>(i + 1);
     drawing.areas.push_back({"catchment " + std::to_string(i + 1),
-                             outline_of(found[i].window, frame, [&](int x, int y) { return basins(x, y) == number; }),
+                             outline_of(
+                                 found[i].window, frame, [&](int x, int y) { return basins(x, y) == number; }, run),
                              {{"area_m2", area_m2}, {"mouth_x", found[i].mouth.x}, {"mouth_y", found[i].mouth.y}}});
   }
   return drawing;

@@ -37,13 +37,15 @@ Lake walk_lake(const HeightField& terrain, const HeightField& filled, int32_t fi
   return lake;
 }
 
-std::vector<Polygon> trace_shore(const Lake& lake, const GridFrame& frame) {
+std::vector<Polygon> trace_shore(const Lake& lake, const GridFrame& frame, const RunContext& run) {
   CellWindow window;
   std::vector<int32_t> cells = lake.cells;
   std::sort(cells.begin(), cells.end());
   for (const int32_t cell : cells) window.add(cell % frame.width, cell / frame.width);
-  return outline_of(window, frame,
-                    [&](int x, int y) { return std::binary_search(cells.begin(), cells.end(), y * frame.width + x); });
+  const auto belongs = [&](int x, int y) {
+    return std::binary_search(cells.begin(), cells.end(), y * frame.width + x);
+  };
+  return outline_of(window, frame, belongs, run);
 }
 
 }  // namespace
@@ -68,7 +70,7 @@ Drawing trace_lakes(const HeightField& terrain, const HeightField& filled, doubl
   for (const Lake& lake : lakes) {
     run.check_cancelled();
     drawing.areas.push_back({"lake " + std::to_string(drawing.areas.size() + 1),
-                             trace_shore(lake, frame),
+                             trace_shore(lake, frame, run),
                              {{"level_m", lake.level},
                               {"depth_m", lake.depth},
                               {"area_m2", static_cast<double>(lake.cells.size()) * cell_m2},

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/geom/contour/contour.h"
 #include "seamount/model/grid.h"
 
@@ -22,7 +23,8 @@ struct CellWindow {
 
 /// Polygons around the cells of a window for which belongs(x, y); holes are holes. Linear in the window.
 template <class Belongs>
-std::vector<Polygon> outline_of(CellWindow window, const GridFrame& frame, const Belongs& belongs) {
+std::vector<Polygon> outline_of(CellWindow window, const GridFrame& frame, const Belongs& belongs,
+                                const RunContext& run) {
   window.x0 = std::max(0, window.x0 - 1), window.y0 = std::max(0, window.y0 - 1);
   window.x1 = std::min(frame.width - 1, window.x1 + 1), window.y1 = std::min(frame.height - 1, window.y1 + 1);
   GridFrame part = frame;
@@ -32,9 +34,10 @@ std::vector<Polygon> outline_of(CellWindow window, const GridFrame& frame, const
   part.north_m -= window.y0 * frame.cell_m;
   Grid<uint8_t> inside(part);
   for (int y = 0; y < part.height; ++y) {
+    run.check_cancelled();
     for (int x = 0; x < part.width; ++x) inside(x, y) = belongs(window.x0 + x, window.y0 + y) ? 1 : 0;
   }
-  return geom::trace_mask(inside);
+  return geom::trace_mask(inside, run);
 }
 
 }  // namespace seamount::hydrology

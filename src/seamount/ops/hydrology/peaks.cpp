@@ -82,6 +82,7 @@ std::vector<double> prominences(const HeightField& inverted, const geom::Basins&
   };
   geom::BasinGroups groups(basins.count());
   for (const geom::Pass& pass : geom::find_passes(inverted, basins, run)) {
+    run.check_cancelled();
     if (!(pass.height < geom::kFlowWall)) break;
     const int32_t a = groups.find(pass.a), b = groups.find(pass.b);
     if (a == b) continue;
@@ -138,6 +139,7 @@ std::vector<Peak> find_peaks(const HeightField& terrain, float sea_level_m, doub
   FrameContact touches_frame(terrain);
   std::vector<Peak> peaks;
   for (size_t i = 1; i < prominence.size(); ++i) {
+    run.check_cancelled();
     if (prominence[i] < min_prominence_m) continue;
     const int x = basins.pits[i] % inverted.width() - 1, y = basins.pits[i] / inverted.width() - 1;
     if (!terrain.contains(x, y) || terrain(x, y) <= sea_level_m) continue;  // the wall's own

@@ -21,7 +21,8 @@ struct BuildInputs {
 
 /// The plan of the one thing that is given: coast, outlines or areas of the params, the input outlines, the input
 /// labels; a random coast where nothing is. Throws InvalidArgument for more than one, and what plans throw (shape.h).
-Plan choose_plan(const BuildParams& params, const BuildInputs& inputs, const GridFrame& domain, Seed seed);
+Plan choose_plan(const BuildParams& params, const BuildInputs& inputs, const GridFrame& domain, Seed seed,
+                 const RunContext& run);
 
 /// The island of that plan, on the labels' frame if they are given, else on the domain; areas in a coordinate system of
 /// their own lend it to the frame. Throws what choose_plan and build throw.

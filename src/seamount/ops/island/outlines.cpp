@@ -27,7 +27,8 @@ Drawing outlines(const LabelMap& labels, const OutlinesParams& params, const Run
     if (count == previous) continue;
     previous = count;
     NamedArea area{kAreaNames[static_cast<size_t>(region)], {}};
-    for (Polygon& part : geom::trace_mask(inside)) {
+    for (Polygon& part : geom::trace_mask(inside, run)) {
+      run.check_cancelled();
       if (geom::area(part) < params.min_area_m2) continue;
       part.outer = geom::simplify(part.outer, tolerance);
       std::erase_if(part.holes,

@@ -188,13 +188,14 @@ Plan plan_from_areas(const Drawing& drawing, const GivenWidths& widths, const st
   return plan;
 }
 
-Plan plan_from_labels(const LabelMap& labels, const GivenWidths& widths) {
+Plan plan_from_labels(const LabelMap& labels, const GivenWidths& widths, const RunContext& run) {
   Plan plan;
   plan.crs = labels.frame().crs;
   Grid<uint8_t> inside(labels.frame());
   int64_t previous = 0;
   // Outline 5 is not painted: abyss is what lies beyond the reef.
   for (int i = 0; i + 1 < kOutlineCount; ++i) {
+    run.check_cancelled();
     int64_t count = 0;
     for (size_t c = 0; c < labels.size(); ++c) {
       const bool within = static_cast<int>(labels.cells()[c]) <= i;
@@ -202,7 +203,7 @@ Plan plan_from_labels(const LabelMap& labels, const GivenWidths& widths) {
       count += within ? 1 : 0;
     }
     // A region nobody painted has the same area as the one inside it: leave it to be derived.
-    if (count > previous) plan.areas[i] = geom::trace_mask(inside);
+    if (count > previous) plan.areas[i] = geom::trace_mask(inside, run);
     previous = count;
   }
   if (previous == 0) throw InvalidArgument("labels", "all of it is abyss: paint an island");

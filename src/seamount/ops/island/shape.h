@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "seamount/base/rng.h"
+#include "seamount/base/run_context.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
@@ -63,7 +64,7 @@ Plan plan_from_polar(std::vector<PolarOutline> outlines, Vec2 centre, const Give
 Plan plan_from_areas(const Drawing& drawing, const GivenWidths& widths, const std::string& name);
 
 /// A plan from a label map: traced, so that its steps vanish. Throws InvalidArgument{"labels"} if all of it is abyss.
-Plan plan_from_labels(const LabelMap& labels, const GivenWidths& widths);
+Plan plan_from_labels(const LabelMap& labels, const GivenWidths& widths, const RunContext& run = {});
 
 /// A plausible coast when nothing is given: P0 eq. 1.16, r(theta) = r* + noise, r* = 0.26 of the frame's shorter side.
 Plan random_plan(const GridFrame& frame, Vec2 centre, double irregularity, Seed seed, const GivenWidths& widths);

@@ -198,7 +198,7 @@ Drawing reef_outlines(const ScalarField& aggregate, const RunContext& run) {
   }
   Drawing drawing;
   drawing.crs = aggregate.frame().crs;
-  drawing.areas.push_back({"reef", geom::trace_areas(*field, 0.5)});
+  drawing.areas.push_back({"reef", geom::trace_areas(*field, 0.5, run)});
   return drawing;
 }
 

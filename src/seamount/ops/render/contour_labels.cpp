@@ -41,17 +41,22 @@ void add_candidates(const LabelLine& line, size_t number, double size_px, std::v
 
 }  // namespace
 
-std::vector<ContourLabel> place_labels(const std::vector<LabelLine>& lines, double size_px, int width, int height) {
+std::vector<ContourLabel> place_labels(const std::vector<LabelLine>& lines, double size_px, int width, int height,
+                                       const RunContext& run) {
   constexpr double kMostBend = 0.33;  // of the size
   constexpr double kApart = 4.0;      // sizes between labels
   constexpr double kSameApart = 16.0;
   std::vector<Candidate> candidates;
-  for (size_t i = 0; i < lines.size(); ++i) add_candidates(lines[i], i, size_px, candidates);
+  for (size_t i = 0; i < lines.size(); ++i) {
+    run.check_cancelled();
+    add_candidates(lines[i], i, size_px, candidates);
+  }
   std::erase_if(candidates, [&](const Candidate& c) { return c.bend > kMostBend * size_px; });
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.bend < b.bend; });
   std::vector<ContourLabel> labels;
   for (const Candidate& candidate : candidates) {
+    run.check_cancelled();
     const LabelLine& line = lines[candidate.line];
     const Vec2 a = (*line.ring)[candidate.first];
     const Vec2 b = (*line.ring)[candidate.last % line.ring->size()];

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/model/drawn.h"
 
 namespace seamount::render {
@@ -23,6 +24,7 @@ struct ContourLabel {
 
 /// The straightest stretches first; none that leaves the map, bends by more than a third of the text's height, or
 /// comes near another label; labels of one height keep a greater distance. Linear in the points, but for the labels.
-std::vector<ContourLabel> place_labels(const std::vector<LabelLine>& lines, double size_px, int width, int height);
+std::vector<ContourLabel> place_labels(const std::vector<LabelLine>& lines, double size_px, int width, int height,
+                                       const RunContext& run);
 
 }  // namespace seamount::render

@@ -138,12 +138,15 @@ std::string height_label(double height) { return format_number(std::round(height
 
 class Sheet {
  public:
-  Sheet(const ContourSet& set, const ContoursParams& params)
+  Sheet(const ContourSet& set, const ContoursParams& params, const RunContext& run)
       : params_(params),
         layout_(lay_out(params, set.frame)),
         levels_(find_levels(set, params.index_every)),
         image_(layout_.width, layout_.height, kPaperColour) {
-    for (const Contour& contour : set.contours) rings_.push_back(in_pixels(contour.ring, set.frame, layout_.pixel_m));
+    for (const Contour& contour : set.contours) {
+      run.check_cancelled();
+      rings_.push_back(in_pixels(contour.ring, set.frame, layout_.pixel_m));
+    }
     if (params.water) water_ = find_water(set, layout_);
   }
 
@@ -168,6 +171,7 @@ class Sheet {
       if (params_.basin_ticks && !geom::is_hill(set.contours[i])) add_ticks(layer, rings_[i], layout_.unit);
     }
     const auto lay = [&](const LineLayer& layer, Colour colour, float opacity) {
+      run.check_cancelled();
       layer.draw(image_, layout_.map.x, layout_.map.y, colour, opacity);
     };
     lay(sea, kSea, 0.75F);
@@ -177,17 +181,19 @@ class Sheet {
     lay(coast, kCoast, 1.0F);
   }
 
-  void draw_labels(const ContourSet& set) {
+  void draw_labels(const ContourSet& set, const RunContext& run) {
     const Font font;
     const double size = 0.78 * layout_.unit;
     std::vector<LabelLine> lines;
     for (size_t i = 0; i < rings_.size(); ++i) {
+      run.check_cancelled();
       const double height = set.contours[i].height_m;
       if (!is_index(height) || (params_.water && height == 0.0)) continue;
       lines.push_back({&rings_[i], height, font.width(height_label(height), size) + 0.5 * size});
     }
     const Vec2 corner{static_cast<double>(layout_.map.x), static_cast<double>(layout_.map.y)};
-    for (const ContourLabel& label : place_labels(lines, size, layout_.map.width, layout_.map.height)) {
+    for (const ContourLabel& label : place_labels(lines, size, layout_.map.width, layout_.map.height, run)) {
+      run.check_cancelled();
       const Vec2 middle = corner + label.at;
       const Vec2 half = (0.5 * label.width) * label.along;
       const Vec2 up = (0.46 * size) * Vec2{label.along.y, -label.along.x};
@@ -247,12 +253,12 @@ Image contours(const ContourSet& set, const ContoursParams& params, const RunCon
   check_params(params);
   run.check_cancelled();
   if (set.contours.empty()) throw InvalidArgument("contours", "holds no contours");
-  Sheet sheet(set, params);
+  Sheet sheet(set, params, run);
   if (params.water) sheet.draw_water();
   run.report(0.2);
   sheet.draw_lines(set, run);
   run.report(0.8);
-  if (params.labels) sheet.draw_labels(set);
+  if (params.labels) sheet.draw_labels(set, run);
   sheet.draw_furniture();
   run.report(1.0);
   return sheet.take();

@@ -103,7 +103,7 @@ TEST(RenderContours, NothingToDrawIsSaid) {
 TEST(ContourLabels, LieOnStraightStretchesApartAndReadFromTheLeft) {
   const Ring box = geom::densify({{50, 50}, {950, 50}, {950, 950}, {50, 950}}, 5);
   const Ring small = circle(20, true, {500, 500});
-  const std::vector<ContourLabel> labels = place_labels({{&box, 100, 60}, {&small, 200, 60}}, 15, 1000, 1000);
+  const std::vector<ContourLabel> labels = place_labels({{&box, 100, 60}, {&small, 200, 60}}, 15, 1000, 1000, {});
   EXPECT_GE(labels.size(), 4U);
   for (const ContourLabel& label : labels) {
     EXPECT_EQ(label.height_m, 100) << "the small ring has no room";

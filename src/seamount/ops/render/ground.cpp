@@ -95,12 +95,14 @@ Grid<LayerTexel> layer_texels(const HeightField& heights, const GroundOptions& o
   HeightField level = heights;
   const auto flatten = static_cast<float>(1.0 / options.exaggeration);
   for (float& h : level.cells()) h *= flatten;
+  run.check_cancelled();
   const geom::Borders borders = style_borders(options.style, options.layers, level);
   const geom::Layers layers = geom::height_layers(level, borders, options.layers.smooth, options.layers.variation, run);
   Grid<LayerTexel> texels(heights.frame());
   for (size_t i = 0; i < texels.size(); ++i) {
     texels.cells()[i] = {layers.low.cells()[i], layers.high.cells()[i], 0.0F};
   }
+  run.check_cancelled();
   if (options.style == Style::volcano) {
     const Mask lava = lava_streams(level, layers.high, borders, run);
     for (size_t i = 0; i < texels.size(); ++i) texels.cells()[i].lava = lava.cells()[i];

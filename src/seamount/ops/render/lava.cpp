@@ -21,6 +21,7 @@ HeightField roughened(HeightField terrain, const RunContext& run) {
   const double cell = terrain.cell_m();
   const ScalarField noise = geom::fbm_grid(terrain.frame(), Seed{}.derive("render.lava"),
                                            {.wavelength_m = 24.0 * cell, .octaves = 4, .gain = 0.6}, run);
+  run.check_cancelled();
   for (size_t i = 0; i < terrain.size(); ++i) terrain.cells()[i] += amplitude * noise.cells()[i];
   return terrain;
 }
@@ -37,6 +38,7 @@ Mask lava_streams(const HeightField& terrain, const Mask& vents, const geom::Bor
       geom::fbm_grid(frame, Seed{}.derive("render.lava.side"),
                      {.wavelength_m = 0.22 * std::max(frame.width_m(), frame.height_m()), .octaves = 2}, run);
   for (size_t i = 0; i < source.size(); ++i) {
+    if (i % 65536 == 0) run.check_cancelled();
     float& s = source.cells()[i];
     s = ground.cells()[i] > 0.0F ? s * s * ramp(-0.05F, 0.25F, side.cells()[i]) : 0.0F;
     total += s;
@@ -50,6 +52,7 @@ Mask lava_streams(const HeightField& terrain, const Mask& vents, const geom::Bor
   const auto cold_m = static_cast<float>(2.0 * borders.low_m - borders.high_m) - 1e-3F;
   Mask thin(flow.frame()), wide(flow.frame());
   for (size_t i = 0; i < flow.size(); ++i) {
+    if (i % 65536 == 0) run.check_cancelled();
     const auto share = static_cast<float>(flow.cells()[i] / total);
     const float stream = ramp(-5.2F, -2.9F, std::log(share + 1e-9F));  // from 0.5 % of all lava to 5 %
     const float hot = ramp(cold_m, warm_m, ground.cells()[i]);
@@ -58,6 +61,7 @@ Mask lava_streams(const HeightField& terrain, const Mask& vents, const geom::Bor
   }
   geom::gaussian_blur(thin, 0.8 * flow.cell_m(), run);
   geom::gaussian_blur(wide, 1.7 * flow.cell_m(), run);
+  run.check_cancelled();
   for (size_t i = 0; i < thin.size(); ++i) thin.cells()[i] = 1.5F * thin.cells()[i] + 3.0F * wide.cells()[i];
   Mask out = thin.frame() == terrain.frame() ? std::move(thin) : geom::resample(thin, terrain.frame(), run);
   for (float& w : out.cells()) w = clamp01(w);

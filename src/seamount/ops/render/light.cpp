@@ -60,11 +60,13 @@ struct Sweep {
   float weight;
 };
 
-void sweep_lines(const Grid<float>& ground, const Sweep& sweep, int64_t first, int64_t last, Grid<float>& lit) {
+void sweep_lines(const Grid<float>& ground, const Sweep& sweep, int64_t first, int64_t last, Grid<float>& lit,
+                 const RunContext& run) {
   const int width = ground.width(), height = ground.height();
   const auto count = static_cast<int>(last - first) + 1;  // one line more than owned, to interpolate to
   std::vector<float> arriving(static_cast<size_t>(count) + 1, kNoShadow), carried(arriving);
   for (int step = 0; step < height; ++step) {
+    run.check_cancelled();
     const int y = sweep.along > 0 ? step : height - 1 - step;
     const double offset = sweep.shear * step;
     const auto whole = static_cast<int64_t>(std::floor(offset));
@@ -92,7 +94,7 @@ void run_sweep(const Grid<float>& ground, const Sweep& sweep, Grid<float>& lit, 
   const auto first = static_cast<int64_t>(std::floor(std::min(0.0, -end))) - 2;
   const auto last = static_cast<int64_t>(std::ceil(ground.width() + std::max(0.0, -end))) + 2;
   parallel_blocks(run, last - first, kLinesPerBlock, [&](int64_t begin, int64_t finish) {
-    sweep_lines(ground, sweep, first + begin, first + finish, lit);
+    sweep_lines(ground, sweep, first + begin, first + finish, lit, run);
   });
 }
 
@@ -201,6 +203,7 @@ Openness openness(const HeightField& surface, const RunContext& run) {
   parallel_rows(run, surface.width(), surface.height(), [&](int begin, int end) {
     std::vector<float> tangent(static_cast<size_t>(surface.width()));
     for (int y = begin; y < end; ++y) {
+      run.check_cancelled();
       open_sky_row(smooth, y, static_cast<float>(surface.cell_m()), tangent, result.sky.row(y));
       for (int x = 0; x < surface.width(); ++x) {
         result.concavity(x, y) = (smooth[around](x, y) - surface(x, y)) / radius;

@@ -76,9 +76,10 @@ Layout lay_out(const MapParams& params, const GridFrame& frame) {
 }
 
 /// Adds the level line of a field on the map's own grid to a layer, in the map's pixels.
-void add_level(LineLayer& layer, const ScalarField& field, double level, double width) {
+void add_level(LineLayer& layer, const ScalarField& field, double level, double width, const RunContext& run) {
   const GridFrame& frame = field.frame();
-  for (const Polyline& line : geom::trace_lines(field, level)) {
+  for (const Polyline& line : geom::trace_lines(field, level, run)) {
+    run.check_cancelled();
     Polyline pixels;
     pixels.reserve(line.size());
     for (const Vec2& p : line)
@@ -110,12 +111,14 @@ void draw_contours(Image& image, const Layout& layout, const HeightField& ground
     const double level = static_cast<double>(i) * interval;
     const bool major = i % 5 == 0;
     if (i == 0 || (i < 0 && deep && !major)) continue;
-    if (i > 0) add_level(major ? index : land, ground, level, major ? 1.5 * line : line);
-    if (i < 0) add_level(major ? sea_index : sea, ground, level, line);
+    if (i > 0) add_level(major ? index : land, ground, level, major ? 1.5 * line : line, run);
+    if (i < 0) add_level(major ? sea_index : sea, ground, level, line, run);
   }
   const Colour brown{120, 84, 50}, blue{38, 84, 130};
+  run.check_cancelled();
   land.draw(image, layout.map.x, layout.map.y, brown, 0.30F);
   index.draw(image, layout.map.x, layout.map.y, brown, 0.55F);
+  run.check_cancelled();
   sea.draw(image, layout.map.x, layout.map.y, blue, 0.22F);
   sea_index.draw(image, layout.map.x, layout.map.y, blue, 0.36F);
 }
@@ -214,15 +217,15 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings&
   const double line = std::max(0.8, layout.unit / 16.0);
   if (params.reef_crest && labels != nullptr) {
     LineLayer crest(ground.width(), ground.height());
-    add_level(crest, inside_reef(*labels, ground.frame(), run.part(0.9, 0.95)), 0.5, line);
+    add_level(crest, inside_reef(*labels, ground.frame(), run.part(0.9, 0.95)), 0.5, line, run);
     crest.draw(image, layout.map.x, layout.map.y, Colour{252, 250, 240}, 0.85F);
   }
   if (params.coast) {
     LineLayer coast(ground.width(), ground.height());
-    add_level(coast, ground, 0.0, line);
+    add_level(coast, ground, 0.0, line, run);
     coast.draw(image, layout.map.x, layout.map.y, Colour{46, 74, 94}, 0.85F);
   }
-  draw_drawings(image, layout.map, ground.frame(), drawings, layout.unit);
+  draw_drawings(image, layout.map, ground.frame(), drawings, layout.unit, run);
   draw_furniture(image, layout, params, scale, tints, ground.cell_m());
   run.report(1.0);
   return image;

@@ -24,8 +24,8 @@ double attribute(const Attributes& attributes, std::string_view name, double oth
 /// Places in metres as pixels of the box.
 class Sheet {
  public:
-  Sheet(Image& image, const Box& box, const GridFrame& frame, double unit)
-      : image_(image), box_(box), frame_(frame), unit_(unit), scale_(box.width / frame.width_m()) {}
+  Sheet(Image& image, const Box& box, const GridFrame& frame, double unit, const RunContext& run)
+      : image_(image), box_(box), frame_(frame), unit_(unit), scale_(box.width / frame.width_m()), run_(run) {}
 
   Vec2 pixel(Vec2 place) const { return {(place.x - frame_.west_m) * scale_, (frame_.north_m - place.y) * scale_}; }
 
@@ -39,11 +39,13 @@ class Sheet {
     for (const NamedArea& lake : lakes.areas) parts.insert(parts.end(), lake.parts.begin(), lake.parts.end());
     const Grid<uint8_t> inside = geom::rasterise(parts, pixels);
     for (int y = 0; y < box_.height; ++y) {
+      run_.check_cancelled();
       for (int x = 0; x < box_.width; ++x) {
         if (inside(x, y) != 0) blend(image_, box_.x + x, box_.y + y, kLake, 1.0F);
       }
     }
     for (const Polygon& part : parts) {
+      run_.check_cancelled();
       add_ring(shore, part.outer);
       for (const Ring& hole : part.holes) add_ring(shore, hole);
     }
@@ -54,6 +56,7 @@ class Sheet {
   void draw_lines(const Drawing& drawing, Colour colour, float opacity, double thinnest, double per_order) {
     LineLayer layer(box_.width, box_.height);
     for (const ValuedLine& line : drawing.lines) {
+      run_.check_cancelled();
       const double order = std::clamp(attribute(line.attributes, "order", line.value), 1.0, 12.0);
       Polyline pixels;
       pixels.reserve(line.points.size() + 1);
@@ -61,6 +64,7 @@ class Sheet {
       if (line.closed && !pixels.empty()) pixels.push_back(pixels.front());
       layer.add(pixels, std::max(0.7, unit_ * (thinnest + per_order * (order - 1.0))));
     }
+    run_.check_cancelled();
     layer.draw(image_, box_.x, box_.y, colour, opacity);
   }
 
@@ -74,6 +78,7 @@ class Sheet {
     const double size = 0.62 * unit_, half = 0.26 * unit_;
     std::vector<std::pair<Vec2, Vec2>> taken;  // boxes of what stands there
     for (const ValuedPoint* point : points) {
+      run_.check_cancelled();
       const Vec2 at = pixel(point->place);
       if (at.x < half || at.y < half || at.x > box_.width - half || at.y > box_.height - half) continue;
       const std::string text = fmt::format("{:.0f}", attribute(point->attributes, "height_m", point->value));
@@ -105,16 +110,18 @@ class Sheet {
   Box box_;
   GridFrame frame_;
   double unit_, scale_;
+  const RunContext& run_;
 };
 
 }  // namespace
 
-void draw_drawings(Image& image, const Box& box, const GridFrame& frame, const MapDrawings& drawings, double unit) {
+void draw_drawings(Image& image, const Box& box, const GridFrame& frame, const MapDrawings& drawings, double unit,
+                   const RunContext& run) {
   for (const Drawing* drawing : {drawings.lakes, drawings.rivers, drawings.ridges, drawings.peaks}) {
     if (drawing == nullptr || drawing->crs.empty() || frame.crs.empty() || drawing->crs == frame.crs) continue;
     throw IncompatibleInputs("the terrain and a drawing over it are in different coordinate systems");
   }
-  Sheet sheet(image, box, frame, unit);
+  Sheet sheet(image, box, frame, unit, run);
   if (drawings.ridges != nullptr) sheet.draw_lines(*drawings.ridges, kRidge, 0.55F, 0.05, 0.03);
   if (drawings.rivers != nullptr) sheet.draw_lines(*drawings.rivers, kWater, 0.95F, 0.055, 0.05);
   if (drawings.lakes != nullptr) sheet.draw_lakes(*drawings.lakes);

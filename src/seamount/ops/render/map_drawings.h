@@ -1,6 +1,7 @@
 // What is drawn over a map: lakes, rivers by their order, ridges, peaks with their heights.
 #pragma once
 
+#include "seamount/base/run_context.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/image.h"
 #include "seamount/ops/render/map_furniture.h"
@@ -19,6 +20,7 @@ struct MapDrawings {
 
 /// Draws them into the box of the picture that `frame` is shown in; `unit` in pixels is the size of text. Throws
 /// IncompatibleInputs for a drawing in another coordinate system than the frame, where both have one.
-void draw_drawings(Image& image, const Box& box, const GridFrame& frame, const MapDrawings& drawings, double unit);
+void draw_drawings(Image& image, const Box& box, const GridFrame& frame, const MapDrawings& drawings, double unit,
+                   const RunContext& run);
 
 }  // namespace seamount::render

@@ -53,6 +53,7 @@ Image texture(const HeightField& terrain, const LabelMap* labels, const TextureP
               std::max(1, static_cast<int>(std::lround(height_m / pixel_m))));
   parallel_rows(run.part(0.4, 1.0), image.width, image.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
+      run.check_cancelled();
       for (int x = 0; x < image.width; ++x) {
         const double east = ((x + 0.5) / image.width - 0.5) * width_m;
         const double north = (0.5 - (y + 0.5) / image.height) * height_m;

@@ -31,6 +31,7 @@ Levelset levelset(const HeightField& terrain, const LevelsetParams& params, cons
   const float least = std::nextafter(level + kRounding * (*high - *low), INFINITY);
   Levelset out{Mask(frame), Image(frame.width, frame.height), {}, level};
   for (int y = 0; y < frame.height; ++y) {
+    run.check_cancelled();
     for (int x = 0; x < frame.width; ++x) {
       const bool inside = blurred(x, y) >= least;
       out.mask(x, y) = inside ? 1.0F : 0.0F;
@@ -38,7 +39,8 @@ Levelset levelset(const HeightField& terrain, const LevelsetParams& params, cons
     }
   }
   out.areas.crs = frame.crs;
-  if (*high >= least) out.areas.areas.push_back({"levelset", geom::trace_areas(blurred, least), {{"level_m", level}}});
+  if (*high >= least)
+    out.areas.areas.push_back({"levelset", geom::trace_areas(blurred, least, run), {{"level_m", level}}});
   return out;
 }
 

@@ -16,7 +16,7 @@ Parts run(const erosion::RunParams& params, const Call& call, const HeightField&
   erosion::Layers ground{terrain, copy_of(debris), copy_of(sediment)};
   erosion::Maps site{copy_of(hardness), copy_of(mask), copy_of(uplift), copy_of(rain)};
   erosion::Eroded made = erosion::run(std::move(ground), std::move(site), params, call.seed, call.run);
-  Report balance = erosion::balance_report({terrain, debris, sediment}, made, params);
+  Report balance = erosion::balance_report({terrain, debris, sediment}, made, params, call.run);
   return {std::move(made.terrain), std::move(made.debris), std::move(made.sediment),
           std::move(made.flow),    std::move(made.lake),   std::move(balance)};
 }

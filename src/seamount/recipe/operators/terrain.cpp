@@ -50,6 +50,7 @@ HeightField import_terrain(const ImportParams& params, const Call& call) {
   }
   options.voids = params.fill_voids ? io::Voids::fill : io::Voids::refuse;
   options.band = params.band;
+  options.run = call.run;
   return io::read_heights(call.resolve(params.file), options);
 }
 

@@ -51,11 +51,12 @@ std::vector<double> chosen_levels(const ExtractParams& params, double low, doubl
 }
 
 /// Takes out contours that are too small, with all that they enclose. REQUIRES: parents before children.
-void drop_small(std::vector<Contour>& contours, const ExtractParams& params) {
+void drop_small(std::vector<Contour>& contours, const ExtractParams& params, const RunContext& run) {
   if (params.min_area_m2 <= 0.0 && params.min_length_m <= 0.0) return;
   std::vector<Contour> kept;
   std::vector<int> place(contours.size(), -1);
   for (size_t i = 0; i < contours.size(); ++i) {
+    run.check_cancelled();
     Contour& contour = contours[i];
     const bool orphan = contour.parent >= 0 && place[static_cast<size_t>(contour.parent)] < 0;
     const bool small = std::abs(geom::signed_area(contour.ring)) < params.min_area_m2 ||
@@ -71,8 +72,8 @@ void drop_small(std::vector<Contour>& contours, const ExtractParams& params) {
 ContourSet finish(const GridFrame& frame, std::vector<Contour> contours, const ExtractParams& params,
                   const RunContext& run) {
   run.check_cancelled();
-  geom::nest_contours(contours);
-  drop_small(contours, params);
+  geom::nest_contours(contours, run);
+  drop_small(contours, params, run);
   if (params.simplify_m > 0.0) geom::simplify_contours(contours, params.simplify_m, run);
   run.report(1.0);
   return {frame, std::move(contours)};
@@ -99,7 +100,7 @@ ContourSet extract(const HeightField& terrain, const ExtractParams& params, cons
     throw InvalidArgument("terrain", "has heights that are not finite; fill its voids first");
   const auto [low, high] = std::minmax_element(cells.begin(), cells.end());
   const std::vector<double> levels = chosen_levels(params, *low, *high);
-  return finish(terrain.frame(), geom::trace_contours(terrain, levels), params, run);
+  return finish(terrain.frame(), geom::trace_contours(terrain, levels, run), params, run);
 }
 
 ContourSet extract(const Tin* tin, const HeightField* terrain, const ExtractParams& params, const RunContext& run) {

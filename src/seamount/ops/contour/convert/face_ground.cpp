@@ -42,9 +42,11 @@ double usual_interval(const ContourSet& set) {
 FaceGround make_face_ground(const ContourSet& set, double summits, const GridFrame& frame, const RunContext& run) {
   geom::ContourFaces faces(set.contours);
   geom::ContourInterpolation between = geom::interpolate_contours(set.contours, faces, frame, run);
+  run.check_cancelled();
   FaceGround ground{std::move(faces), std::move(between), {}, {}};
   const double usual = usual_interval(set);
   const std::vector<double> means = mean_distances(ground);
+  run.check_cancelled();
   ground.reach_m.reserve(means.size());
   ground.slope.reserve(means.size());
   for (size_t face = 0; face < means.size(); ++face) {

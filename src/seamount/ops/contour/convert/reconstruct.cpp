@@ -67,9 +67,9 @@ GridFrame wanted_frame(const GridFrame& frame, const std::optional<double>& cell
   return wanted;
 }
 
-void check_contours(const ContourSet& set) {
+void check_contours(const ContourSet& set, const RunContext& run) {
   if (set.contours.empty()) throw InvalidArgument("contours", "there are none");
-  if (const auto crossing = geom::find_contour_crossing(set.contours)) {
+  if (const auto crossing = geom::find_contour_crossing(set.contours, run)) {
     const Contour& a = set.contours[crossing->first];
     const Contour& b = set.contours[crossing->second];
     throw InvalidArgument("contours", "those of " + format_number(a.height_m) + " m and " + format_number(b.height_m) +
@@ -79,9 +79,11 @@ void check_contours(const ContourSet& set) {
 }
 
 /// The sinks that one comes to going down from the network's low nodes.
-std::vector<int64_t> sinks_below(const std::vector<int32_t>& nodes, const Tin& tin, const HeightField& heights) {
+std::vector<int64_t> sinks_below(const std::vector<int32_t>& nodes, const Tin& tin, const HeightField& heights,
+                                 const RunContext& run) {
   std::vector<int64_t> sinks;
   for (const int32_t node : nodes) {
+    run.check_cancelled();
     const Vec2 p = tin.nodes[static_cast<size_t>(node)];
     int x = static_cast<int>(std::lround(std::clamp(heights.frame().column(p.x), 0.0, heights.width() - 1.0)));
     int y = static_cast<int>(std::lround(std::clamp(heights.frame().row(p.y), 0.0, heights.height() - 1.0)));
@@ -110,7 +112,7 @@ std::vector<int64_t> sinks_below(const std::vector<int32_t>& nodes, const Tin& t
 HeightField reconstruct(const ContourSet& set, const ReconstructParams& params, const RunContext& run) {
   check_params(params);
   run.check_cancelled();
-  check_contours(set);
+  check_contours(set, run);
   const GridFrame frame = wanted_frame(set.frame, params.cell_m);
   if (params.method == Method::stairs) return stairs(set, frame, run);
   FaceGround ground = make_face_ground(set, params.summits, frame, run.part(0.0, 0.3));
@@ -124,7 +126,7 @@ HeightField reconstruct(const Tin& tin, const ReconstructParams& params, const R
   if (tin.nodes.empty() || tin.triangles.empty()) throw InvalidArgument("tin", "has no triangles");
   if (tin.height_m.empty()) throw InvalidArgument("tin", "has no heights yet; give it some with contour.heights");
   HeightField heights = geom::rasterise_tin(tin, wanted_frame(tin.frame, params.cell_m), run.part(0.0, 0.7));
-  geom::drain(heights, sinks_below(geom::find_low_nodes(tin), tin, heights), run.part(0.7, 1.0));
+  geom::drain(heights, sinks_below(geom::find_low_nodes(tin, run), tin, heights, run), run.part(0.7, 1.0));
   return heights;
 }
 

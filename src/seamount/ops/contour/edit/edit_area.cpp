@@ -124,7 +124,8 @@ EditArea make_edit_area(const ContourSet& set, const Polygon& outline, bool stri
     const GridFrame frame = lattice(box, cell, attempt, set.frame.crs);
     ScalarField inward = inward_distance(outline, frame, run);
     Patch patch = patch_of(inward, strictly_inside ? 3.5 * cell : 0.0);
-    if (!is_clear(patch, set)) continue;
+    if (!is_clear(patch, set, run)) continue;
+    run.check_cancelled();
     const double without = height_around(set, outline.outer[0]);
     ScalarField heights = lattice_heights(level_lines(set), frame, min_gap(levels_of(set)), without, run);
     return {std::move(patch), std::move(inward), std::move(heights)};

@@ -335,9 +335,14 @@ void fill_polygon(const Polygon& outline, const FillTool& tool, ContourSet& set,
     heights.cells()[i] += share.cells()[i] * static_cast<float>(amplitude) * noise.cells()[i];
     (area.inward.cells()[i] > 0.0F ? own : like).push_back(heights.cells()[i]);
   }
-  std::sort(own.begin(), own.end());
-  std::sort(like.begin(), like.end());
+  const auto lower = [&](float a, float b) {
+    run.check_cancelled();
+    return a < b;
+  };
+  std::sort(own.begin(), own.end(), lower);
+  std::sort(like.begin(), like.end(), lower);
   for (size_t i = 0; i < heights.size(); ++i) {
+    if (i % 16384 == 0) run.check_cancelled();
     float& height = heights.cells()[i];
     if (share.cells()[i] > 0.0F) height += share.cells()[i] * (bent(height, own, like) - height);
   }

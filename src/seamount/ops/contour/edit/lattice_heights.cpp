@@ -101,12 +101,13 @@ struct Bands {
 };
 
 Bands find_bands(const ScalarField& u, const Nearest& nearest, const ScalarField& first,
-                 const std::vector<float>& levels) {
+                 const std::vector<float>& levels, const RunContext& run) {
   const GridFrame& frame = u.frame();
   Bands bands{Grid<int32_t>(frame, -1), {}};
   const auto interval = [&](int x, int y) { return std::upper_bound(levels.begin(), levels.end(), u(x, y)); };
   std::vector<std::pair<int, int>> open;
   for (int y0 = 0; y0 < frame.height; ++y0) {
+    run.check_cancelled();
     for (int x0 = 0; x0 < frame.width; ++x0) {
       if (bands.number(x0, y0) >= 0) continue;
       const auto number = static_cast<int32_t>(bands.all.size());
@@ -115,7 +116,8 @@ Bands find_bands(const ScalarField& u, const Nearest& nearest, const ScalarField
       band.inner = u(x0, y0);
       bands.number(x0, y0) = number;
       open.assign(1, {x0, y0});
-      while (!open.empty()) {
+      for (size_t taken = 1; !open.empty(); ++taken) {
+        if (taken % 16384 == 0) run.check_cancelled();
         const auto [x, y] = open.back();
         open.pop_back();
         if (nearest.distance(x, y) != kFar) {
@@ -143,9 +145,10 @@ void shape_flats(ScalarField& u, const Grid<uint8_t>& fixed, const Nearest& near
                  std::vector<float> levels, double gap_m, const RunContext& run) {
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-  const Bands bands = find_bands(u, nearest, first, levels);
+  const Bands bands = find_bands(u, nearest, first, levels, run);
   ScalarField room(u.frame(), 0.0F);  // its root is about the distance to the nearest line, without creases
   geom::solve_poisson(room, fixed, ScalarField(u.frame(), -2.0F), run);
+  run.check_cancelled();
   const double most = 0.4 * gap_m;
   for (size_t i = 0; i < u.size(); ++i) {
     const Bands::Band& band = bands.all[static_cast<size_t>(bands.number.cells()[i])];
@@ -173,13 +176,17 @@ std::vector<LevelLine> level_lines(const Drawing& pattern) {
 ScalarField lattice_heights(const std::vector<LevelLine>& lines, const GridFrame& frame, double gap_m, double without,
                             const RunContext& run) {
   Nearest nearest(frame);
-  for (const LevelLine& line : lines) enter(line, frame, nearest);
+  for (const LevelLine& line : lines) {
+    run.check_cancelled();
+    enter(line, frame, nearest);
+  }
   run.check_cancelled();
   Grid<uint8_t> fixed(frame, 0);
   ScalarField u(frame, 0.0F);
   bool any = false;
   const auto fix_all = [&](const std::function<float(int, int)>& value) {
     for (int y = 0; y < frame.height; ++y) {
+      run.check_cancelled();
       for (int x = 0; x < frame.width; ++x) {
         if (nearest.distance(x, y) == kFar) continue;
         fixed(x, y) = 1;
@@ -193,8 +200,10 @@ ScalarField lattice_heights(const std::vector<LevelLine>& lines, const GridFrame
   geom::solve_laplace(u, fixed, run);
   const ScalarField first = u;
   ScalarField slope(frame);
-  for (int y = 0; y < frame.height; ++y)
+  for (int y = 0; y < frame.height; ++y) {
+    run.check_cancelled();
     for (int x = 0; x < frame.width; ++x) slope(x, y) = static_cast<float>(slope_at(first, x, y));
+  }
   // The slope is read where the line is: nodes on either side of it rise and fall alike, and a contour between them
   // runs through that place.
   const double least = 0.02 * gap_m / frame.cell_m;

@@ -18,7 +18,8 @@ namespace {
 /// The patch as triangles about the squares' middles, with the border's cuts as corners.
 class PatchMesh {
  public:
-  PatchMesh(const Patch& patch, const ScalarField& heights, const std::vector<double>& levels, const CutContours& cut)
+  PatchMesh(const Patch& patch, const ScalarField& heights, const std::vector<double>& levels, const CutContours& cut,
+            const RunContext& run)
       : patch_(patch), levels_(levels), cut_(cut), nodes_(patch.nodes, -1), cut_node_(cut.cuts.size(), -1) {
     tiny_ = std::numeric_limits<double>::infinity();
     for (size_t i = 1; i < levels.size(); ++i) tiny_ = std::min(tiny_, levels[i] - levels[i - 1]);
@@ -27,6 +28,7 @@ class PatchMesh {
     tiny_ *= 1e-3;
     add_nodes(heights);
     for (int y = 0; y < patch.squares.height(); ++y) {
+      run.check_cancelled();
       for (int x = 0; x < patch.squares.width(); ++x) {
         if (patch.has(x, y)) add_square(x, y);
       }
@@ -187,15 +189,17 @@ bool Patch::at_border(int x, int y) const {
   return around > 0 && around < 4;
 }
 
-bool is_clear(const Patch& patch, const ContourSet& set) { return cut_contours(set, patch).has_value(); }
+bool is_clear(const Patch& patch, const ContourSet& set, const RunContext& run) {
+  return cut_contours(set, patch, run).has_value();
+}
 
 void replace_patch(ContourSet& set, const Patch& patch, const ScalarField& heights, const std::vector<double>& levels,
                    const std::string& name, const RunContext& run) {
-  const std::optional<CutContours> cut = cut_contours(set, patch);
+  const std::optional<CutContours> cut = cut_contours(set, patch, run);
   if (!cut) throw Error(name + ": a contour passes through a corner of the patch");
   run.check_cancelled();
-  const PatchMesh mesh(patch, heights, levels, *cut);
-  const std::vector<geom::LevelChain> chains = geom::march_open_triangles(mesh.mesh(), levels);
+  const PatchMesh mesh(patch, heights, levels, *cut, run);
+  const std::vector<geom::LevelChain> chains = geom::march_open_triangles(mesh.mesh(), levels, run);
   run.check_cancelled();
   const double tolerance = 0.03 * patch.nodes.cell_m;
   // What a few nodes more or less would make come and go is no landform.
@@ -203,6 +207,7 @@ void replace_patch(ContourSet& set, const Patch& patch, const ScalarField& heigh
   std::vector<Contour> contours = cut->whole;
   std::vector<const geom::LevelChain*> chain_from(cut->cuts.size(), nullptr);
   for (const geom::LevelChain& chain : chains) {
+    run.check_cancelled();
     if (chain.closed) {
       Ring ring = geom::simplify(chain.points, tolerance);
       if (ring.size() >= 3 && std::abs(geom::signed_area(ring)) >= least_area)
@@ -212,9 +217,9 @@ void replace_patch(ContourSet& set, const Patch& patch, const ScalarField& heigh
     }
   }
   join_pieces(*cut, chain_from, mesh, tolerance, name, contours);
-  if (const auto crossing = geom::find_contour_crossing(contours))
+  if (const auto crossing = geom::find_contour_crossing(contours, run))
     throw Error(name + ": contours would cross at " + place_text(crossing->at) + "; move the outline a little");
-  geom::nest_contours(contours);
+  geom::nest_contours(contours, run);
   set.contours = std::move(contours);
 }
 

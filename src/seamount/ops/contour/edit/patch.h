@@ -28,13 +28,13 @@ struct Patch {
 };
 
 /// Can the set be cut at the patch's border: does no contour pass through a node, nor two through one place?
-bool is_clear(const Patch& patch, const ContourSet& set);
+bool is_clear(const Patch& patch, const ContourSet& set, const RunContext& run);
 
 /// Replaces all contours within the patch by those of `heights` at `levels` (ascending); loops of less than two squares
 /// are left out. At nodes of the border `heights` must be what lattice_heights() finds for the set. `name` stands in
 /// messages. Throws InvalidArgument{name} where a contour outside has nothing to be joined to because its neighbours'
 /// levels are missing. Ends of contours without a counterpart outside are dropped with their line. REQUIRES:
-/// is_clear(patch, set). n log n in the set's points and the patch's nodes.
+/// is_clear(). n log n in the set's points and the patch's nodes.
 void replace_patch(ContourSet& set, const Patch& patch, const ScalarField& heights, const std::vector<double>& levels,
                    const std::string& name, const RunContext& run);
 

@@ -132,10 +132,11 @@ int64_t edge_key(const Patch& patch, int x, int y, bool south) {
   return 2 * (static_cast<int64_t>(y) * patch.nodes.width + x) + (south ? 1 : 0);
 }
 
-std::optional<CutContours> cut_contours(const ContourSet& set, const Patch& patch) {
+std::optional<CutContours> cut_contours(const ContourSet& set, const Patch& patch, const RunContext& run) {
   CutContours out;
   Cutter cutter(patch, out);
   for (const Contour& contour : set.contours) {
+    run.check_cancelled();
     if (!cutter.cut(contour)) return std::nullopt;
   }
   for (auto& [edge, cuts] : out.on_edge) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/model/contour_set.h"
 #include "seamount/ops/contour/edit/patch.h"
 
@@ -38,6 +39,6 @@ struct CutContours {
 int64_t edge_key(const Patch& patch, int x, int y, bool south);
 
 /// Nothing where two cuts, or a cut and a node, fall on one place: the lattice has to be shifted.
-std::optional<CutContours> cut_contours(const ContourSet& set, const Patch& patch);
+std::optional<CutContours> cut_contours(const ContourSet& set, const Patch& patch, const RunContext& run);
 
 }  // namespace seamount::contour

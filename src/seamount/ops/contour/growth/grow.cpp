@@ -89,6 +89,7 @@ std::vector<int32_t> regions_of_nodes(const RegionTree& tree, const GridFrame& d
   const geom::Box box = box_of(domain, -inset);
   std::vector<Vec2> places;
   places.reserve(nodes.size());
+  run.check_cancelled();
   for (const Vec2 p : nodes) {
     places.push_back({std::clamp(p.x, box.low.x, box.high.x), std::clamp(p.y, box.low.y, box.high.y)});
   }
@@ -137,6 +138,7 @@ std::vector<geom::Triangle> triangulate(const std::vector<geom::LatticePoint>& p
                                         const RunContext& run) {
   const int64_t longest = (has_rivers ? 3 : 2) * int64_t{geom::DiscSampling::kSpacing};
   std::vector<geom::Triangle> triangles = geom::delaunay(points, run);
+  run.check_cancelled();
   std::erase_if(triangles, [&](const geom::Triangle& t) {
     for (size_t k = 0; k < 3; ++k) {
       const auto a = static_cast<size_t>(t[k]), b = static_cast<size_t>(t[(k + 1) % 3]);
@@ -179,9 +181,10 @@ Tin scatter_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<R
   tin.frame = domain;
   tin.regions = tin_regions(tree);
   tin.triangles = triangulate(discs.points, !tin.bed_m.empty(), run.part(0.5, 0.9));
+  run.check_cancelled();
   tin.nodes.reserve(discs.points.size());
   for (const geom::LatticePoint p : discs.points) tin.nodes.push_back(discs.lattice.place(p));
-  geom::open_pinches(tin);
+  geom::open_pinches(tin, run);
   tin.region = regions_of_nodes(tree, domain, spacing, tin.nodes, run.part(0.9, 1.0));
   return tin;
 }

@@ -107,8 +107,9 @@ class RegionGrowth {
       for (const int32_t node : members_) order[work.up[at(node)] - 1] = node;
     } else {
       if (has_levels_) blend_levels(work, run);
+      run.check_cancelled();
       score(work);
-      order = flood(work);
+      order = flood(work, run);
     }
     for (size_t i = 0; i < order.size(); ++i) {
       ranks[at(order[i])] = static_cast<float>((static_cast<double>(i) + 0.5) / static_cast<double>(order.size()));
@@ -176,7 +177,7 @@ class RegionGrowth {
   }
 
   /// The last pass: always on to the border node with the lowest score, from where the region drains to.
-  std::vector<int32_t> flood(Work& work) const {
+  std::vector<int32_t> flood(Work& work, const RunContext& run) const {
     std::priority_queue<uint64_t, std::vector<uint64_t>, std::greater<>> border;
     const auto push = [&](int32_t node) {
       border.push((static_cast<uint64_t>(work.score[at(node)]) << 32) | static_cast<uint32_t>(node));
@@ -192,6 +193,7 @@ class RegionGrowth {
     std::vector<int32_t> order;
     order.reserve(members_.size());
     while (!border.empty()) {
+      if (order.size() % 16384 == 0) run.check_cancelled();
       const auto node = static_cast<int32_t>(border.top() & 0xffffffffU);
       border.pop();
       order.push_back(node);
@@ -267,9 +269,11 @@ std::vector<float> grow_ranks(std::span<const std::array<int32_t, 3>> triangles,
   run.report(0.2);
   std::vector<RegionGrowth> growths;
   for (size_t i = 0; i < regions.size(); ++i) {
+    run.check_cancelled();
     growths.emplace_back(graph, regions, static_cast<int32_t>(i), rivers.outlets, seed.derive("region", i));
   }
   Work work = make_work(probability, rivers, growths);
+  run.check_cancelled();
   const auto count = static_cast<int64_t>(growths.size());
   parallel_blocks(run.part(0.2, 0.8), 2 * count, 1, [&](int64_t task, int64_t) {
     growths[static_cast<size_t>(task / 2)].run_front(task % 2 != 0, work, run);

@@ -105,7 +105,7 @@ void add_outline_detail(RegionTree& tree, std::vector<RiverLine>& rivers, double
     roughen.move(1.0, region.outline, run);
   }
   for (RiverLine& river : rivers) roughen.move(1.0, river.points, run);
-  tree = nest_regions(std::move(tree.regions), domain, "outlines");
+  tree = nest_regions(std::move(tree.regions), domain, "outlines", run);
 }
 
 }  // namespace seamount::contour

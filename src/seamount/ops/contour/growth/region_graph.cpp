@@ -80,7 +80,9 @@ RegionGraph make_region_graph(std::span<const std::array<int32_t, 3>> triangles,
   RegionGraph graph;
   graph.borders.resize(regions.size());
   group_by_region(region, regions.size(), graph);
+  run.check_cancelled();
   const std::vector<uint8_t> rim = find_rim(triangles, region.size());
+  run.check_cancelled();
   const std::vector<Edge> missing = missing_edges(triangles, rim);
   run.check_cancelled();
   for (size_t i = 0; i < rim.size(); ++i) {
@@ -88,7 +90,9 @@ RegionGraph make_region_graph(std::span<const std::array<int32_t, 3>> triangles,
   }
 
   const auto for_each_edge = [&](auto&& visit) {
+    size_t done = 0;
     for (const auto& [a, b, c] : triangles) {
+      if (++done % 65536 == 0) run.check_cancelled();
       visit(a, b);
       visit(b, c);
       visit(c, a);
@@ -116,6 +120,7 @@ RegionGraph make_region_graph(std::span<const std::array<int32_t, 3>> triangles,
   });
   graph.starts.pop_back();
   for (std::vector<BorderNode>& border : graph.borders) {
+    run.check_cancelled();
     std::sort(border.begin(), border.end());
     border.erase(std::unique(border.begin(), border.end()), border.end());
   }

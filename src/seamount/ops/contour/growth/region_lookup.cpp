@@ -18,7 +18,7 @@ struct RowEdge {
 
 class EdgeRows {
  public:
-  explicit EdgeRows(const RegionTree& tree) {
+  EdgeRows(const RegionTree& tree, const RunContext& run) {
     geom::Box box;
     size_t edges = 0;
     for (const GrowthRegion& region : tree.regions) {
@@ -31,7 +31,7 @@ class EdgeRows {
     rows_.resize(std::clamp<size_t>(edges / 4, 1, 8192));
     south_ = box.low.y;
     scale_ = static_cast<double>(rows_.size()) / std::max(box.high.y - box.low.y, 1e-300);
-    for (size_t r = 0; r < tree.regions.size(); ++r) enter(tree.regions[r].outline, static_cast<int32_t>(r));
+    for (size_t r = 0; r < tree.regions.size(); ++r) enter(tree.regions[r].outline, static_cast<int32_t>(r), run);
   }
 
   /// Parents stand before children, so that the last ring around p is the innermost.
@@ -55,8 +55,9 @@ class EdgeRows {
     return static_cast<size_t>(std::clamp((y - south_) * scale_, 0.0, static_cast<double>(rows_.size() - 1)));
   }
 
-  void enter(const Ring& ring, int32_t region) {
+  void enter(const Ring& ring, int32_t region, const RunContext& run) {
     for (size_t i = 0; i < ring.size(); ++i) {
+      run.check_cancelled();
       const Vec2 a = ring[i];
       const Vec2 b = ring[(i + 1) % ring.size()];
       const size_t last = row_of(std::max(a.y, b.y));
@@ -79,7 +80,7 @@ int region_at(const RegionTree& tree, Vec2 p) {
 }
 
 std::vector<int32_t> regions_at(const RegionTree& tree, const std::vector<Vec2>& points, const RunContext& run) {
-  const EdgeRows rows(tree);
+  const EdgeRows rows(tree, run);
   std::vector<int32_t> regions(points.size());
   parallel_blocks(run, static_cast<int64_t>(points.size()), 4096, [&](int64_t begin, int64_t end) {
     for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) regions[i] = rows.region_at(points[i]);

@@ -121,7 +121,7 @@ std::vector<GrowthRegion> trace_levels(const Greys& greys, const std::vector<int
     Greys inside = at_least_level(greys, levels, level, margin);
     for (size_t c = 0; c < inside.size(); ++c) inside.cells()[c] &= allowed.cells()[c];
     size_t patch = 0;
-    for (const Polygon& polygon : geom::trace_mask(inside)) {
+    for (const Polygon& polygon : geom::trace_mask(inside, run)) {
       const std::string name = fmt::format("grey {} patch {}", levels[level], patch++);
       add(polygon.outer, name, false);
       for (size_t h = 0; h < polygon.holes.size(); ++h) add(polygon.holes[h], fmt::format("{} hole {}", name, h), true);
@@ -149,7 +149,7 @@ RegionTree from_greys(const Greys& greys, const GridFrame& place, const GridFram
   if (regions.empty()) {
     throw InvalidArgument(field, fmt::format("every patch of the picture is smaller than {} pixels", kMinPatch));
   }
-  return nest_regions(std::move(regions), domain, field);
+  return nest_regions(std::move(regions), domain, field, run);
 }
 
 }  // namespace

@@ -58,8 +58,8 @@ std::vector<Contour> outlines_of(const std::vector<GrowthRegion>& regions) {
   return outlines;
 }
 
-void check_apart(const std::vector<GrowthRegion>& regions, const std::string& field) {
-  const std::optional<geom::ContourCrossing> meeting = geom::find_contour_crossing(outlines_of(regions));
+void check_apart(const std::vector<GrowthRegion>& regions, const std::string& field, const RunContext& run) {
+  const std::optional<geom::ContourCrossing> meeting = geom::find_contour_crossing(outlines_of(regions), run);
   if (!meeting) return;
   throw InvalidArgument(field, fmt::format("{} and {} overlap without nesting: their outlines cross or touch at {}; "
                                            "draw one inside the other or apart from it",
@@ -169,9 +169,11 @@ void set_contour_peaks(std::vector<GrowthRegion>& regions) {
 
 }  // namespace
 
-RegionTree nest_regions(std::vector<GrowthRegion> regions, const GridFrame& domain, const std::string& field) {
+RegionTree nest_regions(std::vector<GrowthRegion> regions, const GridFrame& domain, const std::string& field,
+                        const RunContext& run) {
   if (regions.empty()) throw InvalidArgument(field, "no regions: give at least one closed outline");
   for (size_t i = 0; i < regions.size(); ++i) {
+    run.check_cancelled();
     if (regions[i].name.empty()) regions[i].name = fmt::format("region {}", i);
     regions[i].outline = without_repeats(regions[i].outline);
     check_alone(regions[i], field);
@@ -179,12 +181,13 @@ RegionTree nest_regions(std::vector<GrowthRegion> regions, const GridFrame& doma
       std::reverse(regions[i].outline.begin(), regions[i].outline.end());
     }
   }
-  check_apart(regions, field);
+  check_apart(regions, field, run);
   std::stable_sort(regions.begin(), regions.end(), [](const GrowthRegion& a, const GrowthRegion& b) {
     return geom::signed_area(a.outline) > geom::signed_area(b.outline);
   });
-  const std::vector<int> parents = geom::find_contour_parents(outlines_of(regions));
+  const std::vector<int> parents = geom::find_contour_parents(outlines_of(regions), run);
   for (size_t i = 0; i < regions.size(); ++i) {
+    run.check_cancelled();
     check_meets_domain(regions[i], domain, field);
     regions[i].parent = parents[i];
     if (regions[i].basin && parents[i] < 0) {
@@ -251,14 +254,15 @@ RegionTree regions_from_drawing(const Drawing& drawing, const GridFrame& domain,
   return tree;
 }
 
-RegionTree regions_from_contours(const ContourSet& set, const GridFrame& domain, const std::string& field) {
+RegionTree regions_from_contours(const ContourSet& set, const GridFrame& domain, const std::string& field,
+                                 const RunContext& run) {
   std::vector<GrowthRegion> regions;
   for (size_t i = 0; i < set.contours.size(); ++i) {
     const Contour& contour = set.contours[i];
     regions.push_back({fmt::format("contour {} at {} m", i, format_number(contour.height_m)), contour.ring, -1,
                        contour.height_m, geom::signed_area(contour.ring) < 0.0});
   }
-  RegionTree tree = nest_regions(std::move(regions), domain, field);
+  RegionTree tree = nest_regions(std::move(regions), domain, field, run);
   set_contour_peaks(tree.regions);
   return tree;
 }

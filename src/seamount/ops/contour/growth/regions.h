@@ -53,7 +53,8 @@ RegionTree regions_from_drawing(const Drawing& drawing, const GridFrame& domain,
 
 /// From contours: a clockwise one is a basin. Their levels are all there are, so that a summit or a basin's floor does
 /// not reach the next one: peaks go on at the slope around them, up to 85 % of the way there; none at the last levels.
-RegionTree regions_from_contours(const ContourSet& set, const GridFrame& domain, const std::string& field);
+RegionTree regions_from_contours(const ContourSet& set, const GridFrame& domain, const std::string& field,
+                                 const RunContext& run = {});
 
 struct PaintedRegions {
   bool darkest_is_land = false;  ///< the darkest level is the lowest region instead of the world outside
@@ -73,7 +74,8 @@ RegionTree regions_from_mask(const ScalarField& mask, const GridFrame& domain, c
 
 /// Checks outlines in any order and direction and puts them in a tree. `parent` is found, not read. What the builders
 /// above end with.
-RegionTree nest_regions(std::vector<GrowthRegion> regions, const GridFrame& domain, const std::string& field);
+RegionTree nest_regions(std::vector<GrowthRegion> regions, const GridFrame& domain, const std::string& field,
+                        const RunContext& run = {});
 
 /// Index of the region that holds p, -1: none. Brute force, linear in vertices: for tests and single points.
 int region_at(const RegionTree& tree, Vec2 p);

@@ -37,7 +37,7 @@ int32_t find_drain(const Tin& tin, const geom::NodeGraph& graph, const std::vect
 
 }  // namespace
 
-std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& bands) {
+std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& bands, const RunContext& run) {
   struct Key {
     int level;
     float rank;
@@ -48,7 +48,8 @@ std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& b
     if (tin.region[node] < 0) continue;
     keys.push_back({bands[at(tin.region[node])].level, tin.rank[node], static_cast<int32_t>(node)});
   }
-  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
+  std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+    run.check_cancelled();
     return std::tie(a.level, a.rank, a.node) < std::tie(b.level, b.rank, b.node);
   });
   std::vector<int32_t> order;
@@ -57,9 +58,11 @@ std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& b
   return order;
 }
 
-std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height) {
+std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height,
+                                 const RunContext& run) {
   std::vector<int32_t> drains(tin.nodes.size(), -1);
   for (size_t node = 0; node < tin.nodes.size(); ++node) {
+    if (node % 16384 == 0) run.check_cancelled();
     if (tin.region[node] >= 0) drains[node] = find_drain(tin, graph, height, node);
   }
   return drains;
@@ -67,9 +70,8 @@ std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, c
 
 std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
                          const Limits& limits, std::vector<double> height, const RunContext& run) {
-  const std::vector<int32_t> order = rank_order(tin, bands);
-  run.check_cancelled();
-  const std::vector<int32_t> drains = find_drains(tin, graph, height);
+  const std::vector<int32_t> order = rank_order(tin, bands, run);
+  const std::vector<int32_t> drains = find_drains(tin, graph, height, run);
   for (auto node = order.rbegin(); node != order.rend(); ++node) {
     const int32_t to = drains[at(*node)];
     if (to < 0 || height[at(to)] < height[at(*node)]) continue;
@@ -77,6 +79,7 @@ std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std
     const double cut = base + kCut * (height[at(*node)] - base);
     height[at(to)] = std::max(limits.floor[at(to)], std::min(cut, height[at(*node)]));
   }
+  run.check_cancelled();
   std::vector<float> result(height.begin(), height.end());
   constexpr float kFar = std::numeric_limits<float>::infinity();
   for (const int32_t node : order) {  // rounded, but not over an outline's height
@@ -84,6 +87,7 @@ std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std
     if (static_cast<double>(z) > limits.cap[at(node)]) z = std::nextafter(z, -kFar);
     if (static_cast<double>(z) < limits.floor[at(node)]) z = std::nextafter(z, kFar);
   }
+  run.check_cancelled();
   for (const int32_t node : order) {
     const int32_t to = drains[at(node)];
     if (to < 0 || result[at(to)] < result[at(node)]) continue;

@@ -35,9 +35,9 @@ void stand_on_rivers(const Tin& tin, const geom::NodeGraph& graph, const std::ve
   if (std::none_of(has_river.begin(), has_river.end(), [](uint8_t has) { return has != 0; })) return;
   const auto stands = [&](size_t node) { return tin.region[node] >= 0 && has_river[at(tin.region[node])] != 0; };
 
-  const std::vector<int32_t> drains = find_drains(tin, graph, height);
+  const std::vector<int32_t> drains = find_drains(tin, graph, height, run);
   std::vector<double> base(tin.nodes.size(), 0.0);
-  for (const int32_t node : rank_order(tin, bands)) {
+  for (const int32_t node : rank_order(tin, bands, run)) {
     const size_t n = at(node);
     const double lowest = bands[at(tin.region[n])].from_m;
     const int32_t to = drains[n];

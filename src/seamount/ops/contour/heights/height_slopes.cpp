@@ -39,6 +39,7 @@ void cut_spikes(const Tin& tin, const geom::NodeGraph& graph, const Limits& limi
                 const RunContext& run) {
   const double steepest = kSteepest * usual_slope(tin, height);
   if (!(steepest > 0.0)) return;
+  run.check_cancelled();
   using Open = std::pair<double, int32_t>;
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
   const auto lower_around = [&](size_t node) {
@@ -57,9 +58,12 @@ void cut_spikes(const Tin& tin, const geom::NodeGraph& graph, const Limits& limi
   for (size_t node = 0; node < height.size(); ++node) {
     if (tin.region[node] >= 0) order.emplace_back(height[node], static_cast<int32_t>(node));
   }
-  std::sort(order.begin(), order.end());
-  run.check_cancelled();
+  std::sort(order.begin(), order.end(), [&](const Open& a, const Open& b) {
+    run.check_cancelled();
+    return a < b;
+  });
   for (const auto& [z, node] : order) {  // merged with what was lowered on the way: always the lowest next
+    run.check_cancelled();
     while (!open.empty() && open.top().first < z) {
       const auto [lowered, other] = open.top();
       open.pop();
@@ -68,6 +72,7 @@ void cut_spikes(const Tin& tin, const geom::NodeGraph& graph, const Limits& limi
     if (z == height[at(node)]) lower_around(at(node));
   }
   while (!open.empty()) {
+    run.check_cancelled();
     const auto [lowered, other] = open.top();
     open.pop();
     if (lowered == height[at(other)]) lower_around(at(other));

@@ -106,20 +106,23 @@ Tin heights(Tin tin, const HeightField* terrain, const HeightsParams& params, co
   run.check_cancelled();
   const HeightDistribution distribution = make_distribution(tin, terrain, params);
   const std::vector<RegionBand> bands = height_bands(tin.regions, count_nodes(tin), distribution, params);
-  const geom::NodeGraph graph = geom::make_node_graph(tin.triangles, tin.nodes.size());
+  const geom::NodeGraph graph = geom::make_node_graph(tin.triangles, tin.nodes.size(), run);
   run.report(0.2);
-  const std::vector<Shore> shores = find_shores(tin, graph);
+  const std::vector<Shore> shores = find_shores(tin, graph, run);
   Limits limits = find_limits(tin, bands, shores);
+  run.check_cancelled();
   limit_rivers(tin, graph, limits);
   std::vector<double> height = band_heights(tin, bands, shores, distribution, params, run);
   stand_on_rivers(tin, graph, bands, height, run);
   apply(limits, tin, height);
+  run.check_cancelled();
   run.report(0.5);
   std::vector<uint8_t> known(tin.nodes.size(), 0);
   if (params.outlines == Outlines::follow) {
     follow_outlines(tin, graph, bands, shores, height, known, run.part(0.5, 0.7));
     apply(limits, tin, height);
   }
+  run.check_cancelled();
   if (params.spikes == Spikes::cut) cut_spikes(tin, graph, limits, height, run);
   const double slope = std::tan(params.shore_slope_deg * std::numbers::pi / 180.0);
   fall_outside(tin, graph, bands, shores, known, slope, height, run);

@@ -96,6 +96,7 @@ std::vector<double> rising_shares(const Tin& tin, const std::vector<RegionBand>&
     reach[r] = std::sqrt(static_cast<double>(nodes[r]) / static_cast<double>(std::max<int64_t>(widest[place(r)], 1)));
   }
   for (size_t node = 0; node < tin.nodes.size(); ++node) {
+    if (node % 65536 == 0) run.check_cancelled();
     if (tin.region[node] < 0 || is_river(tin, node)) continue;
     const size_t r = at(tin.region[node]);
     order[r]->push_back({reach[r] * static_cast<double>(tin.rank[node]), static_cast<int32_t>(node)});
@@ -103,7 +104,10 @@ std::vector<double> rising_shares(const Tin& tin, const std::vector<RegionBand>&
   std::vector<double> share(tin.nodes.size(), 0.0);
   for (auto& [where, together] : rising) {
     run.check_cancelled();
-    std::sort(together.begin(), together.end());
+    std::sort(together.begin(), together.end(), [&](const Rising& a, const Rising& b) {
+      run.check_cancelled();
+      return a < b;
+    });
     for (size_t i = 0; i < together.size(); ++i) {
       share[at(together[i].node)] = (static_cast<double>(i) + 0.5) / static_cast<double>(together.size());
     }
@@ -113,10 +117,11 @@ std::vector<double> rising_shares(const Tin& tin, const std::vector<RegionBand>&
 
 }  // namespace
 
-std::vector<Shore> find_shores(const Tin& tin, const geom::NodeGraph& graph) {
+std::vector<Shore> find_shores(const Tin& tin, const geom::NodeGraph& graph, const RunContext& run) {
   std::vector<Shore> shores;
   std::vector<int32_t> seen;
   for (size_t node = 0; node < tin.nodes.size(); ++node) {
+    if (node % 65536 == 0) run.check_cancelled();
     const int32_t here = tin.region[node];
     seen.clear();
     for (const int32_t neighbour : graph.around(node)) {
@@ -167,6 +172,7 @@ std::vector<double> band_heights(const Tin& tin, const std::vector<RegionBand>& 
     if (bands[r].alone) knots[r] = inner_knots(tin, bands, shores, share, static_cast<int32_t>(r));
   }
   for (size_t node = 0; node < tin.nodes.size(); ++node) {
+    if (node % 16384 == 0) run.check_cancelled();
     const int32_t region = tin.region[node];
     if (region < 0) continue;
     share[node] = is_river(tin, node) ? static_cast<double>(tin.bed_m[node])
@@ -197,7 +203,8 @@ void fall_outside(const Tin& tin, const geom::NodeGraph& graph, const std::vecto
     front.emplace(z, shore.node);
   }
   run.check_cancelled();
-  while (!front.empty()) {
+  for (size_t taken = 1; !front.empty(); ++taken) {
+    if (taken % 16384 == 0) run.check_cancelled();
     const auto [z, node] = front.top();
     front.pop();
     if (z < height[at(node)]) continue;

@@ -21,7 +21,7 @@ struct Shore {
 };
 
 /// Every node beside an outline, once per outline, by outline; nodes outside all regions as well.
-std::vector<Shore> find_shores(const Tin& tin, const geom::NodeGraph& graph);
+std::vector<Shore> find_shores(const Tin& tin, const geom::NodeGraph& graph, const RunContext& run);
 
 /// Between which heights outlines and rivers let a node lie. Where the floor is above the cap, the floor counts.
 struct Limits {
@@ -55,10 +55,11 @@ void cut_spikes(const Tin& tin, const geom::NodeGraph& graph, const Limits& limi
                 const RunContext& run);
 
 /// Nodes of the regions, drains before what they drain: by level, then rank.
-std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& bands);
+std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& bands, const RunContext& run);
 
 /// The lowest neighbour of lower rank or in lower ground; -1: an outlet, or the deepest node of a basin.
-std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height);
+std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height,
+                                 const RunContext& run);
 
 /// Lowers nodes that would dam the water on its way down the ranks, then lifts nodes that still lie below the one that
 /// they drain to, and rounds to floats that differ: afterwards each node lies higher than its drain. Outside nodes

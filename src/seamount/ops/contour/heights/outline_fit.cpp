@@ -50,7 +50,7 @@ class OutlineFit {
   void measure(const Ring& outline, const RunContext& run) {
     std::vector<geom::RingEdge> edges;
     geom::add_ring_edges(outline, 0, edges);
-    const geom::EdgeGrid grid(edges);
+    const geom::EdgeGrid grid(edges, run);
     parallel_blocks(run, static_cast<int64_t>(beside_.size()), 64, [&](int64_t begin, int64_t end) {
       for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
         Beside& b = beside_[i];
@@ -62,8 +62,9 @@ class OutlineFit {
   }
 
   /// Sums over the neighbours beside the outline, a few times.
-  void smooth() {
+  void smooth(const RunContext& run) {
     for (int round = 0; round < 4; ++round) {
+      run.check_cancelled();
       std::vector<Beside> next = beside_;
       for (size_t i = 0; i < beside_.size(); ++i) {
         for (const int32_t neighbour : graph_.around(beside_[i].node)) {
@@ -121,7 +122,7 @@ void follow_outlines(const Tin& tin, const geom::NodeGraph& graph, const std::ve
     OutlineFit fit(tin, graph, std::span(shores).subspan(first, last - first), bands[outline].outline_m, height, count,
                    slot);
     fit.measure(tin.regions[outline].outline, run);
-    fit.smooth();
+    fit.smooth(run);
     fit.apply(tin.regions[outline].basin, height, known);
   }
 }

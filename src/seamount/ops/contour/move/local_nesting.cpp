@@ -49,22 +49,26 @@ bool lies_in_its_place(const std::vector<Contour>& contours, const std::vector<B
 }  // namespace
 
 std::vector<NestingDefect> find_nesting_defects(const std::vector<Contour>& contours, const std::vector<Box>& boxes,
-                                                const std::vector<MovedContour>& moved) {
+                                                const std::vector<MovedContour>& moved, const RunContext& run) {
   std::vector<RingEdge> edges;
   size_t count = 0;
   for (const MovedContour& one : moved)
     for (const auto& [begin, end] : one.edges) count += end - begin;
   edges.reserve(count);
   for (size_t i = 0; i < moved.size(); ++i) add_edges(moved[i], i, edges);
-  const geom::EdgeGrid grid(edges);
+  run.check_cancelled();
+  const geom::EdgeGrid grid(edges, run);
   std::vector<NestingDefect> defects;
-  grid.for_each_meeting([](const RingEdge&, const RingEdge&) { return true; },
-                        [&](const geom::EdgeGrid::Meeting& meeting) {
-                          const RingEdge& e = edges[meeting.first];
-                          const RingEdge& f = edges[meeting.second];
-                          defects.push_back({meeting.at, e.ring, f.ring, e.index, f.index});
-                          return true;
-                        });
+  const auto any = [&](const RingEdge&, const RingEdge&) {
+    run.check_cancelled();
+    return true;
+  };
+  grid.for_each_meeting(any, [&](const geom::EdgeGrid::Meeting& meeting) {
+    const RingEdge& e = edges[meeting.first];
+    const RingEdge& f = edges[meeting.second];
+    defects.push_back({meeting.at, e.ring, f.ring, e.index, f.index});
+    return true;
+  });
   if (!defects.empty()) return defects;
   std::vector<const Ring*> rings;
   rings.reserve(contours.size());
@@ -75,6 +79,7 @@ std::vector<NestingDefect> find_nesting_defects(const std::vector<Contour>& cont
     now[one.contour] = geom::bounding_box(*one.ring);
   }
   for (size_t i = 0; i < moved.size(); ++i) {
+    run.check_cancelled();
     if (moved[i].wholly && !lies_in_its_place(contours, now, rings, moved[i].contour))
       defects.push_back({(*moved[i].ring)[0], i, i, 0, 0});
   }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "seamount/base/run_context.h"
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/model/contour_set.h"
 
@@ -30,6 +31,6 @@ struct NestingDefect {
 /// the contours for each that moved wholly.
 std::vector<NestingDefect> find_nesting_defects(const std::vector<Contour>& contours,
                                                 const std::vector<geom::Box>& boxes,
-                                                const std::vector<MovedContour>& moved);
+                                                const std::vector<MovedContour>& moved, const RunContext& run);
 
 }  // namespace seamount::contour

@@ -101,7 +101,7 @@ class Mover {
       const Ring& ring = contours_[member.contour].ring;
       all.push_back({member.contour, &ring, member.edges, false});
     }
-    return find_nesting_defects(contours_, boxes_, all);
+    return find_nesting_defects(contours_, boxes_, all, run_);
   }
 
   std::vector<std::pair<size_t, Ring>> rings() const {
@@ -128,6 +128,7 @@ class Mover {
   }
 
   void subdivide(Member& member) {
+    run_.check_cancelled();
     const Ring& ring = contours_[member.contour].ring;
     total_ -= member.points.size();
     member.points.clear();
@@ -178,6 +179,7 @@ class Mover {
     auto next = places.begin();
     for (const size_t i : changed) {
       Member& member = members_[i];
+      run_.check_cancelled();
       Ring points = member.points;
       for (const auto& [begin, end] : member.runs) {
         const auto count = static_cast<std::ptrdiff_t>(end - begin);
@@ -232,7 +234,7 @@ class Mover {
           member.edges.size() == 1 && member.edges[0].second == member.fineness.size() && member.edges[0].first == 0;
       all.push_back({member.contour, &member.ring, member.ring_runs, wholly});
     }
-    return find_nesting_defects(contours_, boxes_, all);
+    return find_nesting_defects(contours_, boxes_, all, run_);
   }
 
   /// Follows contours more finely where they meet. The members that this changed; none if it is not possible any more.

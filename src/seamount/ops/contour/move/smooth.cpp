@@ -174,7 +174,12 @@ namespace {
 class Smoother {
  public:
   Smoother(ContourSet& set, const std::vector<size_t>& chosen, const Smoothing& smoothing, const RunContext& run)
-      : set_(set), smoothing_(smoothing), working_(chosen.size()), place_(set.contours.size(), -1), now_(set.contours) {
+      : set_(set),
+        smoothing_(smoothing),
+        run_(run),
+        working_(chosen.size()),
+        place_(set.contours.size(), -1),
+        now_(set.contours) {
     for (size_t w = 0; w < chosen.size(); ++w) place_[chosen[w]] = static_cast<int>(w);
     constexpr int64_t kRings = 8;
     parallel_blocks(run, static_cast<int64_t>(chosen.size()), kRings, [&](int64_t begin, int64_t end) {
@@ -183,10 +188,10 @@ class Smoother {
   }
 
   /// Takes smoothing back until nothing crosses.
-  Smoothed settle(const RunContext& run) {
+  Smoothed settle() {
     Smoothed report;
     for (int round = 0;; ++round) {
-      run.check_cancelled();
+      run_.check_cancelled();
       const std::optional<Vec2> defect = take_back_round(round);
       if (!defect) break;
       report.where = defect;
@@ -229,20 +234,23 @@ class Smoother {
     std::optional<Vec2> where;
     std::vector<RingEdge> edges;
     for (size_t i = 0; i < now_.size(); ++i) geom::add_ring_edges(now_[i].ring, i, edges);
-    const geom::EdgeGrid grid(edges);
-    grid.for_each_meeting([](const RingEdge&, const RingEdge&) { return true; },
-                          [&](const geom::EdgeGrid::Meeting& meeting) {
-                            const RingEdge& e = edges[meeting.first];
-                            const RingEdge& f = edges[meeting.second];
-                            if (place_[e.ring] < 0 && place_[f.ring] < 0) throw_crossing(meeting.at);
-                            if (round > kLocalRounds + static_cast<int>(now_.size())) throw_crossing(meeting.at);
-                            where = meeting.at;
-                            take_back_at(e.ring, e.index, round);
-                            take_back_at(f.ring, f.index, round);
-                            return true;
-                          });
+    const geom::EdgeGrid grid(edges, run_);
+    const auto any = [this](const RingEdge&, const RingEdge&) {
+      run_.check_cancelled();
+      return true;
+    };
+    grid.for_each_meeting(any, [&](const geom::EdgeGrid::Meeting& meeting) {
+      const RingEdge& e = edges[meeting.first];
+      const RingEdge& f = edges[meeting.second];
+      if (place_[e.ring] < 0 && place_[f.ring] < 0) throw_crossing(meeting.at);
+      if (round > kLocalRounds + static_cast<int>(now_.size())) throw_crossing(meeting.at);
+      where = meeting.at;
+      take_back_at(e.ring, e.index, round);
+      take_back_at(f.ring, f.index, round);
+      return true;
+    });
     if (where) return where;
-    const std::vector<int> parents = geom::find_contour_parents(now_);
+    const std::vector<int> parents = geom::find_contour_parents(now_, run_);
     for (size_t i = 0; i < parents.size(); ++i) {
       if (parents[i] == set_.contours[i].parent) continue;
       where = now_[i].ring[0];
@@ -259,6 +267,7 @@ class Smoother {
 
   void apply_factors() {
     for (Working& working : working_) {
+      run_.check_cancelled();
       bool changed = false;
       for (size_t i = 0; i < working.share.size(); ++i) {
         changed = changed || working.factor[i] < 1.0;
@@ -271,6 +280,7 @@ class Smoother {
 
   ContourSet& set_;
   const Smoothing& smoothing_;
+  const RunContext& run_;
   std::vector<Working> working_;
   std::vector<int> place_;  ///< per contour: in working_, or -1
   std::vector<Contour> now_;
@@ -281,7 +291,7 @@ class Smoother {
 Smoothed smooth_contours(ContourSet& set, const std::vector<size_t>& chosen, const Smoothing& smoothing,
                          const RunContext& run) {
   if (chosen.empty()) return {};
-  return Smoother(set, chosen, smoothing, run).settle(run);
+  return Smoother(set, chosen, smoothing, run).settle();
 }
 
 }  // namespace seamount::contour

@@ -73,7 +73,7 @@ void drop(Held& held, const std::vector<char>& gone) {
 }
 
 /// Contours that meet an outline, or one another beyond the frame.
-void drop_crossing(Held& held) {
+void drop_crossing(Held& held, const RunContext& run) {
   std::vector<Contour>& contours = held.set.contours;
   std::vector<geom::Box> boxes;
   std::vector<MovedContour> all;
@@ -82,7 +82,7 @@ void drop_crossing(Held& held) {
     all.push_back({i, &contours[i].ring, {{0, contours[i].ring.size()}}, false});
   }
   std::vector<char> gone(contours.size(), 0);
-  for (const NestingDefect& defect : find_nesting_defects(contours, boxes, all)) {
+  for (const NestingDefect& defect : find_nesting_defects(contours, boxes, all, run)) {
     for (const size_t i : {defect.first, defect.second}) gone[i] = gone[i] != 0 || held.outline[i] < 0 ? 1 : 0;
   }
   drop(held, gone);
@@ -97,10 +97,10 @@ bool contradicts(const Contour& contour, const Contour& parent) {
 }
 
 /// Sets parents. Found contours that lie in no outline or contradict go, one layer a round.
-void nest(Held& held) {
+void nest(Held& held, const RunContext& run) {
   for (;;) {
     std::vector<Contour>& contours = held.set.contours;
-    const std::vector<int> parents = geom::find_contour_parents(contours);
+    const std::vector<int> parents = geom::find_contour_parents(contours, run);
     std::vector<char> gone(contours.size(), 0);
     bool any = false;
     for (size_t i = 0; i < contours.size(); ++i) {
@@ -149,6 +149,7 @@ void add_detail(Held& held, const std::vector<HeldOutline>& outlines, const Deta
       fixed.push_back(ring);
       fixed.back().push_back(ring.front());
     } else {
+      run.check_cancelled();
       chosen.push_back(i);
       ring = geom::densify(ring, 0.25 * detail.coarse_m);
     }
@@ -181,8 +182,9 @@ RegionTree hold_contours(const std::vector<HeldOutline>& outlines, const std::ve
   run.check_cancelled();
   Held held = close(outlines, found, frame, kClosing * detail.fine_m);
   drop_small(held, kSmallest * detail.fine_m * detail.fine_m);
-  drop_crossing(held);
-  nest(held);
+  run.check_cancelled();
+  drop_crossing(held, run);
+  nest(held, run);
   run.check_cancelled();
   add_detail(held, outlines, detail, seed, run);
   std::vector<GrowthRegion> regions;
@@ -198,7 +200,7 @@ RegionTree hold_contours(const std::vector<HeldOutline>& outlines, const std::ve
     if (held.outline[i] >= 0) region.name = outlines[static_cast<size_t>(held.outline[i])].region.name;
     regions.push_back(std::move(region));
   }
-  return nest_regions(std::move(regions), frame, "contours");
+  return nest_regions(std::move(regions), frame, "contours", run);
 }
 
 }  // namespace seamount::contour

@@ -100,13 +100,15 @@ class Refining {
     const RegionTree tree = hold_contours(ground.outlines, found, ground.frame,
                                           {ground.spacing_m, final_, params_.roughness}, seed.derive("detail"), run);
     Tin tin = scatter_nodes(tree, ground.frame, inputs_.rivers, grow, seed, run.part(0.2, 0.6));
-    fit_regions(tin);
+    fit_regions(tin, run);
     const std::vector<int32_t> region = regions_at(regions_of(tin), ground.places, run);
+    run.check_cancelled();
     set_peaks(tin, ground, region);
     grow_nodes(tin, inputs_.probability, grow, seed, run.part(0.6, 0.8));
+    run.check_cancelled();
     const HeightsParams distribution = heights_params(ground, tin, region, params_);
     tin = heights(std::move(tin), nullptr, distribution, run.part(0.8, 1.0));
-    fill_pits(tin);
+    fill_pits(tin, run);
     return tin;
   }
 

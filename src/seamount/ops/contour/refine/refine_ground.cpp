@@ -99,9 +99,9 @@ bool reaches_edge(const ContourSet& set) {
 }
 
 /// Enters the contours as outlines, and with them how long they are.
-double enter_outlines(const ContourSet& set, CoarseGround& ground) {
+double enter_outlines(const ContourSet& set, CoarseGround& ground, const RunContext& run) {
   double length = 0.0;
-  for (GrowthRegion& region : regions_from_contours(set, set.frame, "contours").regions) {
+  for (GrowthRegion& region : regions_from_contours(set, set.frame, "contours", run).regions) {
     ground.levels.push_back(*region.height_m);
     length += geom::ring_length(region.outline);
     ground.outlines.push_back({std::move(region), true});
@@ -180,12 +180,13 @@ CoarseGround ground_of(const ContourSet& set, const RunContext& run) {
   if (set.contours.empty()) throw InvalidArgument("contours", "holds no contours");
   CoarseGround ground;
   ground.frame = set.frame;
-  const double length = enter_outlines(set, ground);
+  const double length = enter_outlines(set, ground, run);
   ReconstructParams sampling;
   sampling.cell_m = std::max(set.frame.cell_m, std::max(set.frame.width_m(), set.frame.height_m()) / kSamplesAcross);
   const HeightField field = reconstruct(set, sampling, run);
   const bool all_land = reaches_edge(set);
   for (int y = 0; y < field.height(); ++y) {
+    run.check_cancelled();
     for (int x = 0; x < field.width(); ++x) {
       if (!all_land && field(x, y) < static_cast<float>(ground.levels.front())) continue;
       ground.places.push_back({field.frame().x(x), field.frame().y(y)});

@@ -57,11 +57,12 @@ struct Part {
 };
 
 Part part_from(const Tin& tin, const geom::NodeGraph& graph, const std::vector<char>& rim, int32_t first,
-               std::vector<char>& seen) {
+               std::vector<char>& seen, const RunContext& run) {
   const int32_t here = tin.region[at(first)];
   Part part{{first}, false, -1};
   seen[at(first)] = 1;
   for (size_t i = 0; i < part.nodes.size(); ++i) {
+    if (i % 16384 == 0) run.check_cancelled();
     const int32_t node = part.nodes[i];
     part.drains = part.drains || rim[at(node)] != 0;
     for (const int32_t neighbour : graph.around(at(node))) {
@@ -81,13 +82,13 @@ Part part_from(const Tin& tin, const geom::NodeGraph& graph, const std::vector<c
 }
 
 /// Whether any part of a hill's region was given away.
-bool join_strays(Tin& tin, const geom::NodeGraph& graph, const std::vector<char>& rim) {
+bool join_strays(Tin& tin, const geom::NodeGraph& graph, const std::vector<char>& rim, const RunContext& run) {
   std::vector<char> seen(tin.nodes.size(), 0);
   bool any = false;
   for (size_t node = 0; node < tin.nodes.size(); ++node) {
     const int32_t here = tin.region[node];
     if (here < 0 || seen[node] != 0 || tin.regions[at(here)].basin) continue;
-    const Part part = part_from(tin, graph, rim, static_cast<int32_t>(node), seen);
+    const Part part = part_from(tin, graph, rim, static_cast<int32_t>(node), seen, run);
     if (part.drains || part.beside < 0) continue;
     for (const int32_t stray : part.nodes) tin.region[at(stray)] = part.beside;
     any = true;
@@ -119,9 +120,9 @@ void drop_empty_regions(Tin& tin) {
   for (int32_t& r : tin.region) r = r < 0 ? r : place[at(r)];
 }
 
-std::vector<char> border_of_network(const Tin& tin) {
+std::vector<char> border_of_network(const Tin& tin, const RunContext& run) {
   std::vector<char> rim(tin.nodes.size(), 0);
-  for (const std::vector<int32_t>& ring : geom::border_rings(tin)) {
+  for (const std::vector<int32_t>& ring : geom::border_rings(tin, run)) {
     for (const int32_t node : ring) rim[at(node)] = 1;
   }
   return rim;
@@ -134,21 +135,23 @@ bool has_lower(const Tin& tin, const geom::NodeGraph& graph, size_t node) {
 
 }  // namespace
 
-void fit_regions(Tin& tin) {
+void fit_regions(Tin& tin, const RunContext& run) {
   constexpr int kRounds = 20;  // each gives parts to regions further in
-  const geom::NodeGraph graph = geom::make_node_graph(tin.triangles, tin.nodes.size());
-  const std::vector<char> rim = border_of_network(tin);
+  const geom::NodeGraph graph = geom::make_node_graph(tin.triangles, tin.nodes.size(), run);
+  const std::vector<char> rim = border_of_network(tin, run);
   fit_rivers(tin, graph);
-  for (int round = 0; round < kRounds && join_strays(tin, graph, rim); ++round) {
+  run.check_cancelled();
+  for (int round = 0; round < kRounds && join_strays(tin, graph, rim, run); ++round) {
   }
   drop_empty_regions(tin);
 }
 
-void fill_pits(Tin& tin) {
-  const geom::NodeGraph graph = geom::make_node_graph(tin.triangles, tin.nodes.size());
-  std::vector<char> done = border_of_network(tin);
+void fill_pits(Tin& tin, const RunContext& run) {
+  const geom::NodeGraph graph = geom::make_node_graph(tin.triangles, tin.nodes.size(), run);
+  std::vector<char> done = border_of_network(tin, run);
   bool any = false;
   for (size_t node = 0; node < tin.nodes.size(); ++node) {
+    if (node % 16384 == 0) run.check_cancelled();
     const int32_t r = tin.region[node];
     if (r < 0 || tin.regions[at(r)].basin) done[node] = 1;
     any = any || (done[node] == 0 && !has_lower(tin, graph, node));
@@ -157,9 +160,11 @@ void fill_pits(Tin& tin) {
   using Place = std::pair<float, int32_t>;
   std::priority_queue<Place, std::vector<Place>, std::greater<>> front;
   for (size_t node = 0; node < done.size(); ++node) {
+    if (node % 16384 == 0) run.check_cancelled();
     if (done[node] != 0) front.emplace(tin.height_m[node], static_cast<int32_t>(node));
   }
-  while (!front.empty()) {
+  for (size_t taken = 1; !front.empty(); ++taken) {
+    if (taken % 16384 == 0) run.check_cancelled();
     const auto [height, node] = front.top();
     front.pop();
     for (const int32_t neighbour : graph.around(at(node))) {

@@ -1,6 +1,7 @@
 // A network fitted to held contours that are finer than it can show.
 #pragma once
 
+#include "seamount/base/run_context.h"
 #include "seamount/model/tin.h"
 
 namespace seamount::contour {
@@ -9,11 +10,11 @@ namespace seamount::contour {
 /// parts of a hill's region that the network cuts off from all lower ground to the region around them. Then takes out
 /// regions without nodes; what they enclosed belongs to what encloses them. Throws InvalidArgument where nothing is
 /// left. REQUIRES: every region has a height. About linear.
-void fit_regions(Tin& tin);
+void fit_regions(Tin& tin, const RunContext& run);
 
 /// Lifts nodes without a lower neighbour, and those that have none because of it, to the height at which their water
 /// leaves: this happens between hills that are too near each other for nodes in the valley. Nodes outside the regions,
 /// in basins and at the network's border stay. n log n if there are such nodes.
-void fill_pits(Tin& tin);
+void fill_pits(Tin& tin, const RunContext& run);
 
 }  // namespace seamount::contour

@@ -14,6 +14,8 @@
 #include "seamount/geom/tin/test_tin.h"
 #include "seamount/ops/contour/convert/extract.h"
 #include "seamount/ops/contour/convert/reconstruct.h"
+#include "seamount/ops/contour/growth/grow.h"
+#include "seamount/ops/contour/growth/regions.h"
 #include "seamount/ops/contour/growth/test_network.h"
 #include "seamount/ops/contour/heights/heights.h"
 #include "seamount/ops/contour/move/test_contours.h"
