@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks that what the build and the scripts use comes from packages/*.txt: a machine that has more hides what is missing.
 
-Asked are ninja (sources and CMake files), the linker (libraries) and the scripts (programs, Python modules). dpkg knows the
+Asked are ninja (sources and CMake files), the linker (libraries), the scripts (programs, Python modules) and the sources
+(files that they open). dpkg knows the
 package of each file; it must be one of those listed for the purpose, one that they depend on, or part of every Debian.
 Nothing is asked of a build folder that is not there. Elsewhere than on Debian the check is skipped.
 """
@@ -107,7 +108,7 @@ def linked_from(preset, target):
     yield shutil.which(command[1].split()[0], path=PATH)
     traced = subprocess.run(command[1] + "/dev/null" + command[2] + " -Wl,--trace", shell=True, cwd=folder, text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT).stdout
-    yield from (os.path.normpath(line.strip()) for line in traced.splitlines() if line.startswith("/"))
+    yield from (os.path.normpath(line.strip()) for line in traced.splitlines() if os.path.isabs(line) and os.path.exists(line))
 
 
 def commands_of(text):
@@ -150,8 +151,16 @@ def scripts_use(patterns):
         yield from ((file, path.name) for file in files if file)
 
 
+def named_in_sources():
+    """Files of the system that the program opens by name: fonts."""
+    for path in sorted((ROOT / "src").rglob("*.cpp")):
+        if not path.stem.endswith("_test"):
+            yield from ((file, path.name) for file in re.findall(r'"(/usr/[^"]+)"', path.read_text()))
+
+
 def used():
     """(file, what uses it, purpose) for all that is used."""
+    yield from ((file, by, "run") for file, by in named_in_sources())
     for preset, target, purpose in TARGETS:
         if (ROOT / "build" / preset / ".ninja_deps").exists():
             yield from ((file, f"{preset}: {target}", purpose) for file in built_from(preset, target))
