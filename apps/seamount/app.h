@@ -66,7 +66,7 @@ std::string absolute_file(const std::string& flag, const std::string& file);
 void add_run_command(Command program, const recipe::Registry& registry);
 void add_operator_commands(Command program, const recipe::Registry& registry);
 void add_discover_commands(Command program, const recipe::Registry& registry);
-void add_chore_commands(Command program);
+void add_chore_commands(Command program, const recipe::Registry& registry);
 void add_dataset_command(Command program);
 
 }  // namespace seamount::app

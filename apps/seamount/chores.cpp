@@ -112,8 +112,8 @@ void render(const ChoreFlags& flags) {
   run_and_report(recipe, out.has_parent_path() ? out.parent_path().string() : ".", flags);
 }
 
-void info(const ChoreFlags& flags) {
-  const io::FileInfo lines = recipe::describe_file(flags.in);
+void info(const recipe::Registry& registry, const ChoreFlags& flags) {
+  const io::FileInfo lines = recipe::describe_file(flags.in, registry);
   if (flags.json) {
     Json object = Json::object();
     for (const auto& [key, value] : lines) object[key] = value;
@@ -127,7 +127,7 @@ void info(const ChoreFlags& flags) {
 
 }  // namespace
 
-void add_chore_commands(Command program) {
+void add_chore_commands(Command program, const recipe::Registry& registry) {
   const auto flags = std::make_shared<ChoreFlags>();
 
   Command convert_command = program.add_command("convert", "Convert a terrain between file formats");
@@ -146,7 +146,7 @@ void add_chore_commands(Command program) {
   Command info_command = program.add_command("info", "Say what a file is, and the numbers to type into an engine");
   info_command.add("file", &flags->in, "any file that Seamount reads").required();
   info_command.add_switch("--json", flags->json, "as JSON");
-  info_command.does([=] { info(*flags); });
+  info_command.does([=, &registry] { info(registry, *flags); });
 
   Command render_command = program.add_command("render", "Draw a terrain or contours");
   render_command.add("file", &flags->in, "file of a terrain or of contours").required();

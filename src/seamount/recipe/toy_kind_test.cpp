@@ -1,5 +1,5 @@
-// A kind of value, its operators and its file format that Seamount does not have, registered from outside: they must
-// work in recipes, the cache, files, the schema and the reference like any other. What it takes stands in this file.
+// A kind of value that is registered from outside (test_tune.h) works in recipes, the cache, files, the schema and the
+// reference like any other; on the command line too: tests/tune.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,9 +8,8 @@
 #include "seamount/io/atomic_file.h"
 #include "seamount/recipe/executor.h"
 #include "seamount/recipe/file_info.h"
-#include "seamount/recipe/format.h"
-#include "seamount/recipe/ports.h"
 #include "seamount/recipe/reference.h"
+#include "seamount/recipe/test_tune.h"
 
 namespace seamount::recipe {
 namespace {
@@ -18,90 +17,6 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Pair;
-
-struct Tune {
-  std::vector<int> notes;
-};
-
-// ---- the kind
-
-struct TuneKind {
-  using Type = Tune;
-  static const Kind& kind();
-  static void add_formats(Registry& registry);
-};
-
-Tune read_tune(const FileCall& call) {
-  Tune tune;
-  for (const uint8_t byte : io::read_file(call.path)) tune.notes.push_back(byte);
-  return tune;
-}
-
-const Kind& TuneKind::kind() {
-  static const Kind kind = make_kind<Tune>({
-      .name = "tune",
-      .about = "notes in their order",
-      .files = {".tune"},
-      .reads = {".tune"},
-      .frame = {},
-      .bytes = [](const Tune& tune) { return tune.notes.size() * sizeof(int); },
-      .write = [](Writer& writer, const Tune& tune) { writer.list(tune.notes); },
-      .read = [](Reader& reader) { return Tune{reader.list<int>()}; },
-      .read_file = read_tune,
-      .info = [](const std::string& path) -> std::optional<io::FileInfo> {
-        if (io::extension_of(path) != ".tune") return std::nullopt;
-        return io::FileInfo{{"format", "tune"}};
-      },
-  });
-  return kind;
-}
-
-void TuneKind::add_formats(Registry& registry) {
-  registry.add(make_format<NoParams>({"tune", "a byte for each note", {".tune"}, {".tune"}, {&kind()}},
-                                     [](const NoParams&, const OutputCall& call) {
-                                       const Tune& tune = call.value.get<TuneKind>();
-                                       io::write_text(call.path, std::string(tune.notes.begin(), tune.notes.end()));
-                                     }));
-}
-
-// ---- its operators
-
-struct ScaleParams {
-  int count = 5;
-  static constexpr auto fields() {
-    return std::tuple(field(&ScaleParams::count, "count", "", between(1, 99), "number of notes"));
-  }
-};
-
-struct NothingParams {
-  static constexpr auto fields() { return std::tuple(); }
-};
-
-int& runs() {
-  static int count = 0;
-  return count;
-}
-
-Registry with_tunes() {
-  Registry registry = standard_registry();
-  registry.add_kind<TuneKind>();
-  registry.add(make_operator<ScaleParams>({.name = "tune.scale", .summary = "Notes that rise"}, inputs(),
-                                          outputs(out<TuneKind>("tune", "the notes")),
-                                          [](const ScaleParams& params, const Call&) {
-                                            ++runs();
-                                            Tune tune;
-                                            for (int i = 0; i < params.count; ++i) tune.notes.push_back('A' + i);
-                                            return tune;
-                                          }));
-  registry.add(make_operator<NothingParams>(
-      {.name = "tune.turn", .summary = "Notes backwards"}, inputs(in<TuneKind>("tune", "the notes")),
-      outputs(out<TuneKind>("tune", "the notes backwards"), out<kinds::Field>("bars", "a bar for each note")),
-      [](const NothingParams&, const Call& call, const Tune& tune) {
-        ScalarField bars(call.domain, static_cast<float>(tune.notes.size()));
-        return std::tuple(Tune{{tune.notes.rbegin(), tune.notes.rend()}}, std::move(bars));
-      }));
-  return registry;
-}
 
 const char* const kRecipe = R"({"seamount": 1, "domain": {"width_m": 40, "height_m": 40, "cell_m": 10}, "steps": [
   {"id": "up", "op": "tune.scale", "params": {"count": 3}},
@@ -127,10 +42,10 @@ TEST_F(ToyKind, RunsInARecipeAndIsWritten) {
 
 TEST_F(ToyKind, ComesBackFromTheCache) {
   const Recipe recipe = parse_recipe(kRecipe, "tune.json", "", {}, registry_);
-  const int before = runs();
+  const int before = tune_runs();
   execute(recipe, {folder_, file("cache")}, {});
   const ExecuteReport again = execute(recipe, {folder_, file("cache")}, {});
-  EXPECT_EQ(runs(), before + 1);
+  EXPECT_EQ(tune_runs(), before + 1);
   EXPECT_TRUE(again.steps[0].cached && again.steps[1].cached);
   EXPECT_EQ(text("down.tune"), "CBA");
 }
