@@ -83,6 +83,21 @@ TEST(Parallel, PassesExceptionsOnAndStopsWhenCancelled) {
   EXPECT_EQ(blocks, 10);
 }
 
+TEST(Parallel, TheFirstFailureIsTheSameOnAnyNumberOfThreads) {
+  for (const int threads : {1, 2, 4}) {
+    for (int round = 0; round < 20; ++round) {
+      try {
+        parallel_blocks({.threads = threads}, 1000, 1, [](int64_t begin, int64_t) {
+          if (begin >= 137) throw Error(std::to_string(begin));
+        });
+        FAIL();
+      } catch (const Error& error) {
+        ASSERT_STREQ(error.what(), "137") << threads;
+      }
+    }
+  }
+}
+
 TEST(Parallel, AThreadThatWaitsInALoopTakesUpNoOtherWork) {
   const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
   std::atomic<int> taken_up{0};

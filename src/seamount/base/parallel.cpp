@@ -6,7 +6,11 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <limits>
 #include <mutex>
+#include <utility>
 
 namespace seamount {
 namespace {
@@ -29,6 +33,28 @@ class BlockProgress {
   std::mutex mutex_;
 };
 
+/// The failure of the lowest block that failed: the same one on any number of threads.
+class FirstFailure {
+ public:
+  /// Did a block before this one fail? What comes of this one does not matter then.
+  bool is_before(int64_t block) const { return block_.load(std::memory_order_relaxed) < block; }
+
+  void add(int64_t block, std::exception_ptr what) {
+    const std::lock_guard lock(mutex_);
+    if (block_.load(std::memory_order_relaxed) < block) return;
+    block_.store(block, std::memory_order_relaxed);
+    what_ = std::move(what);
+  }
+  void rethrow() const {
+    if (what_) std::rethrow_exception(what_);
+  }
+
+ private:
+  std::atomic<int64_t> block_{std::numeric_limits<int64_t>::max()};
+  std::exception_ptr what_;
+  std::mutex mutex_;
+};
+
 }  // namespace
 
 int thread_count(const RunContext& run) { return run.threads > 0 ? run.threads : tbb::info::default_concurrency(); }
@@ -46,10 +72,19 @@ void parallel_blocks(const RunContext& run, int64_t count, int64_t grain, const 
     for (int64_t block = 0; block < blocks; ++block) run_block(block);
     return;
   }
+  FirstFailure failure;
+  const auto try_block = [&](int64_t block) {
+    if (failure.is_before(block)) return;
+    try {
+      run_block(block);
+    } catch (...) {
+      failure.add(block, std::current_exception());
+    }
+  };
   const auto run_all = [&] {
     tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(tbb::blocked_range<int64_t>(0, blocks, 1), [&](const tbb::blocked_range<int64_t>& range) {
-        for (int64_t block = range.begin(); block != range.end(); ++block) run_block(block);
+        for (int64_t block = range.begin(); block != range.end(); ++block) try_block(block);
       });
     });
   };
@@ -58,6 +93,7 @@ void parallel_blocks(const RunContext& run, int64_t count, int64_t grain, const 
   } else {
     tbb::task_arena(std::min(run.threads, tbb::info::default_concurrency())).execute(run_all);
   }
+  failure.rethrow();
 }
 
 void parallel_rows(const RunContext& run, int width, int height, const std::function<void(int, int)>& body) {

@@ -13,8 +13,9 @@ namespace seamount {
 using BlockBody = std::function<void(int64_t begin, int64_t end)>;
 
 /// Calls body(begin, end) for the blocks [0, grain), [grain, 2 grain), ... of [0, count), side by side on up to
-/// run.threads threads. Checks for cancellation before each block and reports progress after it. The first exception of
-/// a body ends the loop and is rethrown. Who waits in it takes no other work up. REQUIRES: grain >= 1, disjoint writes.
+/// run.threads threads. Checks for cancellation before each block and reports progress after it. An exception of a body
+/// ends the loop; that of the lowest block is rethrown, the same one on any number of threads. Who waits in it takes no
+/// other work up. REQUIRES: grain >= 1, disjoint writes.
 void parallel_blocks(const RunContext& run, int64_t count, int64_t grain, const BlockBody& body);
 
 /// The same for image rows, with a grain that gives each block about 64 Ki cells: a block is long enough to pay for its

@@ -6,10 +6,8 @@
 #include <cmath>
 
 #include "seamount/geom/contour/faces.h"
-#include "seamount/geom/grid/resample.h"
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/geom/water/flow.h"
-#include "seamount/io/raster.h"
 #include "seamount/ops/contour/convert/extract.h"
 #include "seamount/ops/contour/convert/reconstruct.h"
 #include "seamount/recipe/test_dems.h"
@@ -23,16 +21,9 @@ constexpr int kLevels = 12;
 class RealContours : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    const std::optional<std::string> path = find_dem(GetParam());
-    if (!path) GTEST_SKIP() << "no " << GetParam() << ".tif; SEAMOUNT_DEM_DIR names the folder of elevation models";
-    io::ReadOptions options;
-    options.voids = io::Voids::fill;
-    const HeightField whole = io::read_heights(*path, options);
-    const GridFrame& from = whole.frame();
-    GridFrame frame = GridFrame::centred(kCells, kCells, from.cell_m);
-    frame.west_m += 0.5 * (from.west_m + from.east_m());
-    frame.north_m += 0.5 * (from.south_m() + from.north_m);
-    dem_ = geom::resample(whole, frame, {});
+    const std::optional<HeightField> ground = find_ground(GetParam(), kCells);
+    if (!ground) GTEST_SKIP() << "no " << GetParam() << ".tif; SEAMOUNT_DEM_DIR names the folder of elevation models";
+    dem_ = *ground;
     contour::ExtractParams extract;
     extract.count = kLevels;
     contours_ = contour::extract(dem_, extract, {});
@@ -125,6 +116,7 @@ TEST_P(RealContours, WaterStaysOnlyWhereItStayedInTheTerrain) {
   EXPECT_LE(diagonal, 5);
 }
 
+INSTANTIATE_TEST_SUITE_P(Made, RealContours, ::testing::Values("made_1", "made_2", "made_3"));
 INSTANTIATE_TEST_SUITE_P(Dems, RealContours,
                          ::testing::Values("alps_n46e008_3arcsec", "himalaya_n27e086_3arcsec",
                                            "olympic_n48w125_1arcsec", "canyon_n38w111_1arcsec",

@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "seamount/geom/grid/resample.h"
 #include "seamount/geom/polygon/distance.h"
-#include "seamount/io/raster.h"
 #include "seamount/ops/hydrology/flow.h"
 #include "seamount/ops/hydrology/rivers.h"
 #include "seamount/ops/sketch/extract.h"
@@ -30,16 +28,9 @@ struct Overlap {
 class RealRivers : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    const std::optional<std::string> path = find_dem(GetParam());
-    if (!path) GTEST_SKIP() << "no " << GetParam() << ".tif; SEAMOUNT_DEM_DIR names the folder of elevation models";
-    io::ReadOptions options;
-    options.voids = io::Voids::fill;
-    const HeightField whole = io::read_heights(*path, options);
-    const GridFrame& from = whole.frame();
-    GridFrame frame = GridFrame::centred(kCells, kCells, from.cell_m);
-    frame.west_m += 0.5 * (from.west_m + from.east_m());
-    frame.north_m += 0.5 * (from.south_m() + from.north_m);
-    dem_ = geom::resample(whole, frame, {});
+    const std::optional<HeightField> ground = find_ground(GetParam(), kCells);
+    if (!ground) GTEST_SKIP() << "no " << GetParam() << ".tif; SEAMOUNT_DEM_DIR names the folder of elevation models";
+    dem_ = *ground;
     drained_ = hydrology::flow(dem_, {}, {}).cells;
     network_ = network(1.0 / kRiverParts);
   }
@@ -110,9 +101,11 @@ TEST_P(RealRivers, RiversAreTheNetwork) {
 
 TEST_P(RealRivers, FineSketchFollowsTheNetwork) {
   const Overlap found = overlap(sketched(dem_.cell_m()), "fine_sketch", network_, kTolerance);
-  // Measured: at least 0.959 and 0.827. What is missing are heads of rivers.
-  EXPECT_GT(found.precision, 0.94);
-  EXPECT_GT(found.recall, 0.8);
+  // Measured: at least 0.959 and 0.827; on made ranges 0.943 and 0.713, which have more of what is missing: short
+  // heads.
+  const bool made = GetParam().starts_with("made_");
+  EXPECT_GT(found.precision, made ? 0.93 : 0.94);
+  EXPECT_GT(found.recall, made ? 0.69 : 0.8);
 }
 
 TEST_P(RealRivers, SketchFollowsTheNetworkAsFarAsItsCoarseCellsShow) {
@@ -164,6 +157,7 @@ TEST_P(RealRivers, SketchIsThinAndSparseAndItsCuesAreSummitsAndValleys) {
   EXPECT_GT(heights[0] / counts[0], heights[1] / counts[1]);
 }
 
+INSTANTIATE_TEST_SUITE_P(Made, RealRivers, ::testing::Values("made_1", "made_2", "made_3"));
 INSTANTIATE_TEST_SUITE_P(Dems, RealRivers,
                          ::testing::Values("alps_n46e008_3arcsec", "apennines_n42e012_3arcsec",
                                            "anatolia_n39e040_3arcsec", "cascades_n46w122_3arcsec",

@@ -10,6 +10,7 @@
 #include "seamount/recipe/domain.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/output_files.h"
+#include "seamount/recipe/prepare_output.h"
 #include "seamount/recipe/step_order.h"
 
 namespace seamount::recipe {
@@ -317,19 +318,14 @@ class RecipeReader {
     output.from = *followed;
     output.path = relative.string();
     const Kind& kind = *find_draft(source->step)->step.op->find_out(source->port)->kind;
-    if (!choose_format(kind, as, output, place)) return false;
+    if (!choose_format(registry_, kind, as, output, place)) return false;
     const std::optional<Source> labels = labels_for(json, *followed, place);
     Json params = json;
     for (const char* key : {"from", "path", "as", "labels", "about"}) params.erase(key);
     const size_t before = place.diagnostics.items().size();
     output.params = output.format->complete(params, place);
     if (place.diagnostics.items().size() > before) return true;
-    output.files = {output.path};
-    if (output.format->files) output.files = output.format->files(output.params, kind, output.path);
-    if (output.format->prepare) {
-      for (const Preparation& wanted : output.format->prepare(output.params, kind, output.path))
-        prepare(wanted, kind, labels, output);
-    }
+    prepare_output(recipe_, output, kind, labels, place);
     return true;
   }
 
@@ -351,61 +347,6 @@ class RecipeReader {
       return std::nullopt;
     }
     return followed;
-  }
-
-  /// Adds the step that makes something of an output's value, unless there is one already that makes the same.
-  void prepare(const Preparation& wanted, const Kind& kind, const std::optional<Source>& labels, Output& output) {
-    Step step;
-    step.id = output.path + (wanted.name.empty() ? "" : " " + wanted.name);
-    step.output = output.path;
-    step.op = registry_.find_operator(wanted.op);
-    const ReadPlace nowhere{"", top_.diagnostics};
-    step.params = step.op->complete(wanted.params, nowhere);
-    step.seed = recipe_.seed;
-    for (const Port& port : step.op->in) {
-      if (port.kind == &kind && step.in.empty()) step.in[port.name] = output.from;
-      if (port.kind == &kinds::Labels::kind() && labels) step.in[port.name] = *labels;
-    }
-    const auto same = std::find_if(recipe_.steps.begin(), recipe_.steps.end(), [&](const Step& other) {
-      return other.op == step.op && !step.op->stochastic && other.in == step.in && other.params == step.params;
-    });
-    const Source made{same == recipe_.steps.end() ? step.id : same->id, wanted.port, ""};
-    if (same == recipe_.steps.end()) recipe_.steps.push_back(std::move(step));
-    if (wanted.name.empty()) {
-      output.from = made;
-    } else {
-      output.prepared[wanted.name] = made;
-    }
-  }
-
-  bool choose_format(const Kind& kind, const std::optional<std::string>& as, Output& output,
-                     const ReadPlace& place) const {
-    std::vector<std::string> names;
-    for (const auto& format : registry_.formats()) {
-      if (format->takes(kind)) names.push_back(format->name);
-    }
-    const std::string extension = std::filesystem::path(output.path).extension().string();
-    output.format = as ? registry_.find_format(*as) : registry_.format_for(output.path, kind);
-    if (output.format == nullptr || !output.format->takes(kind)) {
-      if (as) {
-        place.at("as").fail(fmt::format("'{}' is no way to write {}{}", *as, kind.name, suggestion(*as, names)));
-      } else if (names.size() == 1) {
-        place.at("path").fail(fmt::format("'{}' is written to {}, not to '{}'", names.front(),
-                                          fmt::join(registry_.find_format(names.front())->extensions, ", "),
-                                          output.path));
-      } else {
-        place.at("path").fail(fmt::format("'{}' does not say how to write {}; add \"as\": one of {}", output.path,
-                                          kind.name, fmt::join(names, ", ")));
-      }
-      return false;
-    }
-    const auto& allowed = output.format->extensions;
-    if (!allowed.empty() && std::find(allowed.begin(), allowed.end(), extension) == allowed.end()) {
-      place.at("path").fail(fmt::format("'{}' is written to {}, not to '{}'", output.format->name,
-                                        fmt::join(allowed, ", "), output.path));
-      return false;
-    }
-    return true;
   }
 
   /// "labels" as given, or the labels output of the same step.

@@ -1,0 +1,85 @@
+#include "seamount/recipe/prepare_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "seamount/recipe/kinds.h"
+
+namespace seamount::recipe {
+namespace {
+
+void report_no_format(const Registry& registry, const Kind& kind, const std::optional<std::string>& as,
+                      const std::string& path, const ReadPlace& place) {
+  std::vector<std::string> names;
+  for (const auto& format : registry.formats()) {
+    if (format->takes(kind)) names.push_back(format->name);
+  }
+  if (as) {
+    place.at("as").fail(fmt::format("'{}' is no way to write {}{}", *as, kind.name, suggestion(*as, names)));
+  } else if (names.size() == 1) {
+    place.at("path").fail(fmt::format("'{}' is written to {}, not to '{}'", names.front(),
+                                      fmt::join(registry.find_format(names.front())->extensions, ", "), path));
+  } else {
+    place.at("path").fail(fmt::format("'{}' does not say how to write {}; add \"as\": one of {}", path, kind.name,
+                                      fmt::join(names, ", ")));
+  }
+}
+
+/// The step that makes something of an output's value.
+Step preparing_step(const Recipe& recipe, const Output& output, const Preparation& wanted, const Kind& kind,
+                    const std::optional<Source>& labels, const ReadPlace& place) {
+  Step step;
+  step.id = output.path + (wanted.name.empty() ? "" : " " + wanted.name);
+  step.output = output.path;
+  step.op = recipe.registry->find_operator(wanted.op);
+  step.params = step.op->complete(wanted.params, place);
+  step.seed = recipe.seed;
+  for (const Port& port : step.op->in) {
+    if (port.kind == &kind && step.in.empty()) step.in[port.name] = output.from;
+    if (port.kind == &kinds::Labels::kind() && labels) step.in[port.name] = *labels;
+  }
+  return step;
+}
+
+/// The id of the step that does what `step` does: one that is there already, or `step`, added.
+std::string add_once(std::vector<Step>& steps, Step step) {
+  const auto same = std::find_if(steps.begin(), steps.end(), [&](const Step& other) {
+    return other.op == step.op && !step.op->stochastic && other.in == step.in && other.params == step.params;
+  });
+  if (same != steps.end()) return same->id;
+  steps.push_back(std::move(step));
+  return steps.back().id;
+}
+
+}  // namespace
+
+bool choose_format(const Registry& registry, const Kind& kind, const std::optional<std::string>& as, Output& output,
+                   const ReadPlace& place) {
+  output.format = as ? registry.find_format(*as) : registry.format_for(output.path, kind);
+  if (output.format == nullptr || !output.format->takes(kind)) {
+    report_no_format(registry, kind, as, output.path, place);
+    return false;
+  }
+  const std::string extension = std::filesystem::path(output.path).extension().string();
+  const auto& allowed = output.format->extensions;
+  if (allowed.empty() || std::find(allowed.begin(), allowed.end(), extension) != allowed.end()) return true;
+  place.at("path").fail(
+      fmt::format("'{}' is written to {}, not to '{}'", output.format->name, fmt::join(allowed, ", "), output.path));
+  return false;
+}
+
+void prepare_output(Recipe& recipe, Output& output, const Kind& kind, const std::optional<Source>& labels,
+                    const ReadPlace& place) {
+  const OutputFormat& format = *output.format;
+  output.files = format.files ? format.files(output.params, kind, output.path) : std::vector{output.path};
+  if (!format.prepare) return;
+  const Output written = output;
+  for (const Preparation& wanted : format.prepare(output.params, kind, output.path)) {
+    const std::string id = add_once(recipe.steps, preparing_step(recipe, written, wanted, kind, labels, place));
+    (wanted.name.empty() ? output.from : output.prepared[wanted.name]) = Source{id, wanted.port, ""};
+  }
+}
+
+}  // namespace seamount::recipe

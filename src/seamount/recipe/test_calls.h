@@ -1,0 +1,128 @@
+// A call of any operator with inputs that fit it, for tests and benchmarks over all of them.
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "seamount/recipe/executor.h"
+#include "seamount/recipe/kinds.h"
+
+namespace seamount::recipe {
+
+/// How large examples are.
+struct Extent {
+  int width;
+  int height;
+  int particles;
+};
+inline GridFrame frame_of(const Extent& extent) {
+  return GridFrame::centred(extent.width, extent.height, 9600.0 / extent.width);
+}
+
+/// A hill of three levels with a second summit.
+inline ContourSet example_contours(const GridFrame& frame) {
+  const auto circle = [](Vec2 middle, double radius) {
+    Ring ring;
+    for (int i = 0; i < 48; ++i)
+      ring.push_back(middle + radius * Vec2{std::cos(i * 0.1308996938996), std::sin(i * 0.1308996938996)});
+    return ring;
+  };
+  return {frame,
+          {{0, circle({}, 3300), -1},
+           {100, circle({-200, 100}, 2600), 0},
+           {200, circle({-1200, 100}, 1000), 1},
+           {200, circle({1200, 100}, 900), 1}}};
+}
+
+inline Values make_example_values(const Extent& extent) {
+  const GridFrame frame = frame_of(extent);
+  const Json recipe = {
+      {"seamount", 1},
+      {"domain", {{"width_m", frame.width_m()}, {"height_m", frame.height_m()}, {"cell_m", frame.cell_m}}},
+      {"steps",
+       {{{"id", "isle"}, {"op", "island.build"}},
+        {{"id", "lines"}, {"op", "island.outlines"}, {"in", {{"labels", "isle.labels"}}}},
+        {{"id", "grown"}, {"op", "contour.grow"}, {"params", {{"particles", extent.particles}}}},
+        {{"id", "network"}, {"op", "contour.heights"}, {"in", {{"tin", "grown.tin"}}}}}}};
+  const std::vector<Source> wanted = {{"isle", "terrain", ""},
+                                      {"isle", "labels", ""},
+                                      {"isle", "coordinate", ""},
+                                      {"lines", "outlines", ""},
+                                      {"network", "tin", ""}};
+  const std::vector<Value> made = evaluate(parse_recipe(recipe.dump(), "example", ""), wanted, {"", ""}, {});
+  return Values{{"terrain", made[0]},
+                {"labels", made[1]},
+                {"field", made[2]},
+                {"drawing", made[3]},
+                {"tin", made[4]},
+                {"image", Value::of<kinds::Image>(Image(8, 8))},
+                {"contours", Value::of<kinds::Contours>(example_contours(frame))}};
+}
+
+/// An island whose values fit any port.
+inline const Values& example_values(const Extent& extent) {
+  static std::map<int, Values> made;
+  const auto found = made.find(extent.width);
+  return found != made.end() ? found->second : made.emplace(extent.width, make_example_values(extent)).first->second;
+}
+
+/// Optional inputs of which an operator needs one.
+inline const std::map<std::string, std::string>& needed_inputs() {
+  static const std::map<std::string, std::string> needed = {
+      {"contour.extract", "terrain"}, {"contour.refine", "tin"}, {"contour.reconstruct", "contours"}};
+  return needed;
+}
+
+/// A call with every required input.
+class ExampleCall {
+ public:
+  /// Pictures are small unless `full_pictures`.
+  explicit ExampleCall(const Operator& op, const Extent& extent, bool full_pictures = false)
+      : domain_(frame_of(extent)) {
+    for (const Port& port : op.in) {
+      const auto needed = needed_inputs().find(op.name);
+      const bool given = port.required || (needed != needed_inputs().end() && needed->second == port.name);
+      if (given) in_[port.name] = example_values(extent).at(port.kind->name);
+    }
+    params_ = op.complete(Json::object(), {"", diagnostics_});
+    if (op.name == "terrain.import") params_["file"] = file(extent);
+    if (op.name == "terrain.mask") give("criteria", R"([{"tool": "slope"}, {"tool": "height"}])");
+    if (op.name == "contour.edit") give("edits", R"([{"tool": "smooth"}, {"tool": "smooth", "rounds": 1}])");
+    if (op.name == "island.wind") give("radial_count", "5");
+    if (params_.contains("particles") && op.name != "reef.grow") params_["particles"] = extent.particles;
+    if (full_pictures) return;
+    for (const auto& [name, pixels] : {std::pair{"width_px", 160}, {"height_px", 90}, {"size_px", 64}}) {
+      if (params_.contains(name)) params_[name] = pixels;
+    }
+  }
+  Values run(const Operator& op, Seed seed, const RunContext& context) const {
+    return op.run(params_, in_, {domain_, seed, folder_, context});
+  }
+  Json& params() { return params_; }
+
+ private:
+  void give(const char* param, const char* text) { params_[param] = Json::parse(text); }
+
+  /// A raster with a hole that has to be filled.
+  static std::string file(const Extent& extent) {
+    const std::string path = (std::filesystem::temp_directory_path() / "seamount_example.asc").string();
+    std::ofstream out(path);
+    out << "ncols " << extent.width << "\nnrows " << extent.height
+        << "\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9\n";
+    for (int y = 0; y < extent.height; ++y) {
+      for (int x = 0; x < extent.width; ++x) out << (std::abs(x - 40) + std::abs(y - 30) < 12 ? -9 : x % 50 + y) << ' ';
+      out << '\n';
+    }
+    return path;
+  }
+  GridFrame domain_;
+  Values in_;
+  std::string folder_;
+  Diagnostics diagnostics_;
+  Json params_;
+};
+
+}  // namespace seamount::recipe
