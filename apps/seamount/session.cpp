@@ -165,8 +165,12 @@ void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder,
     print_message(fmt::format("{:>8.3f} s  {}", output.seconds, output.path));
   print_message(fmt::format("{:>8.3f} s  in all", seconds_since(start)));
   if (flags.json) {
-    recipe::Json summary = {
-        {"outputs", recipe::Json::array()}, {"steps", recipe::Json::array()}, {"seconds", seconds_since(start)}};
+    recipe::Json summary = {{"notes", recipe::Json::array()},
+                            {"outputs", recipe::Json::array()},
+                            {"steps", recipe::Json::array()},
+                            {"seconds", seconds_since(start)}};
+    for (const recipe::Diagnostic& note : recipe.notes)
+      summary["notes"].push_back(recipe::diagnostic_line(recipe.file, note));
     for (const auto& output : report.outputs)
       summary["outputs"].push_back({{"path", output.path}, {"as", output.format}});
     for (const auto& step : report.steps) {
