@@ -140,6 +140,7 @@ std::vector<Value> evaluate(const Recipe& recipe, const std::vector<Source>& wan
   steps.finish(1.0);
   const std::map<Source, Value> made = steps.values(wanted);
   std::vector<Value> values;
+  values.reserve(wanted.size());
   for (const Source& source : wanted) values.push_back(made.at(source));
   if (report != nullptr) report->steps = steps.reports();
   return values;

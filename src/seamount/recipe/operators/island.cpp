@@ -52,6 +52,7 @@ using IslandRows = std::vector<std::tuple<const HeightField*, const LabelMap*>>;
 std::tuple<HeightField, LabelMap> archipelago(const island::ArchipelagoParams& params, const Call& call,
                                               const IslandRows& islands) {
   std::vector<island::Member> members;
+  members.reserve(islands.size());
   for (const auto& [terrain, labels] : islands) members.push_back({terrain, labels});
   island::Archipelago made = island::archipelago(members, params, call.domain, call.run);
   if (made.labels.empty()) made.labels = LabelMap(call.domain, Region::abyss);

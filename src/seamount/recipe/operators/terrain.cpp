@@ -65,6 +65,7 @@ constexpr int kMostTerrains = 8;
 HeightField compose(const terrain::ComposeParams& params, const Call& call,
                     const std::vector<std::tuple<const HeightField*>>& given) {
   std::vector<const HeightField*> terrains;
+  terrains.reserve(given.size());
   for (const auto& [terrain] : given) terrains.push_back(terrain);
   return terrain::compose(terrains, params, call.domain, call.run);
 }
