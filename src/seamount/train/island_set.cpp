@@ -158,6 +158,7 @@ std::vector<Made> make_samples(const IslandSetParams& params, const IslandSetOpt
 void make_missing(const IslandSetParams& params, const IslandSetOptions& options,
                   const std::vector<SampleRecord>& missing, const RunContext& run) {
   std::vector<uint64_t> indices;
+  indices.reserve(missing.size());
   for (const SampleRecord& record : missing) indices.push_back(record.index);
   const std::vector<Made> made = make_samples(params, options, indices, run);
   for (size_t i = 0; i < missing.size(); ++i) {
