@@ -42,18 +42,18 @@ void describe(const recipe::Registry& registry, const std::string& name, bool ma
     std::cout << recipe::reference_markdown(registry);
     return;
   }
-  if (const auto* op = registry.find_operator(name)) {
-    std::cout << recipe::describe_operator(*op);
-  } else if (const auto* format = registry.find_format(name)) {
-    std::cout << recipe::describe_format(*format);
-  } else if (const auto* kind = registry.find_kind(name)) {
-    std::cout << recipe::describe_kind(*kind, registry);
-  } else {
-    std::vector<std::string> names = registry.operator_names();
-    for (const auto& row : registry.formats()) names.push_back(row->name);
-    for (const recipe::Kind* row : registry.kinds()) names.push_back(row->name);
-    throw InvalidArgument(name, "is no operator, output format or kind of value" + suggestion(name, names));
-  }
+  const auto* op = registry.find_operator(name);
+  const auto* format = registry.find_format(name);
+  const auto* kind = registry.find_kind(name);
+  if (op != nullptr) std::cout << recipe::describe_operator(*op);
+  if (format != nullptr) std::cout << recipe::describe_format(*format);
+  if (format != nullptr && kind != nullptr) std::cout << "\n";  // labels, drawing, ... are both
+  if (kind != nullptr) std::cout << recipe::describe_kind(*kind, registry);
+  if (op != nullptr || format != nullptr || kind != nullptr) return;
+  std::vector<std::string> names = registry.operator_names();
+  for (const auto& row : registry.formats()) names.push_back(row->name);
+  for (const recipe::Kind* row : registry.kinds()) names.push_back(row->name);
+  throw InvalidArgument(name, "is no operator, output format or kind of value" + suggestion(name, names));
 }
 
 std::vector<std::string> example_names() {

@@ -27,8 +27,8 @@ struct SamplesParams {
         field(&P::layout, "layout",
               "square: the largest centred square; tiles: whole tiles that share their border samples"),
         field(&P::samples, "samples", "", between(0, 16385),
-              "samples a side of the square, or of one tile; 0: the largest of `choices` that the terrain fills, or as "
-              "many as it has"),
+              "samples a side of the square, or of one tile; 0: the largest of `choices` that the terrain fills, the "
+              "smallest if it fills none; without choices as many as it has"),
         field(&P::choices, "choices", "", between(2, 16385), "numbers to choose from where `samples` is 0"));
   }
 };
