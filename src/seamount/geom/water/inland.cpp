@@ -85,11 +85,11 @@ class Waters {
 
 }  // namespace
 
-HeightField raise_inland(HeightField terrain, float sea_level_m, const std::optional<double>& least_sea_m2,
+HeightField raise_inland(HeightField terrain, float sea_level_m, const std::optional<double>& min_sea_m2,
                          const RunContext& run) {
   if (std::isinf(sea_level_m)) return terrain;
   const double cell_m2 = terrain.cell_m() * terrain.cell_m();
-  const double least = least_sea_m2 ? *least_sea_m2 / cell_m2 : kLeastSea * static_cast<double>(terrain.size());
+  const double least = min_sea_m2 ? *min_sea_m2 / cell_m2 : kLeastSea * static_cast<double>(terrain.size());
   Waters waters(terrain, sea_level_m, run);
   const float ground = std::nextafter(sea_level_m, INFINITY);
   for (const Stretch& stretch : waters.stretches()) {

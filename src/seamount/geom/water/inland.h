@@ -17,10 +17,10 @@ inline constexpr const char* kLeastSeaMeaning =
     "absent";
 
 /// The terrain in which hollows lie just above sea level: cells at or below it that hang together (by sides or
-/// corners), do not reach the edge and cover less than `least_sea_m2` (a hundredth of the terrain if absent). Filled or
+/// corners), do not reach the edge and cover less than `min_sea_m2` (a hundredth of the terrain if absent). Filled or
 /// not, water flows from the result as it would from the terrain if its hollows were no sea. Linear; about 1 ns per
 /// cell without water below sea level, some ns per cell with it.
-HeightField raise_inland(HeightField terrain, float sea_level_m, const std::optional<double>& least_sea_m2,
+HeightField raise_inland(HeightField terrain, float sea_level_m, const std::optional<double>& min_sea_m2,
                          const RunContext& run);
 
 }  // namespace seamount::geom
