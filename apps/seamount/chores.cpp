@@ -19,6 +19,7 @@ using recipe::Json;
 
 struct ChoreFlags : RunFlags {
   std::string in;
+  std::vector<std::string> files;
   std::string out;
   std::string as;
   std::string labels;
@@ -85,6 +86,24 @@ void convert(const ChoreFlags& flags) {
   run_and_report(recipe, out.has_parent_path() ? out.parent_path().string() : ".", flags);
 }
 
+/// Neighbouring files as one.
+void join(const ChoreFlags& flags) {
+  Json files = Json::array();
+  for (const std::string& file : flags.files) files.push_back(absolute_file("files", file));
+  const Json step = {{"id", "joined"}, {"op", "terrain.join"}, {"params", {{"files", files}}}};
+  const fs::path out(flags.out);
+  Json output = {{"from", "joined.terrain"}, {"path", out.filename().string()}};
+  if (!flags.as.empty()) output["as"] = flags.as;
+  for (const std::string& assignment : flags.sets) set_member(output, assignment);
+  const Json document = {{"seamount", 1}, {"steps", {step}}, {"outputs", {output}}};
+  const FlagNames names = {{"/steps/0/params/files", "files"},
+                           {"/outputs/0/path", "--out"},
+                           {"/outputs/0/as", "--as"},
+                           {"/outputs/0/", "--set "}};
+  const recipe::Recipe recipe = parse_made_recipe(document, "join", names);
+  run_and_report(recipe, out.has_parent_path() ? out.parent_path().string() : ".", flags);
+}
+
 /// How a file is drawn: a map of contours has a form of its own.
 std::string picture_of(const ChoreFlags& flags) {
   if (!is_drawing(flags.in)) return flags.as.empty() ? "perspective" : flags.as;
@@ -142,6 +161,15 @@ void add_chore_commands(Command program, const recipe::Registry& registry) {
   convert_command.add("--set", &flags->sets, "a parameter of the output format: NAME=VALUE");
   add_run_flags(convert_command, *flags);
   convert_command.does([=] { convert(*flags); });
+
+  Command join_command = program.add_command("join", "Join neighbouring terrain files, cell by cell");
+  join_command.add("files", &flags->files, "files that say where they lie; where they overlap the first counts")
+      .required();
+  join_command.add("--out", &flags->out, "file to write; its extension is the format").required();
+  join_command.add("--as", &flags->as, "output format, where the extension does not say: unreal, unity, mesh, ...");
+  join_command.add("--set", &flags->sets, "a parameter of the output format: NAME=VALUE");
+  add_run_flags(join_command, *flags);
+  join_command.does([=] { join(*flags); });
 
   Command info_command = program.add_command("info", "Say what a file is, and the numbers to type into an engine");
   info_command.add("file", &flags->in, "any file that Seamount reads").required();

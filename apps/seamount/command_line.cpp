@@ -124,7 +124,8 @@ Flag Command::add(const std::string& names, Target target, const std::string& he
     }
   };
   CLI::Option* option = std::visit(add_option, target);
-  if (std::holds_alternative<std::vector<std::string>*>(target)) option->allow_extra_args(false);
+  if (std::holds_alternative<std::vector<std::string>*>(target) && names.starts_with('-'))
+    option->allow_extra_args(false);
   return Flag(option);
 }
 

@@ -41,6 +41,24 @@ void set_domain(Json& domain, const std::string& text) {
   domain["height_m"] = cross == std::string::npos ? domain["width_m"] : Json(number(text.substr(cross + 1)));
 }
 
+/// "a.tif,b.tif", or a JSON list.
+Json absolute_files(const std::string& flag, const std::string& text) {
+  Json list = Json::parse(text, nullptr, false);
+  if (!list.is_array()) {
+    list = Json::array();
+    for (size_t begin = 0; begin <= text.size();) {
+      const size_t comma = std::min(text.find(',', begin), text.size());
+      if (comma > begin) list.push_back(text.substr(begin, comma - begin));
+      begin = comma + 1;
+    }
+  }
+  for (Json& file : list) {
+    if (!file.is_string()) throw InvalidArgument(flag, "expected file names, found '" + text + "'");
+    file = absolute_file(flag, file.get<std::string>());
+  }
+  return list;
+}
+
 /// Puts the flag of one parameter into an object of parameters as `name`.
 void set_param(Json& params, const std::string& name, const recipe::ParamInfo& info, const OperatorFlags& flags,
                const std::string& group = "") {
@@ -50,8 +68,12 @@ void set_param(Json& params, const std::string& name, const recipe::ParamInfo& i
     throw InvalidArgument("--" + group + name, "is given in --" + group.substr(0, group.size() - 1) + " too");
   recipe::ParamInfo shown = info;
   shown.name = given->first;
-  params[name] = info.kind == "file" ? Json(absolute_file("--" + given->first, given->second))
-                                     : recipe::parse_flag(shown, given->second);
+  if (info.kind == "file")
+    params[name] = absolute_file("--" + given->first, given->second);
+  else if (info.kind == "files")
+    params[name] = absolute_files("--" + given->first, given->second);
+  else
+    params[name] = recipe::parse_flag(shown, given->second);
 }
 
 /// The flags of parameters, those of a group's members after the group as a whole.

@@ -56,7 +56,7 @@ Stored decode(std::span<const uint8_t> file, const std::string& name, int64_t ma
   const std::string channel = height_channel(input.header().channels());
   const Imf::Channel& kind = input.header().channels()[channel.c_str()];
   if (kind.xSampling != 1 || kind.ySampling != 1) throw std::runtime_error("its channel " + channel + " is subsampled");
-  Stored stored{Grid<float>(GridFrame{static_cast<int>(width), static_cast<int>(height)}), false, 0.0, "EXR",
+  Stored stored{Grid<float>(GridFrame{static_cast<int>(width), static_cast<int>(height)}), 0.0, "EXR",
                 kind.type == Imf::HALF    ? "float16"
                 : kind.type == Imf::FLOAT ? "float32"
                                           : "uint32"};

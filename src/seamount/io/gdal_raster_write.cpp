@@ -2,6 +2,8 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <string_view>
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
@@ -26,6 +28,8 @@ DatasetPtr view_of(void* cells, GDALDataType type, const GridFrame& frame, const
   if (const auto system = parse_crs(frame.crs)) {
     dataset->SetSpatialRef(system.get());
     dataset->SetMetadataItem("SEAMOUNT_CRS", frame.crs.c_str());
+  } else {
+    dataset->SetMetadataItem("SEAMOUNT_CRS", "local");  // so that nobody takes small cells for degrees
   }
   dataset->SetMetadataItem("AREA_OR_POINT", "Area");
   const Provenance& made = options.provenance;
@@ -59,6 +63,7 @@ void copy_to_tiff(GDALDataset& source, const std::string& path, bool cloud_optim
 void write_geotiff(const Grid<float>& grid, const std::string& path, const WriteOptions& options, bool heights) {
   const GdalCall call(path);
   const DatasetPtr view = view_of(const_cast<float*>(grid.data()), GDT_Float32, grid.frame(), options);
+  if (has_voids(grid)) view->GetRasterBand(1)->SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
   if (heights) {
     view->GetRasterBand(1)->SetUnitType("metre");
     view->GetRasterBand(1)->SetDescription("height above sea level");
@@ -89,16 +94,20 @@ void write_geotiff8(const Grid<uint8_t>& grid, const std::string& path, const Wr
 void write_asc(const Grid<float>& grid, const std::string& path) {
   const GridFrame& frame = grid.frame();
   const auto system = parse_crs(frame.crs);
+  constexpr std::string_view kUsual = "-9999", kLowest = "-3.4e+38";
+  const bool usual = has_voids(grid) && known_range(grid).low_m > -9000;
+  const std::string none(usual ? kUsual : kLowest);
   std::string text = "ncols " + std::to_string(frame.width) + "\nnrows " + std::to_string(frame.height) +
                      "\nxllcorner " + format_number(frame.west_m) + "\nyllcorner " + format_number(frame.south_m()) +
-                     "\ncellsize " + format_number(frame.cell_m) + "\nNODATA_value -3.4e+38\n";
+                     "\ncellsize " + format_number(frame.cell_m) + "\nNODATA_value " + none + "\n";
   for (int y = 0; y < frame.height; ++y) {
     for (int x = 0; x < frame.width; ++x) {
       char number[32];
       const auto end = std::to_chars(number, number + sizeof(number), grid(x, y)).ptr;
-      text.append(number, end);
+      const std::string_view shown = std::isnan(grid(x, y)) ? std::string_view(none) : std::string_view(number, end);
+      text += shown;
       // GDAL takes a raster without a decimal point for integers.
-      if (x == 0 && y == 0 && std::string_view(number, end).find_first_of(".e") == std::string_view::npos) text += ".0";
+      if (x == 0 && y == 0 && shown.find_first_of(".e") == std::string_view::npos) text += ".0";
       text += x + 1 < frame.width ? ' ' : '\n';
     }
   }

@@ -69,6 +69,7 @@ void describe_cells(FileInfo& info, const std::string& path) {
   info.emplace_back(real ? "values" : "codes", short_number(raster.min) + " to " + short_number(raster.max));
   if (raster.nodata) info.emplace_back("no-data value", short_number(*raster.nodata));
   if (raster.void_cells > 0) info.emplace_back("cells without value", std::to_string(raster.void_cells));
+  for (const std::string& note : raster.notes) info.emplace_back("note", note);
 }
 
 }  // namespace

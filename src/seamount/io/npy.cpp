@@ -101,7 +101,7 @@ Stored decode_npy(std::span<const uint8_t> file, const std::string& name, int64_
   if (rows * columns > max_cells) throw IoError(name, "has more than " + std::to_string(max_cells) + " cells");
   if (file.size() - header.values_at != static_cast<size_t>(rows * columns) * type->bytes)
     throw IoError(name, "its length does not fit its NPY shape");
-  Stored stored{Grid<float>(GridFrame{static_cast<int>(columns), static_cast<int>(rows)}), false, type->code_max, "NPY",
+  Stored stored{Grid<float>(GridFrame{static_cast<int>(columns), static_cast<int>(rows)}), type->code_max, "NPY",
                 std::string(type->type)};
   type->convert(file.data() + header.values_at, stored.values.cells());
   return stored;

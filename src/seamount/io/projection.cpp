@@ -5,6 +5,7 @@
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
 #include "seamount/io/gdal_call.h"
+#include "seamount/io/warp.h"
 
 namespace seamount::io {
 namespace {
@@ -54,6 +55,15 @@ std::vector<Vec2> to_lonlat(const std::vector<Vec2>& places, const std::string& 
 std::vector<Vec2> from_lonlat(const std::vector<Vec2>& degrees, const std::string& crs) {
   const GdalCall call("crs");
   return transform(degrees, lonlat_system(), *required_crs(crs));
+}
+
+std::string metric_crs(const std::string& crs) {
+  const GdalCall call("crs");
+  const auto system = parse_crs(crs);
+  if (!system) return {};
+  if (!is_metric(*system))
+    throw InvalidArgument("crs", "'" + crs.substr(0, 80) + "' is not in metres; a document is, such as in EPSG:32604");
+  return crs_text(system.get());
 }
 
 std::string crs_name(const std::string& crs) {

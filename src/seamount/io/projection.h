@@ -19,6 +19,10 @@ std::vector<Vec2> to_lonlat(const std::vector<Vec2>& places, const std::string& 
 /// The inverse.
 std::vector<Vec2> from_lonlat(const std::vector<Vec2>& degrees, const std::string& crs);
 
+/// The text of a system in metres as it is kept everywhere: "EPSG:32604", or WKT; empty for empty text. Throws
+/// InvalidArgument{"crs"} for text that is no system, or one that is not in metres.
+std::string metric_crs(const std::string& crs);
+
 /// A name for people: "WGS 84 / UTM zone 4N".
 std::string crs_name(const std::string& crs);
 

@@ -1,11 +1,10 @@
 #include "seamount/io/raster.h"
 
-#include <gdal_alg.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
@@ -14,11 +13,12 @@
 #include "seamount/io/image_file.h"
 #include "seamount/io/png_codec.h"
 #include "seamount/io/raster_files.h"
+#include "seamount/io/vertical_unit.h"
+#include "seamount/io/void_codes.h"
+#include "seamount/io/warp.h"
 
 namespace seamount::io {
 namespace {
-
-enum class Meaning { heights, field, mask };
 
 bool is_gdal_format(const std::string& extension) {
   return extension == ".tif" || extension == ".tiff" || extension == ".hgt" || extension == ".asc";
@@ -35,7 +35,7 @@ Stored decode(std::span<const uint8_t> bytes, const std::string& name, const Rea
   if (bytes.empty()) throw IoError(name, "is empty");
   if (extension == ".npy") return decode_npy(bytes, name, options.max_cells);
   if (extension == ".exr") return decode_exr(bytes, name, options.max_cells);
-  if (extension == ".png") return decode_png_heights(bytes, name, options.max_cells);
+  if (extension == ".png") return decode_png_heights(bytes, name, options);
   if (is_gdal_format(extension)) {
     const MemoryFile memory(bytes, name);
     return read_gdal(memory.path(), name, options, meaning == Meaning::heights);
@@ -44,7 +44,7 @@ Stored decode(std::span<const uint8_t> bytes, const std::string& name, const Rea
     refuse_extension(name, readable_raster_extensions());
   std::optional<std::pair<int, int>> size;
   if (sidecar) size = std::pair(sidecar->frame.width, sidecar->frame.height);
-  return decode_raw(bytes, name, options.max_cells, size);
+  return decode_raw(bytes, name, options, size);
 }
 
 void flip_rows(Grid<float>& grid) {
@@ -52,7 +52,23 @@ void flip_rows(Grid<float>& grid) {
     std::swap_ranges(grid.row(y).begin(), grid.row(y).end(), grid.row(grid.height() - 1 - y).begin());
 }
 
-void place(Stored& stored, const std::string& name, const ReadOptions& options, const std::optional<Sidecar>& sidecar) {
+/// A stored raster with a placement on square cells in metres.
+void settle_stored(Stored& stored, const std::string& name, const ReadOptions& options, Meaning meaning) {
+  const GdalCall call(name);
+  choose_system(stored, name, options, meaning);
+  const Placement& p = *stored.placement;
+  Grid<float>& grid = stored.values;
+  Settlement settlement = settle(p, grid.width(), grid.height(), call);
+  if (!settlement.note.empty()) options.run.say(name + ": " + settlement.note);
+  if (!settlement.as_it_is && !settlement.crs.empty() && !options.into.empty()) settlement.crs = options.into;
+  if (settlement.as_it_is)
+    grid.set_frame({grid.width(), grid.height(), p.cell_x, p.west, p.north, stored.crs});
+  else
+    grid = warp_to_metres(grid, p, settlement, options.cover, call, options.max_cells, options.run.part(0.5, 0.9));
+}
+
+void place(Stored& stored, const std::string& name, const ReadOptions& options, const std::optional<Sidecar>& sidecar,
+           Meaning meaning) {
   Grid<float>& grid = stored.values;
   if (sidecar) {
     if (sidecar->frame.width != grid.width() || sidecar->frame.height != grid.height())
@@ -61,12 +77,20 @@ void place(Stored& stored, const std::string& name, const ReadOptions& options, 
                               std::to_string(sidecar->frame.width) + " x " + std::to_string(sidecar->frame.height));
     grid.set_frame(sidecar->frame);
     if (sidecar->south_first) flip_rows(grid);
-  } else if (!stored.georeferenced) {
+  } else if (stored.placement) {
+    settle_stored(stored, name, options, meaning);
+  } else {
     if (!options.cell_m) throw IoError(name, "does not say its cell size; give cell_m");
     if (!(*options.cell_m > 0) || !std::isfinite(*options.cell_m))
       throw InvalidArgument("cell_m", format_number(*options.cell_m) + " is not above 0");
     grid.set_frame(GridFrame::centred(grid.width(), grid.height(), *options.cell_m));
+    if (!options.crs.empty() && options.crs != "local")
+      throw InvalidArgument("crs", name + " does not say where it lies in '" + options.crs + "'");
+    return;
   }
+  if (options.cell_m && std::abs(*options.cell_m / grid.cell_m() - 1) > 1e-6)
+    options.run.say(name + ": states its own cells, of " + format_number(grid.cell_m()) +
+                    " m; cell_m = " + format_number(*options.cell_m) + " is ignored");
 }
 
 /// Codes to heights. A range given for real values maps 0..1, which is what other tools export.
@@ -75,7 +99,7 @@ void apply_range(Stored& stored, const std::string& name, const ReadOptions& opt
   std::optional<HeightRange> range = options.range;
   if (!range && sidecar && stored.code_max > 0) range = sidecar->range;
   if (!range && stored.code_max > 0 && meaning == Meaning::mask) range = HeightRange{0.0, 1.0};
-  if (!range && stored.code_max > 0 && meaning == Meaning::heights && !stored.georeferenced)
+  if (!range && stored.code_max > 0 && meaning == Meaning::heights && !stored.placement)
     throw IoError(name, "its " + stored.type + " codes say nothing of metres; give the heights of codes 0 and " +
                             format_number(stored.code_max) + " (low_m, high_m) or the side-car '" + sidecar_path(name) +
                             "'");
@@ -86,75 +110,39 @@ void apply_range(Stored& stored, const std::string& name, const ReadOptions& opt
   for (float& z : stored.values.cells()) z = static_cast<float>(range->low_m + z * scale);
 }
 
-/// Interpolates cells without a value from the rim of their hole.
-void fill_voids(Grid<float>& grid, const std::string& name, const RunContext& run) {
-  GdalCall call(name);
-  Grid<uint8_t> valid(grid.frame());
-  for (size_t i = 0; i < grid.size(); ++i) valid.cells()[i] = std::isfinite(grid.cells()[i]) ? 255 : 0;
-  for (float& z : grid.cells())
-    if (!std::isfinite(z)) z = 0.0F;
-  const auto band_over = [&](void* cells, GDALDataType type) {
-    GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
-    DatasetPtr dataset(memory->Create("", grid.width(), grid.height(), 0, type, nullptr));
-    char text[64];
-    text[CPLPrintPointer(text, cells, sizeof(text) - 1)] = '\0';
-    CPLStringList where;
-    where.SetNameValue("DATAPOINTER", text);
-    dataset->AddBand(type, where.List());
-    return dataset;
-  };
-  const DatasetPtr heights = band_over(grid.data(), GDT_Float32), mask = band_over(valid.data(), GDT_Byte);
-  const double reach = grid.width() + grid.height();
-  const auto go_on = [](double share, const char*, void* context) {
-    const auto& here = *static_cast<const RunContext*>(context);
-    if (here.cancelled != nullptr && here.cancelled->load(std::memory_order_relaxed)) return FALSE;
-    here.report(share);
-    return TRUE;
-  };
-  RunContext filling = run;
-  const CPLErr result =
-      GDALFillNodata(heights->GetRasterBand(1), mask->GetRasterBand(1), reach, 0, 0, nullptr, go_on, &filling);
-  run.check_cancelled();
-  if (result != CE_None) call.fail("its holes cannot be filled");
-}
-
 void treat_voids(Grid<float>& grid, const std::string& name, const ReadOptions& options) {
-  int64_t count = 0, first = -1;
-  for (int64_t i = 0; i < static_cast<int64_t>(grid.size()); ++i) {
-    if (std::isfinite(grid.cells()[static_cast<size_t>(i)])) continue;
-    if (first < 0) first = i;
-    ++count;
-  }
+  const auto count = std::count_if(grid.cells().begin(), grid.cells().end(), [](float z) { return std::isnan(z); });
   if (count == 0) return;
-  const std::string all = std::to_string(grid.size());
-  if (count == static_cast<int64_t>(grid.size())) throw IoError(name, "none of its " + all + " cells has a value");
-  if (options.voids == Voids::refuse)
-    throw IoError(name, std::to_string(count) + " of " + all + " cells have no value, the first is (column " +
-                            std::to_string(first % grid.width()) + ", row " + std::to_string(first / grid.width()) +
-                            "); terrain.import and convert fill voids");
-  fill_voids(grid, name, options.run.part(0.5, 1.0));
+  const auto all = static_cast<int64_t>(grid.size());
+  if (count == all) throw IoError(name, "none of its " + std::to_string(all) + " cells has a value");
+  const std::string share = std::to_string(count) + " of " + std::to_string(all) + " cells have no value";
+  if (options.voids == Voids::refuse) {
+    const auto first = std::find_if(grid.cells().begin(), grid.cells().end(), [](float z) { return std::isnan(z); });
+    const int64_t at = first - grid.cells().begin();
+    throw IoError(name, share + ", the first is (column " + std::to_string(at % grid.width()) + ", row " +
+                            std::to_string(at / grid.width()) + ")");
+  }
+  options.run.say(name + ": " + share);
 }
 
-Grid<float> finish(Stored stored, const std::string& name, const ReadOptions& options,
-                   const std::optional<Sidecar>& sidecar, Meaning meaning) {
-  place(stored, name, options, sidecar);
-  apply_range(stored, name, options, sidecar, meaning);
-  options.run.check_cancelled();
-  treat_voids(stored.values, name, options);
-  return std::move(stored.values);
+/// What can be done before the place is known.
+void prepare(Stored& stored, const std::string& name, const ReadOptions& options, Meaning meaning) {
+  if (stored.code_max > 0) return;
+  const bool heights = meaning == Meaning::heights;
+  Grid<float>& values = stored.values;
+  take_out_void_codes(values, name, options.run);
+  if (stored.metres || !heights || options.unit.empty()) return;
+  const auto unit = metres_in_unit(options.unit);
+  if (!unit) throw InvalidArgument("unit", "'" + options.unit + "' is no unit of length that is known");
+  for (float& z : values.cells()) z = static_cast<float>(z * *unit);
 }
 
 Grid<float> read(const std::string& path, const ReadOptions& options, Meaning meaning) {
-  check_readable(path);
-  if (is_gdal_format(extension_of(path)))
-    return finish(read_gdal(path, path, options, meaning == Meaning::heights), path, options, std::nullopt, meaning);
-  const std::vector<uint8_t> bytes = read_file(path);
-  const std::optional<Sidecar> sidecar = read_sidecar(path, bytes);
-  return finish(decode(bytes, path, options, sidecar, meaning), path, options, sidecar, meaning);
+  return finish_raster(load_raster(path, options, meaning), path, options, meaning);
 }
 
 Sidecar sidecar_of(const Grid<float>& grid, const WriteOptions& options, bool heights) {
-  const HeightRange extremes = finite_range(grid);
+  const HeightRange extremes = known_range(grid);
   Sidecar sidecar;
   sidecar.frame = grid.frame();
   sidecar.min_m = extremes.low_m;
@@ -184,6 +172,7 @@ void write(const Grid<float>& grid, const std::string& path, const WriteOptions&
     write_bytes(path, {reinterpret_cast<const uint8_t*>(grid.data()), grid.size() * sizeof(float)});
   } else if (extension == ".png" || extension == ".r16" || extension == ".raw") {
     sidecar.range = coding_range(grid, options.range);
+    if (options.range) finite_range(grid);  // codes have none for what is not known
     write_codes(to_codes(grid, *sidecar.range), path);
   } else {
     refuse_extension(path, writable_raster_extensions());
@@ -208,6 +197,55 @@ std::vector<uint8_t> encode_label_rows(const LabelMap& labels) {
 
 }  // namespace
 
+bool must_be_degrees(const Placement& p, const Grid<float>& values, bool heights) {
+  const double width = values.width() * p.cell_x, height = values.height() * p.cell_y;
+  const bool on_globe = std::abs(p.west) <= 361 && p.west + width <= 541 && p.north <= 91 && p.north - height >= -91;
+  if (!p.system.IsEmpty() || !on_globe || p.cell_x >= 1) return false;
+  RasterInfo info;
+  count_values(values, info);
+  const double relief = info.max - info.min;
+  constexpr double kSurelyDegrees = 0.05;
+  if (!heights || !(relief > 0)) return p.cell_x < kSurelyDegrees;
+  return relief > 0.5 * std::max(width, height);
+}
+
+void choose_system(Stored& stored, const std::string& name, const ReadOptions& options, Meaning meaning) {
+  if (!options.crs.empty()) {
+    stored.placement->system = OGRSpatialReference();
+    if (options.crs != "local") stored.placement->system = *parse_crs(options.crs);
+    stored.crs = options.crs == "local" ? "" : crs_text(&stored.placement->system);
+  } else if (!stored.local && must_be_degrees(*stored.placement, stored.values, meaning == Meaning::heights)) {
+    stored.placement->system = lonlat_system();
+    options.run.say(name +
+                    ": says nothing of its coordinate system; its numbers can only be degrees and are taken as "
+                    "longitude and latitude (\"crs\" states another; \"local\": metres)");
+  }
+}
+
+Loaded load_raster(const std::string& path, const ReadOptions& options, Meaning meaning) {
+  check_readable(path);
+  if (is_gdal_format(extension_of(path)))
+    return {read_gdal(path, path, options, meaning == Meaning::heights), std::nullopt};
+  const std::vector<uint8_t> bytes = read_file(path);
+  std::optional<Sidecar> sidecar = read_sidecar(path, bytes);
+  Stored stored = decode(bytes, path, options, sidecar, meaning);
+  prepare(stored, path, options, meaning);
+  return {std::move(stored), std::move(sidecar)};
+}
+
+Grid<float> finish_raster(Loaded loaded, const std::string& name, const ReadOptions& options, Meaning meaning) {
+  Stored& stored = loaded.stored;
+  const bool heights = meaning == Meaning::heights;
+  const bool metres = heights && stored.code_max == 0 && !options.range;
+  if (metres) take_out_impossible_heights(stored.values, name, options.run);
+  treat_voids(stored.values, name, options);
+  place(stored, name, options, loaded.sidecar, meaning);
+  apply_range(stored, name, options, loaded.sidecar, meaning);
+  if (heights && !metres) take_out_impossible_heights(stored.values, name, options.run);
+  options.run.check_cancelled();
+  return std::move(stored.values);
+}
+
 const std::vector<std::string>& readable_raster_extensions() {
   static const std::vector<std::string> kExtensions = {".tif", ".tiff", ".hgt", ".asc", ".png",
                                                        ".exr", ".r16",  ".raw", ".r32", ".npy"};
@@ -218,6 +256,11 @@ const std::vector<std::string>& writable_raster_extensions() {
   static const std::vector<std::string> kExtensions = {".tif", ".tiff", ".asc", ".png", ".exr",
                                                        ".r16", ".raw",  ".r32", ".npy"};
   return kExtensions;
+}
+
+bool can_hold_voids(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension != ".png" && extension != ".r16" && extension != ".raw";
 }
 
 std::vector<std::string> written_files(const std::string& path) {
@@ -264,8 +307,9 @@ HeightField read_heights(const std::string& path, const ReadOptions& options) {
 }
 
 HeightField read_heights(std::span<const uint8_t> bytes, const std::string& name, const ReadOptions& options) {
-  const std::optional<Sidecar> none;
-  return finish(decode(bytes, name, options, none, Meaning::heights), name, options, none, Meaning::heights);
+  Stored stored = decode(bytes, name, options, std::nullopt, Meaning::heights);
+  prepare(stored, name, options, Meaning::heights);
+  return finish_raster({std::move(stored), std::nullopt}, name, options, Meaning::heights);
 }
 
 ScalarField read_field(const std::string& path, const ReadOptions& options) {
@@ -278,8 +322,8 @@ PlacedImage read_placed_image(const std::string& path, const ReadOptions& option
   const std::vector<uint8_t> bytes = read_file(path);
   const std::optional<Sidecar> sidecar = read_sidecar(path, bytes);
   Image image = read_image(bytes, path);
-  Stored size{Grid<float>(GridFrame{image.width, image.height}), false, 0.0, "PNG", "uint8"};
-  place(size, path, options, sidecar);
+  Stored size{Grid<float>(GridFrame{image.width, image.height}), 0.0, "PNG", "uint8"};
+  place(size, path, options, sidecar, Meaning::field);
   return {std::move(image), size.values.frame()};
 }
 
@@ -308,6 +352,7 @@ void write_mask(const Mask& mask, const std::string& path, const WriteOptions& o
   const bool tiff = extension == ".tif" || extension == ".tiff";
   if (!tiff && extension != ".png") return write_field(mask, path, options);
   Sidecar sidecar = sidecar_of(mask, options, false);
+  finite_range(mask);
   Grid<uint8_t> bytes(mask.frame());
   for (size_t i = 0; i < bytes.size(); ++i)
     bytes.cells()[i] = static_cast<uint8_t>(std::clamp(mask.cells()[i], 0.0F, 1.0F) * 255.0F + 0.5F);

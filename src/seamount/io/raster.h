@@ -7,10 +7,13 @@
 // ReadOptions::range, a file without georeference needs ReadOptions::cell_m. Both are errors that say so, never a
 // guess. Float, signed and georeferenced files hold metres (vertical feet in a GeoTIFF are converted).
 //
-// Rasters in degrees, feet or oblong cells are warped (bilinear) to square cells in metres that cover the largest
-// upright rectangle inside the raster, about as many cells as before: degrees to a local transverse Mercator
-// (projection.h), at most 20 degrees of longitude across. An ASC file without .prj whose cells are below 0.05 is taken
-// as degrees.
+// Rasters in degrees, feet, oblong cells or metres that are off by more than 1 % (Web Mercator far from the equator)
+// are warped (bilinear) to square cells in metres that cover the largest upright rectangle inside the raster, about as
+// many cells as before: degrees to a local transverse Mercator (projection.h), at most 20 degrees of longitude across.
+//
+// Cells without a value are those that the file says, and those that hold one of the usual codes for it or a height
+// that cannot be (void_codes.h). A file without a system whose numbers can only be degrees is taken so. Whatever is
+// taken for granted is said through ReadOptions::run.
 //
 // Everything here throws IoError{path} with one line: missing, truncated, too large, not a raster, rotated.
 #pragma once
@@ -21,7 +24,7 @@
 #include <string>
 #include <vector>
 
-#include "seamount/base/run_context.h"
+#include "seamount/io/read_options.h"
 #include "seamount/io/sidecar.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
@@ -39,24 +42,9 @@ struct RasterInfo {
   std::string format;                 ///< "GeoTIFF", "PNG", ...
   std::string type;                   ///< "float32", "uint16", ...
   std::optional<double> nodata;
-  double min = 0.0, max = 0.0;  ///< over valid cells, as stored (codes, not metres, for integer images)
-  int64_t void_cells = 0;       ///< nodata or not finite
-};
-
-/// What to do with cells that have no height.
-enum class Voids {
-  fill,    ///< interpolate from the rim of the hole, weighted by inverse distance
-  refuse,  ///< an error that says how many and where the first is
-};
-
-struct ReadOptions {
-  std::optional<double> cell_m;      ///< where the file does not say; > 0
-  std::optional<HeightRange> range;  ///< heights of the lowest and highest code of an integer image, or of 0 and 1 of
-                                     ///< real values; beats a side-car
-  Voids voids = Voids::refuse;
-  int band = 1;                     ///< of a multi-band raster
-  int64_t max_cells = 300'000'000;  ///< larger rasters are refused (17 320 squared)
-  RunContext run;                   ///< progress and cancelling of what GDAL reads and of the filling of voids
+  double min = 0.0, max = 0.0;     ///< over valid cells, as stored (codes, not metres, for integer images)
+  int64_t void_cells = 0;          ///< nodata or not finite
+  std::vector<std::string> notes;  ///< what was taken for granted
 };
 
 struct WriteOptions {
@@ -69,7 +57,8 @@ struct WriteOptions {
 /// Reads the whole file once for the extremes. Cost: a read.
 RasterInfo raster_info(const std::string& path);
 
-/// Heights in metres, row 0 north, all finite. Formats are told apart by extension, GIS formats by content.
+/// Heights in metres, row 0 north; NaN where none is known. Formats are told apart by extension, GIS formats by
+/// content.
 HeightField read_heights(const std::string& path, const ReadOptions& options = {});
 /// The same from memory; `name` gives the extension and stands in messages. No side-car.
 HeightField read_heights(std::span<const uint8_t> bytes, const std::string& name, const ReadOptions& options = {});
@@ -92,7 +81,9 @@ struct PlacedImage {
 PlacedImage read_placed_image(const std::string& path, const ReadOptions& options = {});
 
 /// GeoTIFF: float32, tiled, deflate with the floating point predictor, pixel is area, "0 m is sea level" as metadata;
-/// CRS and geotransform come back exactly. 16-bit formats come back within half of range / 65535.
+/// CRS and geotransform come back exactly. 16-bit formats come back within half of range / 65535. Unknown cells (NaN)
+/// are declared: the no-data value nan of GeoTIFF, -9999 or, where that is a height, -3.4e38 of ASC, NaN of EXR, NPY
+/// and R32; 16-bit formats cannot hold them and throw InvalidArgument{"heights"}.
 void write_heights(const HeightField& heights, const std::string& path, const WriteOptions& options = {});
 
 /// Any other scalar: the same without the vertical datum.
@@ -103,6 +94,9 @@ void write_mask(const Mask& mask, const std::string& path, const WriteOptions& o
 
 /// .tif: 8 bit, palette and category names; .png: the colours of model/label_map.h.
 void write_labels(const LabelMap& labels, const std::string& path, const WriteOptions& options = {});
+
+/// Whether a format, by extension, can say that a cell is unknown: all but those of 16-bit codes.
+bool can_hold_voids(const std::string& path);
 
 /// All files that writing a raster to `path` makes: itself, and a side-car where the format cannot say its own scale.
 std::vector<std::string> written_files(const std::string& path);

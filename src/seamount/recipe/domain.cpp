@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "seamount/io/projection.h"
 #include "seamount/recipe/recipe.h"
 
 namespace seamount::recipe {
@@ -76,7 +77,11 @@ GridFrame domain_frame(const DomainParams& params) {
         "cell_m", fmt::format("{} m gives {:.0f} x {:.0f} cells; at most 65536 a side and 2^30 in all are possible",
                               format_number(params.cell_m), width, height));
   }
-  return GridFrame::centred(static_cast<int>(width), static_cast<int>(height), params.cell_m);
+  GridFrame frame = GridFrame::centred(static_cast<int>(width), static_cast<int>(height), params.cell_m);
+  frame.west_m += params.x_m;
+  frame.north_m += params.y_m;
+  frame.crs = io::metric_crs(params.crs);
+  return frame;
 }
 
 void apply_changes(Json& root, const RecipeChanges& changes) {

@@ -11,21 +11,30 @@ namespace seamount::recipe {
 
 struct RecipeChanges;
 
-/// "domain" of a recipe: a rectangle around (0, 0), in square cells.
+/// "domain" of a recipe: a rectangle of square cells around a place.
 struct DomainParams {
   double width_m = 10240;
   double height_m = 10240;
   double cell_m = 10;
+  std::string crs;
+  double x_m = 0;
+  double y_m = 0;
 
   static constexpr auto fields() {
     return std::tuple(
         field(&DomainParams::width_m, "width_m", "m", between(1e-3, 1e8), "width of the terrain, west to east"),
         field(&DomainParams::height_m, "height_m", "m", between(1e-3, 1e8), "height of the terrain, south to north"),
-        field(&DomainParams::cell_m, "cell_m", "m", between(1e-4, 1e6), "cell size"));
+        field(&DomainParams::cell_m, "cell_m", "m", between(1e-4, 1e6), "cell size"),
+        field(&DomainParams::crs, "crs",
+              "coordinate system in metres, such as EPSG:32604, into which all that has a place is brought; empty: "
+              "local metres, or the system of what is brought"),
+        field(&DomainParams::x_m, "x_m", "m", between(-1e8, 1e8), "where the middle lies, eastwards"),
+        field(&DomainParams::y_m, "y_m", "m", between(-1e8, 1e8), "where the middle lies, northwards"));
   }
 };
 
-/// The frame of a domain. Throws InvalidArgument for more than 65536 cells a side or 2^30 in all.
+/// The frame of a domain. Throws InvalidArgument for more than 65536 cells a side or 2^30 in all, and for a system that
+/// is unknown or not in metres.
 GridFrame domain_frame(const DomainParams& params);
 
 /// Applies --set, --seed and --size to a document. Throws InvalidArgument{"--set"} for a path that leads nowhere.

@@ -10,11 +10,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
@@ -57,13 +60,17 @@ std::string digest_of(const Value& value) {
 std::string number(double v) { return fmt::format("{:.6g}", v); }
 
 Json statistics_of(const ScalarField& field) {
-  const auto& cells = field.cells();
+  std::vector<float> known;
+  std::copy_if(field.cells().begin(), field.cells().end(), std::back_inserter(known),
+               [](float z) { return !std::isnan(z); });
   double sum = 0;
-  for (const float z : cells) sum += static_cast<double>(z);
-  const auto [low, high] = std::minmax_element(cells.begin(), cells.end());
-  return {{"min", number(static_cast<double>(*low))},
-          {"max", number(static_cast<double>(*high))},
-          {"mean", number(sum / static_cast<double>(cells.size()))}};
+  for (const float z : known) sum += static_cast<double>(z);
+  const auto [low, high] = std::minmax_element(known.begin(), known.end());
+  Json result = {{"min", number(static_cast<double>(*low))},
+                 {"max", number(static_cast<double>(*high))},
+                 {"mean", number(sum / static_cast<double>(known.size()))}};
+  if (known.size() < field.size()) result["unknown"] = field.size() - known.size();
+  return result;
 }
 
 Json statistics_of(const LabelMap& labels) {

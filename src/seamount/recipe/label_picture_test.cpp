@@ -31,7 +31,7 @@ TEST(LabelPicture, SurvivesJpeg) {
 
 LabelMap read_labels(const std::string& path, const GridFrame& frame) {
   const RunContext run;
-  return *std::static_pointer_cast<const LabelMap>(kinds::Labels::kind().read_file({path, frame, run}));
+  return *std::static_pointer_cast<const LabelMap>(kinds::Labels::kind().read_file({path, frame, false, run}));
 }
 
 TEST(LabelPicture, WrittenLabelsComeBackWhereTheyWere) {

@@ -263,6 +263,8 @@ void for_each_file(const std::vector<ParamInfo>& infos, const Json& params,
     const Json& value = params.at(info.name);
     if (info.kind == "file") {
       if (const auto name = value.get<std::string>(); !name.empty()) visit(name);
+    } else if (info.kind == "files") {
+      for (const Json& name : value) visit(name.get<std::string>());
     } else if (info.kind == "group") {
       for_each_file(info.tools[0].params, value, visit);
     } else if (info.kind == "tools") {
@@ -348,6 +350,8 @@ Json param_schema(const ParamInfo& info) {
     schema = {{"type", "array"}, {"items", {{"anyOf", {pairs, region}}}}};
   } else if (info.kind == "rivers") {
     schema = {{"type", "array"}, {"items", {{"anyOf", {pairs, river}}}}};
+  } else if (info.kind == "files") {
+    schema = {{"type", "array"}, {"items", {{"type", "string"}}}};
   } else if (info.kind == "integers") {
     schema = {{"type", "array"}, {"items", {{"type", "integer"}}}};
   } else if (info.kind == "group") {

@@ -125,6 +125,8 @@ constexpr std::string_view param_kind() {
     return "text";
   else if constexpr (std::is_same_v<T, FilePath>)
     return "file";
+  else if constexpr (std::is_same_v<T, std::vector<FilePath>>)
+    return "files";
   else if constexpr (std::is_same_v<T, Colour>)
     return "colour";
   else if constexpr (std::is_same_v<T, Vec2>)

@@ -10,9 +10,10 @@
 namespace seamount::recipe {
 namespace {
 
-void hash_domain(const GridFrame& domain, Hasher& hasher) {
-  hasher.text(fmt::format("{} {} {} {} {} {}", domain.width, domain.height, domain.cell_m, domain.west_m,
-                          domain.north_m, domain.crs));
+void hash_domain(const Recipe& recipe, Hasher& hasher) {
+  const GridFrame& domain = recipe.domain;
+  hasher.text(fmt::format("{} {} {} {} {} {} {}", domain.width, domain.height, domain.cell_m, domain.west_m,
+                          domain.north_m, recipe.domain_stated, domain.crs));
 }
 
 Digest key_of(const Plan& plan, const Step& step, PlannedStep& planned, FileSnapshots& files) {
@@ -24,7 +25,7 @@ Digest key_of(const Plan& plan, const Step& step, PlannedStep& planned, FileSnap
   Hasher hasher;
   hasher.text(kVersion).text(step.op->name).number(static_cast<uint64_t>(step.op->revision)).text(step.params.dump());
   if (step.op->stochastic) hasher.number(step.seed.value);
-  hash_domain(recipe.domain, hasher);
+  hash_domain(recipe, hasher);
   for_each_file(step.op->params, step.params, [&](const std::string& name) { hasher.text(file_hex(name)); });
   for (const auto& [port, source] : step.in) {
     hasher.text(port);

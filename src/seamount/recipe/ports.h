@@ -88,6 +88,31 @@ PortOf formerly(std::string former, PortOf port) {
   return port;
 }
 
+/// A raster whose cells without a value (NaN) the operator respects.
+template <class PortOf>
+PortOf with_voids(PortOf port) {
+  port.port.voids = true;
+  return port;
+}
+
+/// An input that keeps its own cells, or of which the place does not count.
+template <class PortOf>
+PortOf placed(Placing placing, PortOf port) {
+  port.port.placing = placing;
+  return port;
+}
+
+template <class... Ks>
+InRows<Ks...> placed(Placing placing, InRows<Ks...> rows) {
+  for (auto& row : rows.rows) std::apply([&](auto&... input) { ((input.port.placing = placing), ...); }, row);
+  return rows;
+}
+template <class... Ks>
+InRows<Ks...> with_voids(InRows<Ks...> rows) {
+  for (auto& row : rows.rows) std::apply([&](auto&... input) { ((input.port.voids = true), ...); }, row);
+  return rows;
+}
+
 /// `count` rows of inputs; the first input of the first row is required. `help` holds for the first row, `more_help`
 /// for the others.
 template <class... Ks>

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/solve/fill_voids.h"
 #include "seamount/io/raster.h"
 #include "seamount/ops/erosion/run.h"
 #include "seamount/ops/hydrology/describe.h"
@@ -19,8 +20,8 @@ TEST(RealErosion, BringsNoiseNearerToTheSanGabrielMountains) {
   const std::optional<std::string> path = find_dem("sangabriel_bigtujunga_30m");
   if (!path) GTEST_SKIP() << "no sangabriel_bigtujunga_30m.tif; SEAMOUNT_DEM_DIR names the folder of elevation models";
   io::ReadOptions options;
-  options.voids = io::Voids::fill;
-  const HeightField whole = io::read_heights(*path, options);
+  HeightField whole = io::read_heights(*path, options);
+  geom::fill_voids(whole, {});
   const GridFrame frame = GridFrame::centred(640, 640, 30);
   GridFrame there = frame;
   there.west_m += 0.5 * (whole.frame().west_m + whole.frame().east_m());

@@ -91,6 +91,7 @@ class RecipeReader {
     if (place.diagnostics.items().size() > before) return;
     try {
       recipe_.domain = domain_frame(params);
+      recipe_.domain_stated = json.is_object() && (json.contains("width_m") || json.contains("height_m"));
     } catch (const Error& error) {
       place.fail(error.what());
     }

@@ -44,6 +44,7 @@ struct Recipe {
   std::string folder;  ///< relative file names are relative to it
   const Registry* registry = nullptr;
   GridFrame domain;
+  bool domain_stated = false;  ///< false: the document says nothing of its width and height
   Seed seed;
   std::vector<Step> steps;     ///< every step after those that it needs; those that prepare outputs last
   std::vector<Step> bypassed;  ///< steps left out: what was connected to them is connected to what they pass on

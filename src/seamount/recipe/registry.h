@@ -16,6 +16,13 @@
 
 namespace seamount::recipe {
 
+/// How an input that lies somewhere meets the first raster among the inputs, or the document's domain.
+enum class Placing {
+  cells,     ///< rasters come onto its very cells, anything else into its system
+  system,    ///< all come into its system and keep their own cells
+  anywhere,  ///< it may lie where it will: only its values count
+};
+
 /// A named input or output of an operator. Made by ports.h.
 struct Port {
   std::string name;
@@ -23,11 +30,15 @@ struct Port {
   std::string help;
   bool required = true;  ///< inputs only: optional inputs may be left open
   std::string former;    ///< a name that it had in earlier versions, still read with a note
+  Placing placing = Placing::cells;
+  bool voids = false;  ///< the operator respects cells without a value (NaN); else they are filled before it runs
 };
 
 /// What a running operator is given besides its inputs and parameters.
 struct Call {
-  const GridFrame& domain;    ///< the document's frame, for operators that make a raster from nothing
+  const GridFrame& domain;    ///< the document's frame, for operators that make a raster from nothing; one that states
+                              ///< no system lies where the inputs do
+  bool domain_stated;         ///< false: the document says nothing of its size
   Seed seed;                  ///< for stochastic operators
   const std::string& folder;  ///< relative file names are relative to it
   const RunContext& run;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
+#include <mutex>
 
 #include "seamount/base/version.h"
 #include "seamount/io/staged_folder.h"
@@ -54,7 +55,9 @@ std::vector<OutputReport> write_all(const Recipe& recipe, const std::string& out
   if (recipe.outputs.empty()) return {};
   io::StagedFolder staged(out_folder);
   std::vector<OutputReport> reports(recipe.outputs.size());
+  std::vector<std::vector<std::string>> notes(recipe.outputs.size());
   std::vector<std::exception_ptr> failures(recipe.outputs.size());
+  std::mutex saying;
   tbb::task_group group;
   for (size_t i = 0; i < recipe.outputs.size(); ++i) {
     group.run([&, i] {
@@ -62,14 +65,19 @@ std::vector<OutputReport> write_all(const Recipe& recipe, const std::string& out
       const auto start = std::chrono::steady_clock::now();
       try {
         run.check_cancelled();
-        const RunContext own = part(i);
+        RunContext own = part(i);
+        own.note = [&, i](const std::string& line) {
+          const std::lock_guard lock(saying);
+          notes[i].push_back(staged.shown(line));
+          run.say(fmt::format("output '{}': {}", output.path, notes[i].back()));
+        };
         write_staged(recipe, output, staged, value, own);
         own.report(1.0);
       } catch (...) {
         failures[i] = std::current_exception();
       }
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      reports[i] = {(fs::path(out_folder) / output.path).string(), output.format->name, seconds};
+      reports[i] = {(fs::path(out_folder) / output.path).string(), output.format->name, seconds, notes[i]};
     });
   }
   group.wait();

@@ -13,10 +13,12 @@ struct OutputReport {
   std::string path;  ///< as opened: output folder and relative path
   std::string format;
   double seconds = 0.0;
+  std::vector<std::string> notes;  ///< what its writer said
 };
 
 /// Writes all outputs side by side below a private folder in `out_folder` and moves them into place at the end. `value`
-/// gives the value of a source; `part` the context of output i, for its progress. Throws what writers throw, with
+/// gives the value of a source; `part` the context of output i, for its progress; run.note gets what writers say, with
+/// "output 'x': " before it. Throws what writers throw, with
 /// "output 'x': " before it and final file names in it; then nothing has changed.
 std::vector<OutputReport> write_outputs(const Recipe& recipe, const std::string& out_folder,
                                         const std::function<const Value&(const Source&)>& value,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "seamount/recipe/kinds.h"
+#include "seamount/recipe/one_frame.h"
 #include "seamount/recipe/plan.h"
 
 namespace seamount::recipe {
@@ -29,10 +30,10 @@ namespace {
   }
 }
 
-Value read_file(const Port& port, const std::string& path, const GridFrame& frame, const RunContext& run) {
+Value read_file(const Port& port, const std::string& path, const GridFrame& frame, bool joins, const RunContext& run) {
   run.check_cancelled();
   if (!port.kind->read_file) throw IoError(path, "a " + port.kind->name + " is written, never read");
-  return {*port.kind, port.kind->read_file({path, frame, run})};
+  return {*port.kind, port.kind->read_file({path, frame, joins, run})};
 }
 
 }  // namespace
@@ -41,14 +42,20 @@ Values run_step(const Recipe& recipe, const Step& step, Values connected, const 
   try {
     Values in = std::move(connected);
     GridFrame frame = recipe.domain;
+    bool first = true;
     for (const Port& port : step.op->in) {  // in their order: a terrain before the labels that may be painted over it
       const auto source = step.in.find(port.name);
       if (source == step.in.end()) continue;
       if (source->second.from_file())
-        in[port.name] = read_file(port, resolve_file(recipe, source->second.file), frame, run);
-      if (port.kind == &kinds::Terrain::kind()) frame = *in[port.name].frame();
+        in[port.name] = read_file(port, resolve_file(recipe, source->second.file), frame,
+                                  port.placing == Placing::system || !first, run);
+      if (port.kind != &kinds::Terrain::kind() || port.placing == Placing::anywhere || !first) continue;
+      frame = *in[port.name].frame();
+      first = false;
     }
-    return step.op->run(step.params, in, {recipe.domain, step.seed, recipe.folder, run});
+    const Together together = bring_together(*step.op, std::move(in), recipe.domain, run);
+    return step.op->run(step.params, together.in,
+                        {together.domain, recipe.domain_stated, step.seed, recipe.folder, run});
   } catch (...) {
     rethrow_with_step(step);
   }

@@ -89,6 +89,8 @@ class ExampleCall {
     }
     params_ = op.complete(Json::object(), {"", diagnostics_});
     if (op.name == "terrain.import") params_["file"] = file(extent);
+    if (op.name == "terrain.join") params_["files"] = {file(extent)};
+    if (params_.contains("fill_voids")) params_["fill_voids"] = true;
     if (op.name == "terrain.mask") give("criteria", R"([{"tool": "slope"}, {"tool": "height"}])");
     if (op.name == "contour.edit") give("edits", R"([{"tool": "smooth"}, {"tool": "smooth", "rounds": 1}])");
     if (op.name == "island.wind") give("radial_count", "5");
@@ -99,14 +101,14 @@ class ExampleCall {
     }
   }
   Values run(const Operator& op, Seed seed, const RunContext& context) const {
-    return op.run(params_, in_, {domain_, seed, folder_, context});
+    return op.run(params_, in_, {domain_, true, seed, folder_, context});
   }
   Json& params() { return params_; }
 
  private:
   void give(const char* param, const char* text) { params_[param] = Json::parse(text); }
 
-  /// A raster with a hole that has to be filled.
+  /// A raster with a hole that is filled.
   static std::string file(const Extent& extent) {
     const std::string path = (std::filesystem::temp_directory_path() / "seamount_example.asc").string();
     std::ofstream out(path);

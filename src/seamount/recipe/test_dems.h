@@ -11,6 +11,7 @@
 #include <string>
 
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/solve/fill_voids.h"
 #include "seamount/io/raster.h"
 #include "seamount/ops/erosion/run.h"
 #include "seamount/ops/terrain/noise.h"
@@ -51,8 +52,8 @@ inline std::optional<HeightField> find_ground(const std::string& name, int cells
   const std::optional<std::string> path = find_dem(name);
   if (!path) return std::nullopt;
   io::ReadOptions options;
-  options.voids = io::Voids::fill;
-  const HeightField whole = io::read_heights(*path, options);
+  HeightField whole = io::read_heights(*path, options);
+  geom::fill_voids(whole, {});
   const GridFrame& from = whole.frame();
   GridFrame frame = GridFrame::centred(cells, cells, from.cell_m);
   frame.west_m += 0.5 * (from.west_m + from.east_m());

@@ -37,6 +37,17 @@ class Value {
 
   /// Where the value lies; nullptr for what lies nowhere in particular: pictures, drawings, reports.
   const GridFrame* frame() const { return kind_->frame(data_.get()); }
+  /// Where it lies on the Earth or in local metres; nothing for what lies nowhere.
+  std::optional<Extent> extent() const { return kind_->extent(data_.get()); }
+  /// The same elsewhere; itself if it lies nowhere.
+  Value brought(const Destination& to) const {
+    return kind_->bring ? Value(*kind_, kind_->bring(data_.get(), to)) : *this;
+  }
+  /// The same with values in all its cells; itself if they are known. Says through `run` what was filled.
+  Value without_voids(const std::string& name, const RunContext& run) const {
+    auto filled = kind_->without_voids ? kind_->without_voids(data_.get(), name, run) : nullptr;
+    return filled ? Value(*kind_, std::move(filled)) : *this;
+  }
   /// Bytes of the payload, about.
   size_t bytes() const { return kind_->bytes(data_.get()); }
   void write(Writer& writer) const { kind_->write(writer, data_.get()); }

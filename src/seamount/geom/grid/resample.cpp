@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
+#include "seamount/geom/grid/voids.h"
 
 namespace seamount::geom {
 namespace {
@@ -158,6 +160,28 @@ float sample_bspline(const Grid<float>& grid, double column, double row) {
   return sample_cubic(grid, column, row, bspline_weights);
 }
 
+namespace {
+
+/// A cell near unknown ones: the mean of what is known in it, or bilinear between them.
+float resample_known(const HeightField& source, const Axis::Tap& column, const float* across, const Axis::Tap& row,
+                     const float* down) {
+  double sum = 0.0, weight = 0.0, all = 0.0;
+  for (int j = 0; j < row.count; ++j) {
+    for (int i = 0; i < column.count; ++i) {
+      const double w = static_cast<double>(across[i]) * static_cast<double>(down[j]);
+      const float z = source(column.first + i, row.first + j);
+      all += w;
+      if (std::isnan(z)) continue;
+      sum += w * z;
+      weight += w;
+    }
+  }
+  return 2.0 * weight >= all && weight > 0.0 ? static_cast<float>(sum / weight)
+                                             : std::numeric_limits<float>::quiet_NaN();
+}
+
+}  // namespace
+
 HeightField resample(const HeightField& source, const GridFrame& target, const RunContext& run) {
   const GridFrame& from = source.frame();
   const double ratio = target.cell_m / from.cell_m;
@@ -168,7 +192,16 @@ HeightField resample(const HeightField& source, const GridFrame& target, const R
     std::vector<float> mixed(static_cast<size_t>(from.width));
     for (int y = begin; y < end; ++y) {
       const Axis::Tap& tap = down.taps[static_cast<size_t>(y)];
-      resample_row(source, across, tap, down.weights.data() + tap.weights, mixed, result.row(y));
+      const float* weights = down.weights.data() + tap.weights;
+      resample_row(source, across, tap, weights, mixed, result.row(y));
+      for (int x = 0; x < target.width; ++x) {
+        if (!std::isnan(result(x, y))) continue;
+        const Axis::Tap& column = across.taps[static_cast<size_t>(x)];
+        result(x, y) = ratio > 1.0 + 1e-9
+                           ? resample_known(source, column, across.weights.data() + column.weights, tap, weights)
+                           : sample_known(source, std::clamp(from.column(target.x(x)), 0.0, from.width - 1.0),
+                                          std::clamp(from.row(target.y(y)), 0.0, from.height - 1.0));
+      }
     }
   });
   return result;

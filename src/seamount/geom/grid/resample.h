@@ -19,7 +19,8 @@ float sample_bicubic(const Grid<float>& grid, double column, double row);
 float sample_bspline(const Grid<float>& grid, double column, double row);
 
 /// The same surface on another frame: averaged over the target's cells where they are larger, Catmull-Rom where they
-/// are smaller or equal. Frames are matched by metres. Parallel.
+/// are smaller or equal. Frames are matched by metres. Near unknown cells (NaN) only the known ones count; NaN where
+/// they are less than half. Parallel.
 HeightField resample(const HeightField& source, const GridFrame& target, const RunContext& run);
 
 /// The category at the middle of each target cell, or, where target cells are larger, the most frequent one in it (ties

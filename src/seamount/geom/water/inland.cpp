@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace seamount::geom {
@@ -36,6 +37,8 @@ class Waters {
     return edge_[static_cast<size_t>(water)] || static_cast<double>(cells_[static_cast<size_t>(water)]) >= least_cells;
   }
 
+  bool touches_unknown(const Stretch& stretch) { return unknown_[static_cast<size_t>(find(stretch.water))]; }
+
  private:
   void add_row(std::span<const float> row, int y, float sea) {
     for (int x = 0; x < width_; ++x) {
@@ -43,6 +46,8 @@ class Waters {
       const int begin = x;
       while (x < width_ && row[static_cast<size_t>(x)] <= sea) ++x;
       stretches_.push_back({y, begin, x, static_cast<int32_t>(leader_.size())});
+      const auto cells = row.subspan(static_cast<size_t>(begin), static_cast<size_t>(x - begin));
+      unknown_.push_back(std::find(cells.begin(), cells.end(), kUnknownGround) != cells.end());
       leader_.push_back(static_cast<int32_t>(leader_.size()));
       cells_.push_back(x - begin);
       edge_.push_back(y == 0 || y == height_ - 1 || begin == 0 || x == width_);
@@ -74,30 +79,43 @@ class Waters {
     leader_[high] = static_cast<int32_t>(low);
     cells_[low] += cells_[high];
     edge_[low] = edge_[low] || edge_[high];
+    unknown_[low] = unknown_[low] || unknown_[high];
   }
 
   int width_, height_;
   std::vector<Stretch> stretches_;
   std::vector<int32_t> leader_;
   std::vector<int64_t> cells_;
-  std::vector<bool> edge_;
+  std::vector<bool> edge_, unknown_;
 };
 
 }  // namespace
 
 HeightField raise_inland(HeightField terrain, float sea_level_m, const std::optional<double>& min_sea_m2,
                          const RunContext& run) {
+  // Unknown cells are part of the sea, with all water that touches them.
+  int64_t unknown = 0;
+  for (float& z : terrain.cells()) {
+    if (!std::isnan(z)) continue;
+    z = kUnknownGround;
+    ++unknown;
+  }
   if (std::isinf(sea_level_m)) return terrain;
   const double cell_m2 = terrain.cell_m() * terrain.cell_m();
   const double least = min_sea_m2 ? *min_sea_m2 / cell_m2 : kLeastSea * static_cast<double>(terrain.size());
   Waters waters(terrain, sea_level_m, run);
   const float ground = std::nextafter(sea_level_m, INFINITY);
   for (const Stretch& stretch : waters.stretches()) {
-    if (waters.is_sea(stretch, least)) continue;
+    if (waters.is_sea(stretch, least) || (unknown > 0 && waters.touches_unknown(stretch))) continue;
     const auto row = terrain.row(stretch.row);
     std::fill(row.begin() + stretch.begin, row.begin() + stretch.end, ground);
   }
   return terrain;
+}
+
+void forget_unknown(HeightField& terrain) {
+  for (float& z : terrain.cells())
+    if (z == kUnknownGround) z = std::numeric_limits<float>::quiet_NaN();
 }
 
 }  // namespace seamount::geom

@@ -46,9 +46,9 @@ double Bearings::strength() const {
   return total() == 0 ? kNaN : std::hypot(north, east) / static_cast<double>(total());
 }
 
-Bearings aspects(const HeightField& terrain, float sea_level_m, const RunContext& run) {
+Bearings aspects(const HeightField& terrain, const HeightField& surface, float sea_level_m, const RunContext& run) {
   constexpr int64_t kGrain = int64_t{1} << 16;
-  const ScalarField bearing = geom::aspect_deg(terrain, run);
+  const ScalarField bearing = geom::aspect_deg(surface, run);
   return parallel_sum<Bearings>(run, terrain.frame().cells(), kGrain, [&](int64_t begin, int64_t end) {
     Bearings part;
     for (int64_t i = begin; i < end; ++i)

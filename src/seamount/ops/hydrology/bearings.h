@@ -26,8 +26,8 @@ struct Bearings {
   double strength() const;
 };
 
-/// Downhill bearings of the cells above the sea that are not level. Parallel.
-Bearings aspects(const HeightField& terrain, float sea_level_m, const RunContext& run);
+/// Downhill bearings on a surface of the terrain's cells above the sea that are not level there. Parallel.
+Bearings aspects(const HeightField& terrain, const HeightField& surface, float sea_level_m, const RunContext& run);
 
 /// First Wasserstein distance around the circle, in degrees (Rabin, Delon and Gousseau 2011): the least over all places
 /// where it may be cut open. Not a number if one of them is empty.

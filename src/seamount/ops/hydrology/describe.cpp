@@ -1,6 +1,7 @@
 #include "seamount/ops/hydrology/describe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "seamount/geom/grid/resample.h"
@@ -13,13 +14,17 @@
 namespace seamount::hydrology {
 namespace {
 
-/// The terrain on cells of another size, its sea a level surface: surveys of land have none below.
+/// The terrain on cells of another size, its sea a level surface: surveys of land have none below. Unknown cells are
+/// geom::kUnknownGround.
 HeightField prepare(const HeightField& input, const GridFrame& frame, float sea_level_m,
                     const std::optional<double>& min_sea_m2, const RunContext& run) {
   HeightField terrain = geom::raise_inland(input, sea_level_m, min_sea_m2, run);
-  for (float& z : terrain.cells()) z = std::max(z, sea_level_m);
-  if (terrain.frame() == frame) return terrain;
-  return geom::resample(terrain, frame, run);
+  geom::forget_unknown(terrain);
+  for (float& z : terrain.cells()) z = z < sea_level_m ? sea_level_m : z;
+  if (terrain.frame() != frame) terrain = geom::resample(terrain, frame, run);
+  for (float& z : terrain.cells())
+    if (std::isnan(z)) z = geom::kUnknownGround;
+  return terrain;
 }
 
 Drawing draw_peaks(const std::vector<Peak>& peaks, const GridFrame& frame) {

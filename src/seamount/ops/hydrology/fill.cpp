@@ -29,6 +29,7 @@ Filled fill(const HeightField& terrain, const FillParams& params, const RunConte
       for (int x = 0; x < terrain.width(); ++x) out.change_m(x, y) = out.terrain(x, y) - terrain(x, y);
     }
   });
+  geom::forget_unknown(out.terrain);
   return out;
 }
 

@@ -1,6 +1,8 @@
 #include "seamount/ops/hydrology/flow.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "seamount/base/parallel.h"
@@ -46,6 +48,8 @@ ScalarField number_basins(const FlowDirections& directions, const Grid<uint32_t>
                    [&](int32_t a, int32_t b) { return cells.data()[a] > cells.data()[b]; });
   for (size_t i = 0; i < mouths.size(); ++i) basins.data()[mouths[i]] = static_cast<int32_t>(i + 1);
   geom::label_upstream(directions, basins, run);
+  for (const int32_t mouth : mouths)
+    if (terrain.data()[mouth] == geom::kUnknownGround) basins.data()[mouth] = 0;
   ScalarField numbers(directions.frame());
   map_cells(basins, numbers, run, [](int32_t basin) { return static_cast<float>(basin); });
   return numbers;
@@ -83,6 +87,12 @@ Flow flow(const HeightField& terrain, const FlowParams& params, const RunContext
   const auto cell_m2 = static_cast<float>(frame.cell_m * frame.cell_m);
   map_cells(eighths, out.direction_deg, run, bearing_deg);
   map_cells(out.cells, out.area_m2, run.part(0.9, 1.0), [&](float count) { return count * cell_m2; });
+  geom::forget_unknown(out.terrain);
+  for (size_t i = 0; i < out.terrain.size(); ++i) {
+    if (!std::isnan(out.terrain.data()[i])) continue;
+    for (ScalarField* field : {&out.cells, &out.area_m2, &out.direction_deg, &out.basins})
+      field->data()[i] = std::numeric_limits<float>::quiet_NaN();
+  }
   return out;
 }
 

@@ -42,10 +42,16 @@ void clear_edge(Grid<uint8_t>& mask) {
   }
 }
 
-/// How much higher the first cell of a link is than its last.
+/// A river ends on the last ground that is known, unless it has no other.
+void end_on_known_ground(Link& link, const HeightField& terrain) {
+  if (link.cells.size() > 2 && terrain.data()[link.cells.back()] == geom::kUnknownGround) link.cells.pop_back();
+}
+
+/// How much higher the first cell of a link is than its last; 0 where that is not known.
 double fall(const Link& link, const HeightField& terrain) {
-  return static_cast<double>(terrain.data()[link.cells.front()]) -
-         static_cast<double>(terrain.data()[link.cells.back()]);
+  const double difference =
+      static_cast<double>(terrain.data()[link.cells.front()]) - static_cast<double>(terrain.data()[link.cells.back()]);
+  return std::isfinite(difference) ? difference : 0.0;
 }
 
 }  // namespace
@@ -65,7 +71,8 @@ Drawing rivers(const HeightField& terrain, const RiversParams& params, const Run
   }
   Drawing drawing;
   drawing.crs = frame.crs;
-  for (const Link& link : find_links(directions, cells, threshold(params.min_area_m2, filled, sea), nullptr, run)) {
+  for (Link& link : find_links(directions, cells, threshold(params.min_area_m2, filled, sea), nullptr, run)) {
+    end_on_known_ground(link, filled);
     ValuedLine line = describe_link(link, frame);
     const double discharge = link.drained * frame.cell_m * frame.cell_m * 1e-3 * params.runoff_mm_yr / kSecondsPerYear;
     line.attributes.push_back({"discharge_m3_s", discharge});
@@ -85,10 +92,11 @@ Drawing ridges(const HeightField& terrain, const RidgesParams& params, const Run
   clear_edge(flow.land);
   Drawing drawing;
   drawing.crs = frame.crs;
-  for (const Link& link :
+  for (Link& link :
        find_links(flow.directions, flow.cells, threshold(params.min_area_m2, ground, sea), &flow.land, run)) {
+    end_on_known_ground(link, ground);
     ValuedLine line = describe_link(link, frame);
-    line.attributes.push_back({"rise_m", -fall(link, terrain)});
+    line.attributes.push_back({"rise_m", -fall(link, ground)});
     drawing.lines.push_back(std::move(line));
   }
   return drawing;

@@ -8,7 +8,9 @@
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/surface.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/solve/fill_voids.h"
 #include "seamount/geom/water/flow.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/geom/water/skeleton.h"
 #include "seamount/ops/hydrology/local_relief.h"
 #include "seamount/ops/hydrology/network.h"
@@ -121,6 +123,17 @@ void survey_rivers(const HeightField& terrain, const ScalarField& slope_deg, con
   out.river_m = length_of(links, frame);
 }
 
+/// The terrain with something in its unknown cells, so that slopes and windows beside them are not cliffs; empty if all
+/// are known.
+HeightField fill_unknown(const HeightField& terrain, const RunContext& run) {
+  if (std::find(terrain.cells().begin(), terrain.cells().end(), geom::kUnknownGround) == terrain.cells().end())
+    return {};
+  HeightField filled = terrain;
+  geom::forget_unknown(filled);
+  geom::fill_voids(filled, run);
+  return filled;
+}
+
 }  // namespace
 
 Land find_land(const HeightField& terrain, float sea_level_m) {
@@ -152,11 +165,13 @@ Survey survey(const HeightField& terrain, const SurveyPlan& plan, const RunConte
         Tally(origin, false), frame.cells(), is_land, [&](int64_t i) { return field.data()[i]; }, run);
   };
   out.elevation = distribution(land.low_m, terrain);
-  const ScalarField slope = geom::slope_deg(terrain, run);
+  const HeightField filled = fill_unknown(terrain, run);
+  const HeightField& surface = filled.empty() ? terrain : filled;
+  const ScalarField slope = geom::slope_deg(surface, run);
   out.slope = distribution(0.0F, slope);
-  out.aspect = aspects(terrain, sea, run);
-  out.curvature = distribution(0.0F, geom::curvature(terrain, geom::Curvature::mean, run));
-  out.relief = distribution(0.0F, local_relief(terrain, radius, run));
+  out.aspect = aspects(terrain, surface, sea, run);
+  out.curvature = distribution(0.0F, geom::curvature(surface, geom::Curvature::mean, run));
+  out.relief = distribution(0.0F, local_relief(surface, radius, run));
   survey_rivers(terrain, slope, plan, out, run);
   RidgeFlow ridges = ridge_flow(terrain, sea, run);
   out.ridge_m = length_of(

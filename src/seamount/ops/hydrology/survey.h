@@ -54,7 +54,8 @@ struct Survey {
 
 Land find_land(const HeightField& terrain, float sea_level_m);
 
-/// What it finds depends on the terrain and the plan alone. Parallel; 40 bytes per cell.
+/// What it finds depends on the terrain and the plan alone; geom::kUnknownGround is no land. Parallel; 40 bytes per
+/// cell.
 Survey survey(const HeightField& terrain, const SurveyPlan& plan, const RunContext& run);
 
 }  // namespace seamount::hydrology

@@ -205,6 +205,9 @@ Island build(const Plan& plan, const BuildParams& params, const GridFrame& frame
   const double peak = std::max_element(curve.knots.begin(), curve.knots.end(), [](const Knot& a, const Knot& b) {
                         return a.y < b.y;
                       })->y;
+  if (peak > radius && plan.land_m2 > 0)
+    run.say("the summit is " + format_number(std::round(peak)) + " m high on land about " +
+            format_number(std::round(2 * radius)) + " m across, steeper than 45 degrees (peak_m states its height)");
   const double coarse_cell = std::max(frame.width_m(), frame.height_m()) / kReliefSide;
   const bool large = coarse_cell > frame.cell_m;
   HeightField change;  // made before the island itself is allocated: it needs much scratch

@@ -1,6 +1,7 @@
 #include "seamount/ops/island/choose_plan.h"
 
 #include "seamount/base/inputs.h"
+#include "seamount/base/text.h"
 
 namespace seamount::island {
 
@@ -25,11 +26,32 @@ Plan choose_plan(const BuildParams& p, const BuildInputs& inputs, const GridFram
   return plan_from_areas(std::get<Drawing>(coast), widths, "coast");
 }
 
+namespace {
+
+/// Parameters that have no part in this island.
+void say_ignored(const Plan& plan, const BuildParams& params, const RunContext& run) {
+  if (plan.polar.empty() && !(params.centre == Vec2{}))
+    run.say("centre is ignored: the coast lies where its coordinates put it");
+  if (params.profile.knots.empty()) return;
+  if (params.peak_m) run.say("peak_m is ignored: the profile says how high the summit is");
+  if (params.floor_m) run.say("floor_m is ignored: the profile says how deep the sea floor is");
+}
+
+}  // namespace
+
 Island build(const BuildInputs& inputs, const BuildParams& params, const GridFrame& domain, Seed seed,
              const RunContext& run) {
   const Plan plan = choose_plan(params, inputs, domain, seed, run);
   GridFrame frame = inputs.labels != nullptr ? inputs.labels->frame() : domain;
   if (!plan.crs.empty()) frame.crs = plan.crs;
+  if (inputs.fit_domain && plan.polar.empty() && inputs.labels == nullptr) {
+    const GridFrame fitted = frame_around(plan, frame);
+    if (fitted != frame)
+      run.say("the document does not say how large it is: laid around the island, " + format_number(fitted.width_m()) +
+              " x " + format_number(fitted.height_m()) + " m in cells of " + format_number(fitted.cell_m) + " m");
+    frame = fitted;
+  }
+  say_ignored(plan, params, run);
   return build(plan, params, frame, seed, run);
 }
 

@@ -17,6 +17,7 @@ struct BuildInputs {
   const Drawing* outlines = nullptr;                          ///< named areas, or one coast
   const LabelMap* labels = nullptr;                           ///< traced
   std::function<CoastFile(const FilePath&)> read_coast = {};  ///< for `coast`
+  bool fit_domain = false;  ///< a domain that does not hold the areas is laid around them
 };
 
 /// The plan of the one thing that is given: coast, outlines or areas of the params, the input outlines, the input
@@ -25,7 +26,7 @@ Plan choose_plan(const BuildParams& params, const BuildInputs& inputs, const Gri
                  const RunContext& run);
 
 /// The island of that plan, on the labels' frame if they are given, else on the domain; areas in a coordinate system of
-/// their own lend it to the frame. Throws what choose_plan and build throw.
+/// their own lend it to the frame. Says what was ignored or fitted. Throws what choose_plan and build throw.
 Island build(const BuildInputs& inputs, const BuildParams& params, const GridFrame& domain, Seed seed,
              const RunContext& run);
 

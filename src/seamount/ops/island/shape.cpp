@@ -222,14 +222,9 @@ Plan random_plan(const GridFrame& frame, Vec2 centre, double irregularity, Seed 
   return plan_from_polar({coast}, centre, widths);
 }
 
-void check_fits(const Plan& plan, const GridFrame& frame, const std::string& name) {
-  double west = 1e300, east = -1e300, south = 1e300, north = -1e300;
-  const auto include = [&](Vec2 p) {
-    west = std::min(west, p.x);
-    east = std::max(east, p.x);
-    south = std::min(south, p.y);
-    north = std::max(north, p.y);
-  };
+Extent extent_of(const Plan& plan) {
+  Extent extent{plan.crs, 1e300, 1e300, -1e300, -1e300};
+  const auto include = [&](Vec2 p) { extent.include({{}, p.x, p.y, p.x, p.y}); };
   if (!plan.polar.empty()) {
     const std::vector<double>& radii = plan.polar[kCoast].radii_m;
     for (size_t a = 0; a < radii.size(); ++a) {
@@ -241,18 +236,56 @@ void check_fits(const Plan& plan, const GridFrame& frame, const std::string& nam
       for (const Vec2 p : polygon.outer) include(p);
     }
   }
-  if (west > frame.west_m && east < frame.east_m() && south > frame.south_m() && north < frame.north_m) return;
+  return extent;
+}
+
+namespace {
+
+bool holds(const GridFrame& frame, const Extent& coast) {
+  return coast.west > frame.west_m && coast.east < frame.east_m() && coast.south > frame.south_m() &&
+         coast.north < frame.north_m;
+}
+
+/// Half of the side that a domain around `middle` needs from `low` to `high`, in whole hundreds of metres for the side.
+double half_side(const Plan& plan, double middle, double low, double high) {
   const double slope = plan.widths.lagoon_m + plan.widths.reef_m + plan.widths.slope_m;
-  const auto needed = [&](double low, double high) {
-    return 100.0 * std::ceil(0.02 * (std::max(std::abs(low), std::abs(high)) + slope));
-  };
+  return 50.0 * std::ceil(0.02 * (std::max(middle - low, high - middle) + slope));
+}
+
+}  // namespace
+
+GridFrame frame_around(const Plan& plan, const GridFrame& domain) {
+  const Extent coast = extent_of(plan);
+  if (holds(domain, coast)) return domain;
+  const Vec2 middle{0.5 * (coast.west + coast.east), 0.5 * (coast.south + coast.north)};
+  const double width = 2 * half_side(plan, middle.x, coast.west, coast.east);
+  const double height = 2 * half_side(plan, middle.y, coast.south, coast.north);
+  GridFrame frame = domain;
+  frame.cell_m = std::max(width, height) / std::max(domain.width, domain.height);
+  frame.width = std::max(1, static_cast<int>(std::lround(width / frame.cell_m)));
+  frame.height = std::max(1, static_cast<int>(std::lround(height / frame.cell_m)));
+  frame.west_m = middle.x - 0.5 * frame.width_m();
+  frame.north_m = middle.y + 0.5 * frame.height_m();
+  return frame;
+}
+
+void check_fits(const Plan& plan, const GridFrame& frame, const std::string& name) {
+  const Extent coast = extent_of(plan);
+  const double across = std::max(coast.east - coast.west, coast.north - coast.south);
+  if (plan.polar.empty() && across < 2 * frame.cell_m)
+    throw InvalidArgument(name, fmt::format("the island is {:.3g} m across, less than two cells of {:.3g} m; are its "
+                                            "coordinates metres?",
+                                            across, frame.cell_m));
+  if (holds(frame, coast)) return;
+  const double x = frame.west_m + 0.5 * frame.width_m(), y = frame.north_m - 0.5 * frame.height_m();
   throw InvalidArgument(
       name,
       fmt::format(
           "the coast reaches from x = {:.0f} to {:.0f} m and y = {:.0f} to {:.0f} m and touches the edge of the "
           "domain ({:.0f} to {:.0f}, {:.0f} to {:.0f}); with its reef it fits into width_m = {:.0f}, height_m = {:.0f}",
-          west, east, south, north, frame.west_m, frame.east_m(), frame.south_m(), frame.north_m, needed(west, east),
-          needed(south, north)));
+          coast.west, coast.east, coast.south, coast.north, frame.west_m, frame.east_m(), frame.south_m(),
+          frame.north_m, 2 * half_side(plan, x, coast.west, coast.east),
+          2 * half_side(plan, y, coast.south, coast.north)));
 }
 
 }  // namespace seamount::island

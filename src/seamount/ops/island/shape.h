@@ -14,6 +14,7 @@
 #include "seamount/base/run_context.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/drawn.h"
+#include "seamount/model/extent.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
 #include "seamount/ops/island/width_params.h"
@@ -69,7 +70,15 @@ Plan plan_from_labels(const LabelMap& labels, const GivenWidths& widths, const R
 /// A plausible coast when nothing is given: P0 eq. 1.16, r(theta) = r* + noise, r* = 0.26 of the frame's shorter side.
 Plan random_plan(const GridFrame& frame, Vec2 centre, double irregularity, Seed seed, const GivenWidths& widths);
 
-/// Throws InvalidArgument{name} unless the coast lies inside the frame, saying how large the domain must be.
+/// Around the coast.
+Extent extent_of(const Plan& plan);
+
+/// `domain` if the coast lies inside it; else one around the island with its reef, of as many cells along its longer
+/// side.
+GridFrame frame_around(const Plan& plan, const GridFrame& domain);
+
+/// Throws InvalidArgument{name} unless the coast lies inside the frame, saying how large the domain must be, and for a
+/// coast less than two cells across.
 void check_fits(const Plan& plan, const GridFrame& frame, const std::string& name);
 
 /// Radii at `count` equal angles: periodic Catmull-Rom through those given.

@@ -36,6 +36,18 @@ SEAMOUNT_VECTORISED void weigh_row(float strength, int count, const float* __res
   }
 }
 
+/// Where one of the two is not known the other stands, as far as it has a weight; a sum of one alone is not known.
+void settle_unknown(BlendMode mode, float strength, std::span<const float> a, std::span<const float> b,
+                    const float* mask, std::span<float> out) {
+  const bool sums = mode == BlendMode::add || mode == BlendMode::subtract;
+  for (size_t i = 0; i < out.size(); ++i) {
+    if (!std::isnan(out[i])) continue;
+    const bool counts = strength > 0.0F && (mask == nullptr || mask[i] > 0.0F);
+    if (!std::isnan(a[i]) && (!sums || !counts)) out[i] = a[i];
+    if (std::isnan(a[i]) && !sums && counts) out[i] = b[i];
+  }
+}
+
 void check_fits(const char* name, const GridFrame& other, const GridFrame& frame) {
   check_same_size(name, other, frame, "first terrain", "; terrain.resample brings terrains to one size");
   if (std::abs(other.cell_m - frame.cell_m) > 1e-6 * frame.cell_m) {
@@ -64,8 +76,10 @@ HeightField blend(const HeightField& a, const HeightField& b, const Mask* mask, 
       } else {
         operate_row(params.mode, a.width(), a.row(y).data(), b.row(y).data(), out.row(y).data());
       }
-      weigh_row(static_cast<float>(params.strength), a.width(), a.row(y).data(),
-                mask == nullptr ? nullptr : mask->row(y).data(), out.row(y).data());
+      const float* weights = mask == nullptr ? nullptr : mask->row(y).data();
+      const auto strength = static_cast<float>(params.strength);
+      weigh_row(strength, a.width(), a.row(y).data(), weights, out.row(y).data());
+      settle_unknown(params.mode, strength, a.row(y), b.row(y), weights, out.row(y));
     }
   });
   return out;

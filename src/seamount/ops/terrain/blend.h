@@ -3,7 +3,7 @@
 // What is done to the first terrain: mix (the second takes its place), max and min (whichever is higher or lower, with
 // a crease rounded over smooth_m: geom/scalar/blend.h), add and subtract (the second is a relief to put on or carve
 // out). The result is a + w (op(a, b) - a) with w = strength times the mask, so that a weight of 0 leaves the first
-// terrain as it is, to the bit.
+// terrain as it is, to the bit. Where one of the two has no height (NaN) the other stands; add and subtract have none.
 #pragma once
 
 #include <tuple>

@@ -10,12 +10,12 @@
 #include "seamount/geom/grid/resample.h"
 #include "seamount/geom/grid/sample_rows.h"
 #include "seamount/geom/grid/similarity.h"
+#include "seamount/geom/grid/voids.h"
 #include "seamount/geom/scalar/blend.h"
+#include "seamount/model/extent.h"
 
 namespace seamount::terrain {
 namespace {
-
-constexpr float kThinCoverage = 1e-4F;  // of the first terrain beyond its edge: it only counts where nothing else is
 
 /// A terrain with the similarity that carries it to its place.
 struct Placed {
@@ -53,6 +53,16 @@ std::vector<Placed> place_terrains(const std::vector<const HeightField*>& terrai
   return placed;
 }
 
+void check_all_meet(const std::vector<const HeightField*>& terrains, const GridFrame& frame) {
+  for (size_t i = 0; i < terrains.size(); ++i) {
+    const Extent own = Extent::of(terrains[i]->frame()), whole = Extent::of(frame);
+    if (own.overlaps(whole)) continue;
+    throw IncompatibleInputs("terrain" + (i == 0 ? std::string() : "_" + std::to_string(i + 1)) +
+                             ": lies nowhere on the domain: " + extent_text(own) +
+                             "; the domain: " + extent_text(whole));
+  }
+}
+
 /// Terrains whose cells are much finer than the frame's, averaged to its cells.
 std::vector<HeightField> average_finer(std::vector<Placed>& placed, double cell_m, const RunContext& run) {
   std::vector<HeightField> averaged(placed.size());
@@ -82,10 +92,12 @@ SEAMOUNT_VECTORISED void lay_over(const Fade fade, float scale, float raise, int
     const float across = columns[i] < fade.last_column - columns[i] ? columns[i] : fade.last_column - columns[i];
     const float along = rows[i] < fade.last_row - rows[i] ? rows[i] : fade.last_row - rows[i];
     const float inside = (across < along ? across : along) + 0.5F;
-    const float w = fade.per_cell > 0.0F ? geom::smoothstep(inside * fade.per_cell) : 1.0F;
+    const float fading = fade.per_cell > 0.0F ? geom::smoothstep(inside * fade.per_cell) : 1.0F;
+    const bool known = own[i] == own[i];
+    const float w = known ? fading : 0.0F;
     const float below = (1.0F - w) * coverage[i];
     const float all = w + below;
-    const float z = scale * own[i] + raise;
+    const float z = known ? scale * own[i] + raise : 0.0F;
     heights[i] = w < 1.0F ? (all > 0.0F ? (w * z + below * heights[i]) / all : heights[i]) : z;
     coverage[i] = all;
   }
@@ -98,16 +110,11 @@ class Row {
       : frame_(frame), params_(params), places_(frame.width), own_(places_.columns.size()), coverage_(own_.size()) {}
 
   void compose(const std::vector<Placed>& placed, int y, std::span<float> heights) {
-    std::fill(coverage_.begin(), coverage_.end(), params_.outside_m ? 1.0F : kThinCoverage);
-    if (params_.outside_m) {
-      std::fill(heights.begin(), heights.end(), static_cast<float>(*params_.outside_m));
-    } else {
-      const Placed& first = placed.front();
-      places_.locate(first.at, first.terrain->frame(), frame_, y, true);
-      geom::sample_bicubic_rows(*first.terrain, places_.columns, places_.rows, heights);
-      for (float& z : heights) z = static_cast<float>(first.at.scale) * z + first.raise;
-    }
+    std::fill(coverage_.begin(), coverage_.end(), params_.outside_m ? 1.0F : 0.0F);
+    std::fill(heights.begin(), heights.end(), static_cast<float>(params_.outside_m.value_or(0.0)));
     for (const Placed& p : placed) over(p, y, heights);
+    for (size_t i = 0; i < heights.size(); ++i)
+      if (!(coverage_[i] > 0.0F)) heights[i] = std::numeric_limits<float>::quiet_NaN();
   }
 
  private:
@@ -119,6 +126,8 @@ class Row {
     const auto count = static_cast<size_t>(places_.last - places_.first);
     geom::sample_bicubic_rows(*p.terrain, {&places_.columns[from], count}, {&places_.rows[from], count},
                               {&own_[from], count});
+    for (size_t i = from; i < from + count; ++i)
+      if (std::isnan(own_[i])) own_[i] = geom::sample_known(*p.terrain, places_.columns[i], places_.rows[i]);
     const double feather_cells = params_.feather_m / (own.cell_m * p.at.scale);
     const Fade fade{static_cast<float>(own.width - 1), static_cast<float>(own.height - 1),
                     feather_cells > 0.0 ? static_cast<float>(1.0 / feather_cells) : 0.0F};
@@ -134,10 +143,31 @@ class Row {
 
 }  // namespace
 
+GridFrame frame_around(const std::vector<const HeightField*>& terrains) {
+  constexpr double kMostASide = 65536, kMostCells = 1 << 30, kRounding = 1e-6;
+  GridFrame frame = terrains.front()->frame();
+  Extent all = Extent::of(frame);
+  for (const HeightField* terrain : terrains) all.include(Extent::of(terrain->frame()));
+  const double west = std::ceil((frame.west_m - all.west) / frame.cell_m - kRounding);
+  const double north = std::ceil((all.north - frame.north_m) / frame.cell_m - kRounding);
+  frame.west_m -= west * frame.cell_m;
+  frame.north_m += north * frame.cell_m;
+  const double columns = std::ceil((all.east - frame.west_m) / frame.cell_m - kRounding);
+  const double rows = std::ceil((frame.north_m - all.south) / frame.cell_m - kRounding);
+  if (columns > kMostASide || rows > kMostASide || columns * rows > kMostCells)
+    throw InvalidArgument("terrain", "all of them cover " + extent_text(all) + ", " + format_number(columns) + " x " +
+                                         format_number(rows) + " cells of the first one's " +
+                                         format_number(frame.cell_m) + " m; at most 65536 a side and 2^30 in all");
+  frame.width = static_cast<int>(columns);
+  frame.height = static_cast<int>(rows);
+  return frame;
+}
+
 HeightField compose(const std::vector<const HeightField*>& terrains, const ComposeParams& params,
                     const GridFrame& frame, const RunContext& run) {
   check_params(params);
   std::vector<Placed> placed = place_terrains(terrains, params);
+  if (params.places.empty()) check_all_meet(terrains, frame);
   const std::vector<HeightField> averaged = average_finer(placed, frame.cell_m, run.part(0.0, 0.3));
   HeightField out(frame);
   parallel_rows(run.part(0.3, 1.0), frame.width, frame.height, [&](int begin, int end) {

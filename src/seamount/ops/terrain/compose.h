@@ -1,9 +1,10 @@
 // terrain.compose: several terrains in one domain, each moved, turned, scaled and raised, with feathered seams.
 //
 // Terrains lie over each other in their order. Towards its own edge a terrain fades over feather_m into what lies below
-// it; where nothing does it keeps its height up to its edge. With colour and coverage instead of height this is the
-// "over" of Porter and Duff (Compositing digital images, 1984): w_k smoothstep of the distance from the edge, A the
-// coverage so far,  z <- (w_k z_k + (1 - w_k) A z) / (w_k + (1 - w_k) A),  A <- w_k + (1 - w_k) A.
+// it; where nothing does it keeps its height up to its edge. Cells without a height (NaN) let what lies below show.
+// With colour and coverage instead of height this is the "over" of Porter and Duff (Compositing digital images, 1984):
+// w_k smoothstep of the distance from the edge, A the coverage so far,  z <- (w_k z_k + (1 - w_k) A z) / (w_k + (1 -
+// w_k) A),  A <- w_k + (1 - w_k) A.
 #pragma once
 
 #include <optional>
@@ -39,13 +40,17 @@ struct ComposeParams {
               "how far each terrain is raised after scaling; missing ones are 0"),
         field(&P::feather_m, "feather_m", "m", between(0, 1e7), "width of the seams; 0: cut sharply"),
         field(&P::outside_m, "outside_m", "m", between(-12000, 9000),
-              "height of the plain on which all terrains lie; if absent the first terrain goes on beyond "
-              "its edge with its nearest cells"));
+              "height of the plain on which all terrains lie; if absent nothing is known where there is none"));
   }
 };
 
-/// Lays terrains on a frame. Terrains finer than the frame are averaged. Throws InvalidArgument for params out of range
-/// and a number of places that fits neither one terrain nor all of them. Parallel; about 20 ns per cell and terrain.
+/// The frame that holds all terrains where they lie, on the lattice of the first. REQUIRES: at least one. Throws
+/// InvalidArgument{"terrain"} for more than 65536 cells a side or 2^30 in all.
+GridFrame frame_around(const std::vector<const HeightField*>& terrains);
+
+/// Lays terrains on a frame. Throws IncompatibleInputs for one that lies nowhere on it. Terrains finer than the frame
+/// are averaged. Throws InvalidArgument for params out of range and a number of places that fits neither one terrain
+/// nor all of them. Parallel; about 20 ns per cell and terrain.
 HeightField compose(const std::vector<const HeightField*>& terrains, const ComposeParams& params,
                     const GridFrame& frame, const RunContext& run);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "seamount/geom/scalar/noise.h"
 
@@ -103,7 +104,53 @@ TEST(Compose, RefusesPlacesThatFitNeitherOneNorAll) {
   EXPECT_THROW(compose({&a, &a}, {.places = {{0, 0}, {1, 1}, {2, 2}}}, kFrame, {}), InvalidArgument);
   EXPECT_THROW(compose({}, {}, kFrame, {}), InvalidArgument);
   const HeightField one(GridFrame::centred(1, 1, 10.0), 3.0F);
-  EXPECT_EQ(compose({&one}, {}, GridFrame::centred(1, 5, 10.0), {})(0, 4), 3.0F);
+  const HeightField column = compose({&one}, {}, GridFrame::centred(1, 5, 10.0), {});
+  EXPECT_EQ(column(0, 2), 3.0F);
+  EXPECT_TRUE(std::isnan(column(0, 4)));
+}
+
+/// Two sheets of one terrain, side by side with holes: all cells come back where they were.
+TEST(Compose, JoinsNeighboursWithoutASeamAndKeepsHoles) {
+  GridFrame whole = GridFrame::centred(50, 20, 30.0);
+  whole.crs = "EPSG:32633";
+  HeightField terrain(whole);
+  for (int y = 0; y < 20; ++y)
+    for (int x = 0; x < 50; ++x) terrain(x, y) = static_cast<float>(x * x % 17 + 3 * y);
+  terrain(10, 5) = terrain(11, 5) = terrain(30, 0) = terrain(49, 19) = std::nanf("");
+  const auto sheet = [&](int begin, int end) {
+    GridFrame frame = whole;
+    frame.width = end - begin;
+    frame.west_m += begin * frame.cell_m;
+    HeightField part(frame);
+    for (int y = 0; y < 20; ++y)
+      for (int x = begin; x < end; ++x) part(x - begin, y) = terrain(x, y);
+    return part;
+  };
+  for (const int overlap : {0, 1, 5}) {
+    const HeightField west = sheet(0, 23 + overlap), east = sheet(23, 50);
+    const GridFrame frame = frame_around({&east, &west});
+    EXPECT_EQ(frame, whole);
+    const HeightField joined = compose({&west, &east}, {}, frame, {});
+    for (size_t i = 0; i < terrain.size(); ++i) {
+      ASSERT_EQ(std::isnan(joined.cells()[i]), std::isnan(terrain.cells()[i])) << overlap << " cell " << i;
+      if (std::isnan(terrain.cells()[i])) continue;
+      ASSERT_NEAR(joined.cells()[i], terrain.cells()[i], 1e-4) << overlap;
+    }
+  }
+}
+
+TEST(Compose, SaysWhatLiesNowhereOnTheDomain) {
+  const HeightField here(GridFrame::centred(10, 10, 10.0), 1.0F);
+  HeightField far = here;
+  far.set_frame({10, 10, 10.0, 5e5, 4e6, {}});
+  try {
+    compose({&here, &far}, {}, here.frame(), {});
+    FAIL();
+  } catch (const IncompatibleInputs& error) {
+    EXPECT_NE(std::string(error.what()).find("terrain_2: lies nowhere on the domain: x 500000 to 500100 m"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 }  // namespace

@@ -7,9 +7,11 @@
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
 #include "seamount/geom/grid/surface.h"
+#include "seamount/geom/grid/voids.h"
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/solve/fill_voids.h"
 #include "seamount/model/same_size.h"
 
 namespace seamount::terrain {
@@ -80,6 +82,12 @@ ScalarField signed_cell_distance(const GridFrame& frame, Inside&& inside, const 
     d = within.cells()[i] != 0 ? half - depth.cells()[i] : d - half;
   }
   return distance;
+}
+
+/// 0 where nothing is known of a field.
+void select_nothing_unknown(const ScalarField& field, ScalarField& weights) {
+  for (size_t i = 0; i < field.size(); ++i)
+    if (std::isnan(field.cells()[i])) weights.cells()[i] = 0.0F;
 }
 
 /// Weights of one criterion after another.
@@ -197,7 +205,9 @@ class Judge {
 
   ScalarField judge(const ByValue& by) const {
     if (in_.values == nullptr) fail("", "selects by value, but the input 'values' is open: connect a field");
-    return pass(*in_.values, by.low, by.high, by.falloff, by.invert);
+    ScalarField weights = pass(*in_.values, by.low, by.high, by.falloff, by.invert);
+    select_nothing_unknown(*in_.values, weights);
+    return weights;
   }
 
   const MaskInputs& in_;
@@ -223,10 +233,9 @@ double soft_range(double x, std::optional<double> low, std::optional<double> hig
   return falloff > 0.0 ? 1.0 - geom::smoothstep(outside / falloff) : 0.0;
 }
 
-Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunContext& run) {
-  check_params(params);
-  check_inputs(in);
-  run.check_cancelled();
+namespace {
+
+Mask mask_known(const MaskInputs& in, const MaskParams& params, Seed seed, const RunContext& run) {
   const GridFrame& frame = in.terrain.frame();
   const bool first_decides = params.combine == Combine::max && (in.mask != nullptr || !params.criteria.empty());
   Mask out(frame, first_decides ? 0.0F : 1.0F);
@@ -253,6 +262,20 @@ Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunCo
       for (float& w : out.row(y)) w = 1.0F - w;
     });
   }
+  return out;
+}
+
+}  // namespace
+
+Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunContext& run) {
+  check_params(params);
+  check_inputs(in);
+  run.check_cancelled();
+  if (geom::count_voids(in.terrain, run) == 0) return mask_known(in, params, seed, run);
+  HeightField filled = in.terrain;  // slopes at the rim of a hole need something beyond it
+  geom::fill_voids(filled, run.part(0.0, 0.2));
+  Mask out = mask_known({filled, in.labels, in.drawing, in.values, in.mask}, params, seed, run.part(0.2, 1.0));
+  select_nothing_unknown(in.terrain, out);
   return out;
 }
 

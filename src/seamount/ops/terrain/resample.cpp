@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/model/extent.h"
 
 namespace seamount::terrain {
 namespace {
@@ -29,6 +31,29 @@ GridFrame recelled(const GridFrame& frame, double cell_m) {
   return out;
 }
 
+/// Cells whose middle lies beyond the source become unknown.
+void forget_beyond(HeightField& out, const GridFrame& source, const RunContext& run) {
+  const GridFrame& frame = out.frame();
+  constexpr double kRounding = 1e-6;  // of a cell
+  const double x0 = source.west_m - kRounding * source.cell_m, x1 = source.east_m() + kRounding * source.cell_m;
+  const double y0 = source.south_m() - kRounding * source.cell_m, y1 = source.north_m + kRounding * source.cell_m;
+  int64_t beyond = 0;
+  for (int y = 0; y < frame.height; ++y) {
+    const bool row_inside = frame.y(y) >= y0 && frame.y(y) <= y1;
+    for (int x = 0; x < frame.width; ++x) {
+      if (row_inside && frame.x(x) >= x0 && frame.x(x) <= x1) continue;
+      out(x, y) = std::numeric_limits<float>::quiet_NaN();
+      ++beyond;
+    }
+  }
+  if (beyond == frame.cells())
+    throw IncompatibleInputs("terrain: none of the domain lies on it: it covers " + extent_text(Extent::of(source)) +
+                             ", the domain " + extent_text(Extent::of(frame)));
+  if (beyond > 0)
+    run.say(std::to_string(beyond) + " of " + std::to_string(frame.cells()) +
+            " cells lie beyond the terrain and have no height (\"beyond\": \"edge\" lets it go on)");
+}
+
 }  // namespace
 
 HeightField resample(const HeightField& terrain, const ResampleParams& params, const GridFrame& domain,
@@ -48,7 +73,12 @@ HeightField resample(const HeightField& terrain, const ResampleParams& params, c
     source.west_m = domain.west_m + 0.5 * (domain.width_m() - source.width_m());
     source.north_m = domain.north_m - 0.5 * (domain.height_m() - source.height_m());
   }
-  if (params.scale == 1.0 && source == terrain.frame()) return geom::resample(terrain, target, run);
+  const bool in_domain = !params.cell_m && params.beyond == Beyond::unknown;
+  if (params.scale == 1.0 && source == terrain.frame()) {
+    HeightField out = geom::resample(terrain, target, run);
+    if (in_domain) forget_beyond(out, source, run);
+    return out;
+  }
   HeightField moved = terrain;
   moved.set_frame(source);
   if (params.scale != 1.0) {
@@ -58,7 +88,9 @@ HeightField resample(const HeightField& terrain, const ResampleParams& params, c
       }
     });
   }
-  return geom::resample(moved, target, run.part(0.2, 1.0));
+  HeightField out = geom::resample(moved, target, run.part(0.2, 1.0));
+  if (in_domain) forget_beyond(out, source, run);
+  return out;
 }
 
 }  // namespace seamount::terrain

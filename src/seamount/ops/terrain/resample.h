@@ -1,10 +1,12 @@
 // terrain.resample: a terrain at another cell size, or on the domain of the document.
 //
 // Cells that grow larger are averages, cells that grow smaller a Catmull-Rom surface through the old ones
-// (geom/grid/resample.h). Beyond its edge a terrain goes on with its nearest cells.
+// (geom/grid/resample.h). Beyond its edge nothing is known of a terrain, unless it is asked to go on there.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <tuple>
 
 #include "seamount/base/fields.h"
@@ -13,10 +15,16 @@
 
 namespace seamount::terrain {
 
+enum class Beyond {
+  unknown,  ///< cells without a height (NaN)
+  edge,     ///< the terrain goes on with its nearest cells
+};
+
 struct ResampleParams {
   std::optional<double> cell_m;
   bool centre = true;
   double scale = 1.0;
+  Beyond beyond = Beyond::unknown;
 
   static constexpr auto fields() {
     using P = ResampleParams;
@@ -25,14 +33,21 @@ struct ResampleParams {
               "cell size over the terrain's own extent; if absent the terrain is brought to the document's domain"),
         field(&P::centre, "centre",
               "to the domain: put the terrain's middle at the domain's middle; otherwise its coordinates count"),
-        field(&P::scale, "scale", "", between(1e-3, 1e3), "stretches the terrain, width and height alike"));
+        field(&P::scale, "scale", "", between(1e-3, 1e3), "stretches the terrain, width and height alike"),
+        field(&P::beyond, "beyond",
+              "what lies beyond the terrain: unknown, which later steps fill or respect; edge: its nearest cells"));
   }
 };
 
-/// The terrain at params.cell_m over its own (stretched) extent, rounded to whole cells, or on `domain`. Throws
-/// InvalidArgument for params out of range, an empty terrain and more than 65536 cells a side or 2^30 in all. Parallel;
-/// about 10 ns per cell of the larger of both grids.
+/// The terrain at params.cell_m over its own (stretched) extent, rounded to whole cells, or on `domain`; says how much
+/// of it lies beyond the terrain. Throws InvalidArgument for params out of range, an empty terrain and more than 65536
+/// cells a side or 2^30 in all. Parallel; about 10 ns per cell of the larger of both grids.
 HeightField resample(const HeightField& terrain, const ResampleParams& params, const GridFrame& domain,
                      const RunContext& run);
 
 }  // namespace seamount::terrain
+
+template <>
+struct seamount::Choices<seamount::terrain::Beyond> {
+  static constexpr std::array<std::string_view, 2> names = {"unknown", "edge"};
+};

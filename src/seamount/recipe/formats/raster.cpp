@@ -27,8 +27,10 @@ void write_raster(const RasterParams& params, const OutputCall& call) {
   const io::WriteOptions options{.range = height_range(params.low_m, params.high_m),
                                  .cloud_optimised = params.cloud_optimised,
                                  .provenance = call.provenance};
-  if (call.value.is<kinds::Field>()) return io::write_field(call.value.get<kinds::Field>(), call.path, options);
-  io::write_heights(call.value.get<kinds::Terrain>(), call.path, options);
+  const Value value =
+      io::can_hold_voids(call.path) ? call.value : call.value.without_voids(call.value.kind().name, call.run);
+  if (value.is<kinds::Field>()) return io::write_field(value.get<kinds::Field>(), call.path, options);
+  io::write_heights(value.get<kinds::Terrain>(), call.path, options);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // contours: nested closed contours.
 #include "seamount/geom/contour/lines.h"
+#include "seamount/io/reproject.h"
 #include "seamount/io/vector.h"
 #include "seamount/recipe/format.h"
 #include "seamount/recipe/frame_bytes.h"
@@ -53,6 +54,7 @@ const Kind& kinds::Contours::kind() {
       .files = {".gpkg"},
       .reads = {".geojson", ".json", ".gpkg", ".shp"},
       .frame = [](const ContourSet& set) { return &set.frame; },
+      .bring = [](const ContourSet& set, const Destination& to) { return io::in_system(set, to.frame.crs); },
       .bytes = size_of,
       .write = write_contours,
       .read = read_contours,

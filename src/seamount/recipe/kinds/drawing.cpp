@@ -1,4 +1,7 @@
 // drawing: areas, lines and points, as people draw them and as GIS files hold them.
+#include <algorithm>
+
+#include "seamount/io/reproject.h"
 #include "seamount/io/vector.h"
 #include "seamount/recipe/format.h"
 #include "seamount/recipe/frame_bytes.h"
@@ -82,6 +85,22 @@ size_t size_of(const Drawing& drawing) {
   return points * sizeof(Vec2);
 }
 
+std::optional<Extent> extent_of(const Drawing& drawing) {
+  std::optional<Extent> extent;
+  const auto add = [&](Vec2 p) {
+    const Extent place{drawing.crs, p.x, p.y, p.x, p.y};
+    if (extent)
+      extent->include(place);
+    else
+      extent = place;
+  };
+  for (const NamedArea& area : drawing.areas)
+    for (const Polygon& part : area.parts) std::for_each(part.outer.begin(), part.outer.end(), add);
+  for (const ValuedLine& line : drawing.lines) std::for_each(line.points.begin(), line.points.end(), add);
+  for (const ValuedPoint& point : drawing.points) add(point.place);
+  return extent;
+}
+
 }  // namespace
 
 const Kind& kinds::Drawing::kind() {
@@ -91,6 +110,9 @@ const Kind& kinds::Drawing::kind() {
       .files = {".geojson"},
       .reads = {".geojson", ".json", ".gpkg", ".shp"},
       .frame = {},
+      .extent = extent_of,
+      .bring = [](const seamount::Drawing& drawing,
+                  const Destination& to) { return io::in_system(drawing, to.frame.crs); },
       .bytes = size_of,
       .write = write_drawing,
       .read = read_drawing,

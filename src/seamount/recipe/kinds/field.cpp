@@ -2,6 +2,7 @@
 #include "seamount/io/raster.h"
 #include "seamount/recipe/frame_bytes.h"
 #include "seamount/recipe/kinds.h"
+#include "seamount/recipe/kinds/rasters.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
@@ -13,10 +14,12 @@ const Kind& kinds::Field::kind() {
       .files = {".tif"},
       .reads = io::readable_raster_extensions(),
       .frame = [](const ScalarField& field) { return &field.frame(); },
+      .bring = bring_raster<float>,
+      .without_voids = fill_raster,
       .bytes = [](const ScalarField& field) { return field.size() * sizeof(float); },
       .write = write_grid<float>,
       .read = read_grid<float>,
-      .read_file = [](const FileCall& call) { return io::read_field(call.path); },
+      .read_file = [](const FileCall& call) { return io::read_field(call.path, read_options(call)); },
       .info = {},  // their files are rasters
   });
   return kind;

@@ -7,6 +7,7 @@
 #include "seamount/recipe/format.h"
 #include "seamount/recipe/frame_bytes.h"
 #include "seamount/recipe/kinds.h"
+#include "seamount/recipe/kinds/rasters.h"
 
 namespace seamount::recipe {
 namespace {
@@ -27,6 +28,7 @@ const Kind& kinds::Labels::kind() {
       .files = {".png"},
       .reads = {".tif", ".tiff", ".png"},
       .frame = [](const LabelMap& labels) { return &labels.frame(); },
+      .bring = bring_raster<Region>,
       .bytes = [](const LabelMap& labels) { return labels.size(); },
       .write = write_grid<Region>,
       .read = read_grid<Region>,

@@ -4,6 +4,7 @@
 #include "seamount/recipe/formats/formats.h"
 #include "seamount/recipe/frame_bytes.h"
 #include "seamount/recipe/kinds.h"
+#include "seamount/recipe/kinds/rasters.h"
 
 namespace seamount::recipe {
 
@@ -14,10 +15,12 @@ const Kind& kinds::Terrain::kind() {
       .files = {".tif"},
       .reads = io::readable_raster_extensions(),
       .frame = [](const HeightField& terrain) { return &terrain.frame(); },
+      .bring = bring_raster<float>,
+      .without_voids = fill_raster,
       .bytes = [](const HeightField& terrain) { return terrain.size() * sizeof(float); },
       .write = write_grid<float>,
       .read = read_grid<float>,
-      .read_file = [](const FileCall& call) { return io::read_heights(call.path); },
+      .read_file = [](const FileCall& call) { return io::read_heights(call.path, read_options(call)); },
       .info = io::describe_raster,
   });
   return kind;

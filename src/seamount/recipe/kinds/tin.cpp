@@ -4,6 +4,7 @@
 #include "seamount/geom/contour/marching_triangles.h"
 #include "seamount/geom/polygon/frame_around.h"
 #include "seamount/io/atomic_file.h"
+#include "seamount/io/reproject.h"
 #include "seamount/io/tin_file.h"
 #include "seamount/recipe/format.h"
 #include "seamount/recipe/frame_bytes.h"
@@ -101,6 +102,7 @@ const Kind& kinds::Tin::kind() {
       .files = {".ply"},
       .reads = {".ply"},
       .frame = [](const seamount::Tin& tin) { return &tin.frame; },
+      .bring = [](const seamount::Tin& tin, const Destination& to) { return io::in_system(tin, to.frame.crs); },
       .bytes = size_of,
       .write = write_tin,
       .read = read_tin,

@@ -1,4 +1,6 @@
 // Registration of the contour family.
+#include <optional>
+
 #include "seamount/io/image_file.h"
 #include "seamount/io/vector.h"
 #include "seamount/ops/contour/edit/edit.h"
@@ -8,6 +10,7 @@
 #include "seamount/ops/contour/heights/heights.h"
 #include "seamount/ops/contour/refine/refine.h"
 #include "seamount/recipe/file_values.h"
+#include "seamount/recipe/one_frame.h"
 #include "seamount/recipe/ports.h"
 
 namespace seamount::recipe {
@@ -21,13 +24,18 @@ const char* const kRivers = "lines from source to mouth, with their beds and wid
 
 Tin grow(const contour::GrowParams& params, const Call& call, const Drawing* regions, const ContourSet* contours,
          const ScalarField* mask, const ScalarField* probability, const Drawing* rivers) {
-  const auto read_regions = [&](const FilePath& file) -> contour::RegionFile {
-    const std::string path = call.resolve(file);
-    if (is_picture(path)) return io::read_image(path);
-    return io::read_drawing(path, {.feature = params.feature, .layer = {}}, call.run);
-  };
-  const auto read_picture = [&](const FilePath& file) { return io::read_image(call.resolve(file)); };
-  return contour::grow({regions, contours, mask, probability, rivers, read_regions, read_picture}, params, call.domain,
+  GridFrame domain = call.domain;
+  std::optional<contour::RegionFile> file;
+  if (!params.regions.path.empty()) {
+    const std::string path = call.resolve(params.regions);
+    if (is_picture(path))
+      file = io::read_image(path);
+    else
+      file = bring_drawing(io::read_drawing(path, {.feature = params.feature, .layer = {}}, call.run), domain, path);
+  }
+  const auto read_regions = [&](const FilePath&) { return *file; };
+  const auto read_picture = [&](const FilePath& picture) { return io::read_image(call.resolve(picture)); };
+  return contour::grow({regions, contours, mask, probability, rivers, read_regions, read_picture}, params, domain,
                        call.seed, call.run);
 }
 
@@ -62,7 +70,7 @@ void add_growth(Registry& registry) {
        .summary = "Heights for a grown network from a distribution of heights, through outlines of given height",
        .source = "P2 sec. 3.3, 4.4, fig. 8, 23"},
       inputs(in<kinds::Tin>("tin", "a network as contour.grow makes it"),
-             optional_in<Terrain>("terrain", "measured for its distribution of heights")),
+             placed(Placing::anywhere, optional_in<Terrain>("terrain", "measured for its distribution of heights"))),
       outputs(out<kinds::Tin>("tin", "the same network with a height per node")),
       [](const contour::HeightsParams& params, const Call& call, const Tin& tin, const HeightField* terrain) {
         return contour::heights(tin, terrain, params, call.run);

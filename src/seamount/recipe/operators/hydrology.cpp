@@ -37,7 +37,7 @@ void add_networks(Registry& registry) {
        .revision = 2,
        .summary = "The river network as lines with stream order, discharge and width",
        .source = "Strahler 1957; Leopold and Maddock 1953"},
-      inputs(in<Terrain>("terrain", kHeights)),
+      inputs(with_voids(in<Terrain>("terrain", kHeights))),
       outputs(out<kinds::Drawing>(
           "rivers", "lines downstream with order, length_m, area_m2, discharge_m3_s, width_m and fall_m")),
       [](const hydrology::RiversParams& params, const Call& call, const HeightField& terrain) {
@@ -48,7 +48,7 @@ void add_networks(Registry& registry) {
        .revision = 2,
        .summary = "The network of ridges as lines: the rivers of the inverted terrain",
        .source = "P1 sec. 5.1"},
-      inputs(in<Terrain>("terrain", kHeights)),
+      inputs(with_voids(in<Terrain>("terrain", kHeights))),
       outputs(out<kinds::Drawing>("ridges", "lines uphill with order, length_m, area_m2 and rise_m")),
       [](const hydrology::RidgesParams& params, const Call& call, const HeightField& terrain) {
         return hydrology::ridges(terrain, params, call.run);
@@ -63,7 +63,7 @@ void add_hydrology_operators(Registry& registry) {
        .revision = 2,
        .summary = "A terrain without depressions: filled to their outlets, or breached; and the lakes",
        .source = "Barnes, Lehman and Mulla 2014; Lindsay and Dhun 2015"},
-      inputs(in<Terrain>("terrain", kHeights)),
+      inputs(with_voids(in<Terrain>("terrain", kHeights))),
       outputs(out<Terrain>("terrain", "heights from which water runs off everywhere"),
               out<Field>("change", "metres by which it was raised (positive) or cut"),
               out<kinds::Drawing>("lakes", "areas with level_m, depth_m, area_m2 and volume_m3")),
@@ -73,7 +73,7 @@ void add_hydrology_operators(Registry& registry) {
        .revision = 2,
        .summary = "Where water runs and how much gathers: one neighbour, two or all (D8, D-infinity, multiple)",
        .source = "O'Callaghan and Mark 1984; Tarboton 1997; Holmgren 1994"},
-      inputs(in<Terrain>("terrain", kHeights)),
+      inputs(with_voids(in<Terrain>("terrain", kHeights))),
       outputs(out<Terrain>("terrain", "heights with depressions filled"),
               out<Field>("cells", "cells that drain through each cell, itself included"),
               out<Field>("area", "the same in square metres"),
@@ -87,7 +87,9 @@ void add_hydrology_operators(Registry& registry) {
        .revision = 2,
        .summary = "What a terrain is like in numbers and curves, and how far it is from a reference",
        .source = "P2 sec. 6.5; Argudo, Guerin, Schott and Galin 2025"},
-      inputs(in<Terrain>("terrain", kHeights), optional_in<Terrain>("reference", "another terrain to compare with")),
+      inputs(
+          with_voids(in<Terrain>("terrain", kHeights)),
+          placed(Placing::anywhere, with_voids(optional_in<Terrain>("reference", "another terrain to compare with")))),
       outputs(out<kinds::Report>("report", "descriptors with curves, measures and distances"),
               out<kinds::Drawing>("peaks", "summits of the terrain with height_m, prominence_m and isolation_m")),
       describe));

@@ -1,4 +1,6 @@
 // Registration of the island family.
+#include <optional>
+
 #include "seamount/io/vector.h"
 #include "seamount/ops/island/archipelago.h"
 #include "seamount/ops/island/build.h"
@@ -7,6 +9,7 @@
 #include "seamount/ops/island/outlines.h"
 #include "seamount/ops/island/wind.h"
 #include "seamount/recipe/file_values.h"
+#include "seamount/recipe/one_frame.h"
 #include "seamount/recipe/ports.h"
 
 namespace seamount::recipe {
@@ -19,14 +22,22 @@ const char* const kHeights = "heights in metres";
 const char* const kRegions = "its regions";
 const char* const kCoordinate = "region coordinate: 0 at the summit, i on outline i, 5 on the sea floor";
 
+/// What the coast's file holds, in the document's system; a document that says nothing of its place or its size takes
+/// those of the island.
+island::CoastFile read_coast(const island::BuildParams& params, const Call& call, GridFrame& domain) {
+  const std::string path = call.resolve(params.coast);
+  if (is_picture(path)) return read_label_picture(path, domain, call.run);
+  return bring_drawing(io::read_areas(path, {.feature = params.feature, .layer = {}}, call.run), domain, path);
+}
+
 IslandParts build(const island::BuildParams& params, const Call& call, const seamount::Drawing* outlines,
                   const LabelMap* labels) {
-  const auto read_coast = [&](const FilePath& file) -> island::CoastFile {
-    const std::string path = call.resolve(file);
-    if (is_picture(path)) return read_label_picture(path, call.domain, call.run);
-    return io::read_areas(path, {.feature = params.feature, .layer = {}});
-  };
-  island::Island made = island::build({outlines, labels, read_coast}, params, call.domain, call.seed, call.run);
+  GridFrame domain = call.domain;
+  std::optional<island::CoastFile> coast;
+  if (!params.coast.path.empty()) coast = read_coast(params, call, domain);
+  const auto read = [&](const FilePath&) { return *coast; };
+  island::Island made =
+      island::build({outlines, labels, read, !call.domain_stated}, params, domain, call.seed, call.run);
   return {std::move(made.terrain), std::move(made.labels), std::move(made.coordinate)};
 }
 
@@ -98,8 +109,8 @@ void add_island_operators(Registry& registry) {
       {.name = "island.archipelago",
        .summary = "Several islands, or copies of one, in one sea",
        .source = "P0 sec. 1.5.1, eq. 1.15"},
-      inputs(in_rows<Terrain, Labels>(kMostIslands, {"terrain", "labels"}, {"an island", kRegions},
-                                      {"another island", kRegions})),
+      inputs(placed(Placing::system, in_rows<Terrain, Labels>(kMostIslands, {"terrain", "labels"},
+                                                              {"an island", kRegions}, {"another island", kRegions}))),
       outputs(out<Terrain>("terrain", kHeights),
               out<Labels>("labels", "its regions; all abyss unless every island has labels")),
       archipelago));

@@ -1,4 +1,6 @@
 // Registration of the terrain family.
+#include "seamount/geom/solve/fill_voids.h"
+#include "seamount/io/join.h"
 #include "seamount/io/raster.h"
 #include "seamount/ops/terrain/blend.h"
 #include "seamount/ops/terrain/compose.h"
@@ -22,8 +24,12 @@ struct ImportParams {
   std::optional<double> cell_m;
   std::optional<double> low_m;
   std::optional<double> high_m;
-  bool fill_voids = true;
-  int band = 1;
+  bool fill_voids = false;
+  int band = 0;
+  io::ElevationCoding coding = io::ElevationCoding::numbers;
+  std::string unit;
+  std::string crs;
+  io::ByteOrder byte_order = io::ByteOrder::little;
 
   static constexpr auto fields() {
     using P = ImportParams;
@@ -32,13 +38,21 @@ struct ImportParams {
         field(&P::cell_m, "cell_m", "m", between(1e-4, 1e6), "cell size, where the file does not say"),
         field(&P::low_m, "low_m", "m", between(-20000, 20000), "height of the lowest code of an 8- or 16-bit image"),
         field(&P::high_m, "high_m", "m", between(-20000, 20000), "height of the highest code of an 8- or 16-bit image"),
-        field(&P::fill_voids, "fill_voids", "interpolate cells without data instead of refusing the file"),
-        field(&P::band, "band", "", between(1, 1000), "band of a raster with several"));
+        field(&P::fill_voids, "fill_voids",
+              "give cells without data the heights that the rims of their holes lead to; otherwise they stay unknown"),
+        field(&P::band, "band", "", between(0, 1000),
+              "band of a raster with several; 0: the first, unless they are colours"),
+        field(&P::coding, "coding",
+              "how heights are held: numbers, or in the colours of web map tiles: terrarium, mapbox (Terrain-RGB)"),
+        field(&P::unit, "unit", "unit of the heights, such as feet, where the file says none or a wrong one"),
+        field(&P::crs, "crs",
+              "coordinate system, such as EPSG:4326, where the file says none or a wrong one; local: metres"),
+        field(&P::byte_order, "byte_order", "which byte of a sample of a raw 16-bit file comes first: little, big"));
   }
 };
 
-HeightField import_terrain(const ImportParams& params, const Call& call) {
-  if (params.file.path.empty()) throw InvalidArgument("file", "is missing");
+/// What a document in a coordinate system imports comes into it.
+io::ReadOptions read_options(const ImportParams& params, const Call& call, const RunContext& run) {
   if (params.low_m.has_value() != params.high_m.has_value())
     throw InvalidArgument("low_m", "low_m and high_m go together");
   io::ReadOptions options;
@@ -48,10 +62,67 @@ HeightField import_terrain(const ImportParams& params, const Call& call) {
       throw InvalidArgument("low_m", format_number(*params.low_m) + " is not below high_m");
     options.range = io::HeightRange{*params.low_m, *params.high_m};
   }
-  options.voids = params.fill_voids ? io::Voids::fill : io::Voids::refuse;
-  options.band = params.band;
-  options.run = call.run;
-  return io::read_heights(call.resolve(params.file), options);
+  if (params.band > 0) options.band = params.band;
+  options.coding = params.coding;
+  options.unit = params.unit;
+  options.crs = params.crs;
+  options.byte_order = params.byte_order;
+  options.into = call.domain.crs;
+  options.run = run;
+  return options;
+}
+
+/// terrain.join: as import, of several files.
+struct JoinParams {
+  std::vector<FilePath> files;
+  std::optional<double> low_m;
+  std::optional<double> high_m;
+  bool fill_voids = false;
+  io::ElevationCoding coding = io::ElevationCoding::numbers;
+  std::string unit;
+  std::string crs;
+
+  static constexpr auto fields() {
+    using P = JoinParams;
+    return std::tuple(
+        field(&P::files, "files", "neighbouring files that say where they lie; where they overlap the first counts"),
+        field(&P::low_m, "low_m", "m", between(-20000, 20000), "height of the lowest code of 8- or 16-bit images"),
+        field(&P::high_m, "high_m", "m", between(-20000, 20000), "height of the highest code of 8- or 16-bit images"),
+        field(&P::fill_voids, "fill_voids",
+              "give cells without data the heights that the rims of their holes lead to; otherwise they stay unknown"),
+        field(&P::coding, "coding",
+              "how heights are held: numbers, or in the colours of web map tiles: terrarium, mapbox (Terrain-RGB)"),
+        field(&P::unit, "unit", "unit of the heights, such as feet, where the files say none or a wrong one"),
+        field(&P::crs, "crs",
+              "coordinate system, such as EPSG:4326, where the files say none or a wrong one; local: metres"));
+  }
+};
+
+HeightField fill_if_asked(HeightField terrain, bool fill, const RunContext& run) {
+  if (!fill) return terrain;
+  if (const int64_t filled = geom::fill_voids(terrain, run); filled > 0)
+    run.say(std::to_string(filled) + " cells without a height are filled from the rims of their holes");
+  return terrain;
+}
+
+HeightField import_terrain(const ImportParams& params, const Call& call) {
+  if (params.file.path.empty()) throw InvalidArgument("file", "is missing");
+  return fill_if_asked(io::read_heights(call.resolve(params.file), read_options(params, call, call.run.part(0.0, 0.8))),
+                       params.fill_voids, call.run.part(0.8, 1.0));
+}
+
+HeightField join(const JoinParams& params, const Call& call) {
+  if (params.files.empty()) throw InvalidArgument("files", "names no file");
+  ImportParams common;
+  common.low_m = params.low_m;
+  common.high_m = params.high_m;
+  common.coding = params.coding;
+  common.unit = params.unit;
+  common.crs = params.crs;
+  std::vector<std::string> paths;
+  for (const FilePath& file : params.files) paths.push_back(call.resolve(file));
+  return fill_if_asked(io::read_joined_heights(paths, read_options(common, call, call.run.part(0.0, 0.8))),
+                       params.fill_voids, call.run.part(0.8, 1.0));
 }
 
 std::tuple<ScalarField, ScalarField, ScalarField> layers(const LayerBorders& params, const Call& call,
@@ -67,13 +138,19 @@ HeightField compose(const terrain::ComposeParams& params, const Call& call,
   std::vector<const HeightField*> terrains;
   terrains.reserve(given.size());
   for (const auto& [terrain] : given) terrains.push_back(terrain);
-  return terrain::compose(terrains, params, call.domain, call.run);
+  // A document that says nothing of its size takes that of terrains which lie where they lie.
+  const bool as_they_lie = !call.domain_stated && params.places.empty() && !terrains.empty();
+  const GridFrame frame = as_they_lie ? terrain::frame_around(terrains) : call.domain;
+  return terrain::compose(terrains, params, frame, call.run);
 }
 
 void add_sources(Registry& registry) {
   registry.add(make_operator<ImportParams>(
-      {.name = "terrain.import", .summary = "A terrain from a file, in metres and square cells"}, inputs(),
-      outputs(out<Terrain>("terrain", kHeights)), import_terrain));
+      {.name = "terrain.import", .revision = 2, .summary = "A terrain from a file, in metres and square cells"},
+      inputs(), outputs(out<Terrain>("terrain", kHeights)), import_terrain));
+  registry.add(make_operator<JoinParams>(
+      {.name = "terrain.join", .summary = "Neighbouring files of elevation as one terrain, cell by cell"}, inputs(),
+      outputs(out<Terrain>("terrain", kHeights)), join));
   registry.add(make_operator<terrain::NoiseParams>({.name = "terrain.noise",
                                                     .summary = "Fractal noise, smooth or ridged",
                                                     .source = "Perlin 2002, Musgrave 1994",
@@ -86,8 +163,11 @@ void add_sources(Registry& registry) {
 
 void add_sampling(Registry& registry) {
   registry.add(make_operator<terrain::ResampleParams>(
-      {.name = "terrain.resample", .summary = "A terrain at another cell size, or on the document's domain"},
-      inputs(in<Terrain>("terrain", kHeights)), outputs(out<Terrain>("terrain", kHeights)),
+      {.name = "terrain.resample",
+       .revision = 2,
+       .summary = "A terrain at another cell size, or on the document's domain"},
+      inputs(with_voids(placed(Placing::system, in<Terrain>("terrain", kHeights)))),
+      outputs(out<Terrain>("terrain", kHeights)),
       [](const terrain::ResampleParams& params, const Call& call, const HeightField& terrain) {
         return terrain::resample(terrain, params, call.domain, call.run);
       }));
@@ -106,16 +186,19 @@ void add_joining(Registry& registry) {
       {.name = "terrain.blend",
        .summary = "Two terrains become one: mixed, the higher, the lower, added or subtracted, all over or by a mask",
        .source = "P0 sec. 1.4.2, eq. 1.15 for the smooth maximum"},
-      inputs(in<Terrain>("terrain", kHeights), in<Terrain>("with", "the second terrain, of the same size"),
+      inputs(with_voids(in<Terrain>("terrain", kHeights)),
+             with_voids(in<Terrain>("with", "the second terrain, of the same size")),
              optional_in<Field>("mask", "where it is done, 0 to 1; everywhere if open")),
       outputs(out<Terrain>("terrain", kHeights)),
       [](const terrain::BlendParams& params, const Call& call, const HeightField& terrain, const HeightField& with,
          const ScalarField* mask) { return terrain::blend(terrain, with, mask, params, call.run); }));
   registry.add(make_operator<terrain::ComposeParams>(
       {.name = "terrain.compose",
+       .revision = 2,
        .summary = "Several terrains in one domain, moved, turned and scaled, with feathered seams",
        .source = "Porter and Duff 1984"},
-      inputs(in_rows<Terrain>(kMostTerrains, {"terrain"}, {"the lowest terrain"}, {"a terrain over those before it"})),
+      inputs(with_voids(placed(Placing::system, in_rows<Terrain>(kMostTerrains, {"terrain"}, {"the lowest terrain"},
+                                                                 {"a terrain over those before it"})))),
       outputs(out<Terrain>("terrain", kHeights)), compose));
 }
 
@@ -131,11 +214,11 @@ void add_terrain_operators(Registry& registry) {
            "A soft selection by height, depth, slope, aspect, curvature, regions, drawn areas and lines, noise or "
            "any field",
        .stochastic = true},
-      inputs(in<Terrain>("terrain", kHeights),
+      inputs(with_voids(in<Terrain>("terrain", kHeights)),
              optional_in<kinds::Labels>("labels", "its regions, for the criterion region"),
              optional_in<kinds::Drawing>("drawing", "areas and lines, for the criteria area and line"),
-             optional_in<Field>("values", "any field, for the criterion value"),
-             optional_in<Field>("mask", "one more mask, combined like a criterion")),
+             with_voids(optional_in<Field>("values", "any field, for the criterion value")),
+             with_voids(optional_in<Field>("mask", "one more mask, combined like a criterion"))),
       outputs(out<Field>("mask", "0 where nothing is selected, 1 where all is")),
       [](const terrain::MaskParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
          const Drawing* drawing, const ScalarField* values, const ScalarField* mask) {

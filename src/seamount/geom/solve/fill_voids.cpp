@@ -1,0 +1,93 @@
+#include "seamount/geom/solve/fill_voids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "seamount/base/error.h"
+#include "seamount/geom/grid/voids.h"
+#include "seamount/geom/solve/poisson.h"
+
+namespace seamount::geom {
+namespace {
+
+/// A hole: cells that hang together by their sides, with the window around them.
+struct Hole {
+  std::vector<int64_t> cells;
+  int x0, x1, y0, y1;  ///< both ends included
+};
+
+/// The hole of an unseen cell, whose cells are then seen.
+Hole gather(const Grid<float>& grid, Grid<uint8_t>& seen, int64_t start) {
+  const int width = grid.width();
+  Hole hole{{start}, width, 0, grid.height(), 0};
+  seen.data()[start] = 1;
+  for (size_t at = 0; at < hole.cells.size(); ++at) {
+    const int64_t cell = hole.cells[at];
+    const int x = static_cast<int>(cell % width), y = static_cast<int>(cell / width);
+    hole.x0 = std::min(hole.x0, x), hole.x1 = std::max(hole.x1, x);
+    hole.y0 = std::min(hole.y0, y), hole.y1 = std::max(hole.y1, y);
+    const auto visit = [&](int nx, int ny, int64_t next) {
+      if (!grid.contains(nx, ny) || seen.data()[next] != 0 || !std::isnan(grid.data()[next])) return;
+      seen.data()[next] = 1;
+      hole.cells.push_back(next);
+    };
+    visit(x - 1, y, cell - 1);
+    visit(x + 1, y, cell + 1);
+    visit(x, y - 1, cell - width);
+    visit(x, y + 1, cell + width);
+  }
+  return hole;
+}
+
+/// Solves in the window of a hole. Other holes in it do not touch this one: what they hold does not count.
+void fill(Grid<float>& grid, const Hole& hole, const RunContext& run) {
+  const int x0 = std::max(0, hole.x0 - 1), x1 = std::min(grid.width() - 1, hole.x1 + 1);
+  const int y0 = std::max(0, hole.y0 - 1), y1 = std::min(grid.height() - 1, hole.y1 + 1);
+  GridFrame window = GridFrame::centred(x1 - x0 + 1, y1 - y0 + 1, grid.cell_m());
+  ScalarField u(window);
+  Grid<uint8_t> fixed(window, 1);
+  double mean = 0;
+  int64_t known = 0;
+  for (int y = y0; y <= y1; ++y) {
+    for (int x = x0; x <= x1; ++x) {
+      const float z = grid(x, y);
+      u(x - x0, y - y0) = std::isnan(z) ? 0.0F : z;
+      if (!std::isnan(z)) mean += z, ++known;
+    }
+  }
+  const auto start = static_cast<float>(known > 0 ? mean / static_cast<double>(known) : 0.0);
+  for (const int64_t cell : hole.cells) {
+    const int x = static_cast<int>(cell % grid.width()) - x0, y = static_cast<int>(cell / grid.width()) - y0;
+    fixed(x, y) = 0;
+    u(x, y) = start;
+  }
+  solve_laplace(u, fixed, run);
+  for (const int64_t cell : hole.cells) {
+    const int x = static_cast<int>(cell % grid.width()) - x0, y = static_cast<int>(cell / grid.width()) - y0;
+    grid.data()[cell] = u(x, y);
+  }
+}
+
+}  // namespace
+
+int64_t fill_voids(Grid<float>& grid, const RunContext& run) {
+  const int64_t voids = count_voids(grid, run);
+  if (voids == 0) return 0;
+  if (voids == static_cast<int64_t>(grid.size()))
+    throw IncompatibleInputs("none of the " + std::to_string(voids) + " cells has a value");
+  Grid<uint8_t> seen(grid.frame(), 0);
+  int64_t filled = 0;
+  const RunContext quiet{run.threads, {}, run.cancelled, {}};
+  for (int64_t cell = 0; cell < static_cast<int64_t>(grid.size()); ++cell) {
+    if (seen.data()[cell] != 0 || !std::isnan(grid.data()[cell])) continue;
+    run.check_cancelled();
+    const Hole hole = gather(grid, seen, cell);
+    fill(grid, hole, quiet);
+    filled += static_cast<int64_t>(hole.cells.size());
+    run.report(static_cast<double>(filled) / static_cast<double>(voids));
+  }
+  return voids;
+}
+
+}  // namespace seamount::geom
