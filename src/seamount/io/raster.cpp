@@ -160,6 +160,8 @@ Sidecar sidecar_of(const Grid<float>& grid, const WriteOptions& options, bool he
   sidecar.min_m = extremes.low_m;
   sidecar.max_m = extremes.high_m;
   sidecar.heights = heights;
+  sidecar.ground_width = options.ground_width;
+  sidecar.ground_height = options.ground_height;
   sidecar.provenance = options.provenance;
   return sidecar;
 }
