@@ -25,7 +25,10 @@ void encode_npy(const Grid<float>& grid, const std::string& temporary, const std
 
 /// .exr: the channel Y, else Z, height or R, else the only one.
 Stored decode_exr(std::span<const uint8_t> file, const std::string& name, int64_t max_cells);
-void encode_exr(const Grid<float>& grid, const std::string& temporary, const std::string& path);
+/// One float channel. "Y" is luminance, which Blender, Nuke and GDAL read as grey; Godot makes three equal channels of
+/// it, but one, as its terrains want, of a lone "R".
+void encode_exr(const Grid<float>& grid, const std::string& temporary, const std::string& path,
+                const char* channel = "Y");
 
 /// .r16 .raw (16 bit) and .r32 (float), little endian, without header: square unless width and height are given.
 Stored decode_raw(std::span<const uint8_t> file, const std::string& name, int64_t max_cells,
