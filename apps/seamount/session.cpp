@@ -172,7 +172,8 @@ void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder,
     for (const recipe::Diagnostic& note : recipe.notes)
       summary["notes"].push_back(recipe::diagnostic_line(recipe.file, note));
     for (const auto& output : report.outputs)
-      summary["outputs"].push_back({{"path", output.path}, {"as", output.format}});
+      summary["outputs"].push_back(
+          {{"path", output.path}, {"as", output.format}, {"files", output.files}, {"notes", output.notes}});
     for (const auto& step : report.steps) {
       summary["steps"].push_back({{"id", step.id},
                                   {"op", step.op},

@@ -80,8 +80,13 @@ TEST_F(Outputs, WriteTheFilesThatTheySay) {
         Json output = small.contains(format->name) ? small.at(format->name) : Json::object();
         output.update({{"from", source_of(*kind)}, {"path", "made/it" + extension}, {"as", format->name}});
         const Recipe made = recipe(Json::array({output}));
-        execute(made, {folder_, cache_}, {});
+        const ExecuteReport report = execute(made, {folder_, cache_}, {});
         const std::vector<std::string> names = written();
+        std::vector<std::string> told;
+        for (const std::string& file : report.outputs[0].files) told.push_back(fs::relative(file, folder_).string());
+        std::sort(told.begin(), told.end());
+        EXPECT_EQ(told, names) << format->name << ": the report lists the files that are there";
+        EXPECT_TRUE(fs::exists(report.outputs[0].path)) << report.outputs[0].path;
         for (const std::string& file : made.outputs[0].files) {
           const bool there = std::find(names.begin(), names.end(), file) != names.end();
           // Digits are known afterwards; without a coordinate system there is no .prj.

@@ -7,9 +7,11 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
+#include <mutex>
 
 #include "seamount/base/version.h"
 #include "seamount/io/staged_folder.h"
+#include "seamount/recipe/output_files.h"
 
 namespace seamount::recipe {
 namespace {
@@ -36,6 +38,28 @@ void write_staged(const Recipe& recipe, const Output& output, const io::StagedFo
   }
 }
 
+/// Names of the files that an output has written, digits known.
+std::vector<std::string> files_of(const Output& output, const io::StagedFolder& staged) {
+  std::vector<std::string> written;
+  for (const std::string& file : output.files) {
+    if (file.find('*') == std::string::npos) {
+      if (fs::exists(staged.path(file))) written.push_back(file);
+      continue;
+    }
+    std::vector<std::string> found;
+    const fs::path folder = fs::path(file).parent_path();
+    for (const auto& entry : fs::directory_iterator(fs::path(staged.path(file)).parent_path())) {
+      const std::string name = (folder / entry.path().filename()).string();
+      if (may_be_same_file(file, name)) found.push_back(name);
+    }
+    std::sort(found.begin(), found.end(), [](const std::string& a, const std::string& b) {
+      return std::pair(a.size(), a) < std::pair(b.size(), b);  // 9 before 10
+    });
+    written.insert(written.end(), found.begin(), found.end());
+  }
+  return written;
+}
+
 /// What an earlier run wrote beside an output of the same name and this one did not, such as a side-car: it would
 /// describe the new file wrongly.
 void remove_stale_files(const Output& output, const io::StagedFolder& staged, const std::vector<std::string>& written) {
@@ -55,6 +79,7 @@ std::vector<OutputReport> write_all(const Recipe& recipe, const std::string& out
   io::StagedFolder staged(out_folder);
   std::vector<OutputReport> reports(recipe.outputs.size());
   std::vector<std::exception_ptr> failures(recipe.outputs.size());
+  std::mutex saying;
   tbb::task_group group;
   for (size_t i = 0; i < recipe.outputs.size(); ++i) {
     group.run([&, i] {
@@ -62,14 +87,21 @@ std::vector<OutputReport> write_all(const Recipe& recipe, const std::string& out
       const auto start = std::chrono::steady_clock::now();
       try {
         run.check_cancelled();
-        const RunContext own = part(i);
+        RunContext own = part(i);
+        own.note = [&, i](const std::string& line) {
+          const std::lock_guard lock(saying);
+          const std::string shown = staged.shown(line);
+          reports[i].notes.push_back(shown);
+          run.say(fmt::format("output '{}': {}", recipe.outputs[i].path, shown));
+        };
         write_staged(recipe, output, staged, value, own);
         own.report(1.0);
       } catch (...) {
         failures[i] = std::current_exception();
       }
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      reports[i] = {(fs::path(out_folder) / output.path).string(), output.format->name, seconds};
+      reports[i].format = output.format->name;
+      reports[i].seconds = seconds;
     });
   }
   group.wait();
@@ -78,9 +110,11 @@ std::vector<OutputReport> write_all(const Recipe& recipe, const std::string& out
   }
   std::vector<std::vector<std::string>> written(recipe.outputs.size());
   for (size_t i = 0; i < recipe.outputs.size(); ++i) {
-    for (const std::string& file : recipe.outputs[i].files) {
-      if (fs::exists(staged.path(file))) written[i].push_back(file);
-    }
+    const Output& output = recipe.outputs[i];
+    written[i] = files_of(output, staged);
+    const bool itself = std::find(written[i].begin(), written[i].end(), output.path) != written[i].end();
+    reports[i].path = (fs::path(out_folder) / (itself || written[i].empty() ? output.path : written[i][0])).string();
+    for (const std::string& file : written[i]) reports[i].files.push_back((fs::path(out_folder) / file).string());
   }
   staged.commit(run);
   for (size_t i = 0; i < recipe.outputs.size(); ++i) remove_stale_files(recipe.outputs[i], staged, written[i]);

@@ -93,6 +93,7 @@ void add_sampling(Registry& registry) {
       }));
   registry.add(make_operator<terrain::SamplesParams>(
       {.name = "terrain.samples",
+       .revision = 2,
        .summary = "A terrain as the samples that game engines and tiles want, the outer ones on its edge",
        .cached = false},
       inputs(in<Terrain>("terrain", kHeights)), outputs(out<Terrain>("terrain", kHeights)),
