@@ -26,9 +26,9 @@ struct Case {
 Case random_case(uint64_t seed) {
   Rng rng(Seed{seed}.derive("tiles"));
   const std::vector<std::string> extensions = {".tif", ".npy", ".r32", ".exr", ".asc"};
-  return {1 + static_cast<int>(rng.integer(0, 149)),
-          1 + static_cast<int>(rng.integer(0, 109)),
-          {.tile_size = 2 + static_cast<int>(rng.integer(0, 59)),
+  return {1 + rng.integer(0, 149),
+          1 + rng.integer(0, 109),
+          {.tile_size = 16 + rng.integer(0, 45),
            .last_tiles = static_cast<LastTiles>(rng.integer(0, 2)),
            .share_border = rng.chance(0.6)},
           extensions[static_cast<size_t>(rng.integer(0, 4))]};

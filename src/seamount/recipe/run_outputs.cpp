@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 
 #include "seamount/base/version.h"
 #include "seamount/io/staged_folder.h"
@@ -38,26 +39,46 @@ void write_staged(const Recipe& recipe, const Output& output, const io::StagedFo
   }
 }
 
+/// Names in a folder that fit a name with '*' for digits, 9 before 10; `pattern` and they with the same folders before.
+std::vector<std::string> matching_files(const std::string& pattern, const fs::path& folder) {
+  std::vector<std::string> found;
+  std::error_code none_there;
+  for (const auto& entry : fs::directory_iterator(folder, none_there)) {
+    const std::string name = (fs::path(pattern).parent_path() / entry.path().filename()).string();
+    if (may_be_same_file(pattern, name)) found.push_back(name);
+  }
+  std::sort(found.begin(), found.end(),
+            [](const std::string& a, const std::string& b) { return std::pair(a.size(), a) < std::pair(b.size(), b); });
+  return found;
+}
+
 /// Names of the files that an output has written, digits known.
 std::vector<std::string> files_of(const Output& output, const io::StagedFolder& staged) {
   std::vector<std::string> written;
   for (const std::string& file : output.files) {
     if (file.find('*') == std::string::npos) {
       if (fs::exists(staged.path(file))) written.push_back(file);
-      continue;
+    } else {
+      const auto found = matching_files(file, fs::path(staged.path(file)).parent_path());
+      written.insert(written.end(), found.begin(), found.end());
     }
-    std::vector<std::string> found;
-    const fs::path folder = fs::path(file).parent_path();
-    for (const auto& entry : fs::directory_iterator(fs::path(staged.path(file)).parent_path())) {
-      const std::string name = (folder / entry.path().filename()).string();
-      if (may_be_same_file(file, name)) found.push_back(name);
-    }
-    std::sort(found.begin(), found.end(), [](const std::string& a, const std::string& b) {
-      return std::pair(a.size(), a) < std::pair(b.size(), b);  // 9 before 10
-    });
-    written.insert(written.end(), found.begin(), found.end());
   }
   return written;
+}
+
+/// A line about files of an earlier run that could be taken for this one's, such as tiles beyond its last; or nothing.
+std::optional<std::string> strangers(const Output& output, const io::StagedFolder& staged,
+                                     const std::vector<std::string>& written) {
+  std::vector<std::string> others;
+  for (const std::string& file : output.files) {
+    if (file.find('*') == std::string::npos) continue;
+    for (const std::string& name : matching_files(file, fs::path(staged.final_path(file)).parent_path())) {
+      if (std::find(written.begin(), written.end(), name) == written.end()) others.push_back(name);
+    }
+  }
+  if (others.empty()) return std::nullopt;
+  return fmt::format("{} files with such names are of an earlier run and not part of it: {}{}", others.size(),
+                     others[0], others.size() > 1 ? ", ..." : "");
 }
 
 /// What an earlier run wrote beside an output of the same name and this one did not, such as a side-car: it would
@@ -69,6 +90,11 @@ void remove_stale_files(const Output& output, const io::StagedFolder& staged, co
     std::error_code none_there;
     fs::remove(staged.final_path(file), none_there);
   }
+}
+
+void say(const RunContext& run, const Output& output, const std::string& line, OutputReport& report) {
+  report.notes.push_back(line);
+  run.say(fmt::format("output '{}': {}", output.path, line));
 }
 
 /// Stages and commits. Throws IoError for what cannot be written.
@@ -90,9 +116,7 @@ std::vector<OutputReport> write_all(const Recipe& recipe, const std::string& out
         RunContext own = part(i);
         own.note = [&, i](const std::string& line) {
           const std::lock_guard lock(saying);
-          const std::string shown = staged.shown(line);
-          reports[i].notes.push_back(shown);
-          run.say(fmt::format("output '{}': {}", recipe.outputs[i].path, shown));
+          say(run, recipe.outputs[i], staged.shown(line), reports[i]);
         };
         write_staged(recipe, output, staged, value, own);
         own.report(1.0);
@@ -117,7 +141,11 @@ std::vector<OutputReport> write_all(const Recipe& recipe, const std::string& out
     for (const std::string& file : written[i]) reports[i].files.push_back((fs::path(out_folder) / file).string());
   }
   staged.commit(run);
-  for (size_t i = 0; i < recipe.outputs.size(); ++i) remove_stale_files(recipe.outputs[i], staged, written[i]);
+  for (size_t i = 0; i < recipe.outputs.size(); ++i) {
+    const Output& output = recipe.outputs[i];
+    remove_stale_files(output, staged, written[i]);
+    if (const auto line = strangers(output, staged, written[i])) say(run, output, *line, reports[i]);
+  }
   return reports;
 }
 

@@ -99,7 +99,7 @@ std::vector<Preparation> prepare(const Json& params, const Kind&, const std::str
   }
   const int pixels = params["texture_px"].get<int>();
   if (pixels > 0)
-    all.push_back({"texture", "render.texture", "image", {{"size_px", std::max(16, pixels)}, {"water", false}}});
+    all.push_back({"texture", "render.texture", "image", {{"size_px", std::max(16, pixels)}, {"water_clarity", 5.0}}});
   return all;
 }
 
