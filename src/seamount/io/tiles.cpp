@@ -1,6 +1,7 @@
 #include "seamount/io/tiles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -84,7 +85,10 @@ void write_manifest(const HeightField& heights, const std::string& path, const T
   write_text(tiles_manifest(path), json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-std::string metres(double from, double to) { return format_number(from) + " to " + format_number(to) + " m"; }
+std::string metres(double from, double to) {
+  const auto shown = [](double value) { return format_number(std::round(value * 100) / 100 + 0.0); };
+  return shown(from) + " to " + shown(to) + " m";
+}
 
 void tell(const HeightField& heights, const std::string& path, const Cuts& across, const Cuts& down, bool padded,
           const RunContext& run) {

@@ -48,7 +48,8 @@ GridFrame square_around(const GridFrame& frame) {
   return grown(frame, columns / 2, rows / 2, columns - columns / 2, rows - rows / 2);
 }
 
-/// What is missing of the terrain between outer samples, or was added, on its way from `from` to `to`, in metres.
+/// What is missing of the terrain between outer samples, or was added, on its way from `from` to `to`, in metres; and
+/// how much coarser it is.
 void tell_difference(const GridFrame& from, const GridFrame& to, const RunContext& run) {
   std::string cut, added;
   const auto side = [&](const char* name, double gained_m) {
@@ -63,6 +64,9 @@ void tell_difference(const GridFrame& from, const GridFrame& to, const RunContex
   side("south", from.y(from.height - 1) - to.y(to.height - 1));
   if (!cut.empty()) run.say("cut off to fit: " + cut);
   if (!added.empty()) run.say("added to fit, as high as the terrain's edge: " + added);
+  const auto shown = [](double metres) { return format_number(std::round(metres * 1e4) / 1e4); };
+  if (to.cell_m > from.cell_m * (1 + 1e-6))
+    run.say("cells of " + shown(to.cell_m) + " m instead of " + shown(from.cell_m) + " m: finer detail is averaged");
 }
 
 }  // namespace

@@ -55,9 +55,9 @@ GridFrame whole_frame(const GridFrame& source, int size);
 /// borders counted once. REQUIRES: tile_size >= 2.
 GridFrame tiled_frame(const GridFrame& source, int tile_size);
 
-/// The terrain on such a frame; as it is where it lies there already. Says how much was cut off or added, in metres.
-/// What is added repeats the terrain's edge. Throws InvalidArgument for params out of range and what square_frame
-/// throws. Parallel; about 10 ns per cell of the larger of both grids.
+/// The terrain on such a frame; as it is where it lies there already. Says how much was cut off or added, in metres,
+/// and how much coarser it became. What is added repeats the terrain's edge. Throws InvalidArgument for params out of
+/// range and what square_frame throws. Parallel; about 10 ns per cell of the larger of both grids.
 HeightField samples(const HeightField& terrain, const SamplesParams& params, const RunContext& run);
 
 }  // namespace seamount::terrain
