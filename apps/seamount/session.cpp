@@ -171,15 +171,15 @@ void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder,
                             {"seconds", seconds_since(start)}};
     for (const recipe::Diagnostic& note : recipe.notes)
       summary["notes"].push_back(recipe::diagnostic_line(recipe.file, note));
-    for (const auto& output : report.outputs) {
-      summary["outputs"].push_back({{"path", output.path}, {"as", output.format}, {"notes", output.notes}});
-    }
     for (const auto& step : report.steps)
       for (const std::string& note : step.notes)
         summary["notes"].push_back(fmt::format("step '{}': {}", step.id, note));
-    for (const auto& output : report.outputs)
+    for (const auto& output : report.outputs) {
+      summary["outputs"].push_back(
+          {{"path", output.path}, {"as", output.format}, {"files", output.files}, {"notes", output.notes}});
       for (const std::string& note : output.notes)
         summary["notes"].push_back(fmt::format("output '{}': {}", output.path, note));
+    }
     for (const auto& step : report.steps) {
       summary["steps"].push_back({{"id", step.id},
                                   {"op", step.op},

@@ -114,11 +114,19 @@ std::vector<ImportNumber> metric_numbers(Engine engine, const GridFrame& frame, 
     }
     return numbers;
   }
-  return {{"plane size X", format_number(tidy(frame.cell_m * (frame.width - 1)))},
-          {"plane size Y", format_number(tidy(frame.cell_m * (frame.height - 1)))},
+  // A picture's UVs run from pixel edge to pixel edge, so the plane is as large as the cells, not as the samples.
+  return {{"plane size X", format_number(tidy(frame.width_m()))},
+          {"plane size Y", format_number(tidy(frame.height_m()))},
+          {"plane subdivisions X", std::to_string(frame.width)},
+          {"plane subdivisions Y", std::to_string(frame.height)},
+          {"image colour space", "Non-Color"},
+          {"texture Clamp", "off"},
+          {"texture extension", "Clip"},
+          {"texture crop maximum X, Y", "0.99999"},
+          {"Displace coordinates", "UV"},
+          {"Displace direction", "Z"},
           {"Displace strength", "1"},
-          {"Displace midlevel", "0"},
-          {"image colour space", "Non-Color"}};
+          {"Displace midlevel", "0"}};
 }
 
 }  // namespace
@@ -143,7 +151,8 @@ void write_for_engine(const HeightField& heights, Engine engine, const std::stri
   sidecar.provenance = options.provenance;
   if (extension_of(path) == ".exr") {
     sidecar.import = metric_numbers(engine, heights.frame(), sidecar);
-    write_atomically(path, [&](const std::string& temporary) { encode_exr(heights, temporary, path); });
+    const char* channel = engine == Engine::godot ? "R" : "Y";
+    write_atomically(path, [&](const std::string& temporary) { encode_exr(heights, temporary, path, channel); });
   } else {
     if (options.range) check_range(extremes, *options.range);
     const UnrealScale scale = unreal_scale(extremes, options);

@@ -1,7 +1,8 @@
 // Terrain for game engines and Blender, with the exact numbers to type in there.
 //
-// Engines put the outer samples ON the terrain's edge, so a terrain of n samples is (n - 1) cells wide. terrain.samples
-// brings a terrain there; write_for_engine() only accepts a grid of a right size.
+// Engines put the outer samples ON the terrain's edge, so a terrain of n samples is (n - 1) cells wide; Blender's
+// picture is n cells wide. terrain.samples brings a terrain there; write_for_engine() only accepts a grid of a right
+// size.
 #pragma once
 
 #include <array>
@@ -20,7 +21,7 @@ enum class Engine {
   unreal,   ///< .r16, .raw or .png, 16 bit; code 32768 is the actor's height
   unity,    ///< .raw or .r16, 16 bit little endian, southern row first (Unity's order: import without flip)
   godot,    ///< .exr with metres (Terrain3D, HTerrain), or .r16
-  blender,  ///< .exr with metres, for a displacement modifier of strength 1 and midlevel 0
+  blender,  ///< .exr with metres, for a displacement modifier of strength 1 and midlevel 0 on a grid of all cells
 };
 
 struct EngineOptions {

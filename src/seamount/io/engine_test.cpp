@@ -10,7 +10,6 @@
 #include "seamount/io/raster.h"
 #include "seamount/io/splat.h"
 #include "seamount/io/test_files.h"
-#include "seamount/io/tiles.h"
 
 namespace seamount::io {
 namespace {
@@ -33,6 +32,19 @@ double typed(const std::string& path, const std::string& place) {
     if (name == place) return std::stod(value);
   ADD_FAILURE() << place;
   return 0;
+}
+
+/// Names of the channels of an EXR file, one after the other, from its header's attribute "channels".
+std::string exr_channels(const std::vector<uint8_t>& file) {
+  const std::string bytes(file.begin(), file.end()), attribute("channels\0chlist\0", 16);
+  std::string names;
+  size_t at = bytes.find(attribute) + attribute.size() + 4;
+  while (bytes[at] != 0) {
+    const std::string name = bytes.c_str() + at;
+    names += name;
+    at += name.size() + 1 + 16;
+  }
+  return names;
 }
 
 /// What Unreal makes of the codes with the numbers that the side-car says to type in.
@@ -128,35 +140,12 @@ TEST(Engines, FloatTargetsHoldMetres) {
   for (const Engine engine : {Engine::godot, Engine::blender}) {
     write_for_engine(heights, engine, folder("land.exr"));
     EXPECT_EQ(read_heights(folder("land.exr")), heights);
+    EXPECT_EQ(exr_channels(read_file(folder("land.exr"))), engine == Engine::godot ? "R" : "Y");
   }
   EXPECT_THAT(*describe_raster(folder("land.exr")), Contains(Pair("  Displace strength", "1")));
-}
-
-TEST(Tiles, PutTogetherAreTheTerrain) {
-  const TestFolder folder;
-  const HeightField heights = test_terrain({65, 33, 2, 100, 200, "EPSG:32604"});
-  for (const std::string extension : {".tif", ".npy", ".r16", ".png"}) {
-    const std::vector<Tile> tiles = write_tiles(heights, folder("t" + extension), 17);
-    ASSERT_EQ(tiles.size(), 8U);
-    EXPECT_EQ(tiles[5].path, folder("t_x1_y1" + extension));
-    std::optional<HeightField> whole;
-    write_heights(heights, folder("whole" + extension));
-    whole = read_heights(folder("whole" + extension));
-    for (const Tile& tile : tiles) {
-      const HeightField part = read_heights(tile.path);
-      EXPECT_EQ(part.frame().x(0), heights.frame().x(16 * tile.x));
-      EXPECT_EQ(part.frame().y(0), heights.frame().y(16 * tile.y));
-      for (int y = 0; y < 17; ++y)
-        for (int x = 0; x < 17; ++x) ASSERT_EQ(part(x, y), (*whole)(16 * tile.x + x, 16 * tile.y + y));
-    }
-  }
-}
-
-TEST(Tiles, SaysWhichSizesFit) {
-  const TestFolder folder;
-  const HeightField heights = square(100);
-  EXPECT_THAT(error_of([&] { write_tiles(heights, folder("t.tif"), 33); }), HasSubstr("97 or 129 would be"));
-  EXPECT_THAT(error_of([&] { write_tiles(heights, folder("t.tif"), 1); }), HasSubstr("is below 2"));
+  EXPECT_THAT(*describe_raster(folder("land.exr")), Contains(Pair("  texture Clamp", "off")));
+  EXPECT_DOUBLE_EQ(typed(folder("land.exr"), "plane size X"), 70 * 4.0);
+  EXPECT_DOUBLE_EQ(typed(folder("land.exr"), "plane size Y"), 50 * 4.0);
 }
 
 TEST(Splat, WeightsSumTo255OverAllFiles) {

@@ -1,4 +1,4 @@
-// OpenEXR: one float channel "Y" (luminance: what Blender, Godot and Nuke read as grey) in metres.
+// OpenEXR: one float channel in metres.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -87,15 +87,16 @@ Stored decode_exr(std::span<const uint8_t> file, const std::string& name, int64_
   }
 }
 
-void encode_exr(const Grid<float>& grid, const std::string& temporary, const std::string& path) {
+void encode_exr(const Grid<float>& grid, const std::string& temporary, const std::string& path, const char* channel) {
   try {
     Imf::Header header(grid.width(), grid.height());
     header.compression() = Imf::ZIP_COMPRESSION;
-    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
     Imf::OutputFile output(temporary.c_str(), header);
     Imf::FrameBuffer buffer;
     char* base = reinterpret_cast<char*>(const_cast<float*>(grid.data()));
-    buffer.insert("Y", Imf::Slice(Imf::FLOAT, base, sizeof(float), sizeof(float) * static_cast<size_t>(grid.width())));
+    const size_t row_bytes = sizeof(float) * static_cast<size_t>(grid.width());
+    buffer.insert(channel, Imf::Slice(Imf::FLOAT, base, sizeof(float), row_bytes));
     output.setFrameBuffer(buffer);
     output.writePixels(grid.height());
   } catch (const std::exception& error) {

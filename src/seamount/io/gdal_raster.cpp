@@ -239,7 +239,8 @@ Stored read_gdal(const std::string& place, const std::string& name, const ReadOp
   stored.placement = std::move(placement);
   stored.metres = heights;
   const char* ours = dataset->GetMetadataItem("SEAMOUNT_CRS");
-  stored.local = ours != nullptr && std::string_view(ours) == "local";
+  stored.ours = ours != nullptr;
+  stored.local = stored.ours && std::string_view(ours) == "local";
   return stored;
 }
 

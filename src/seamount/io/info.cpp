@@ -7,6 +7,7 @@
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
+#include "seamount/io/label_info.h"
 #include "seamount/io/png_codec.h"
 #include "seamount/io/projection.h"
 #include "seamount/io/raster.h"
@@ -43,12 +44,28 @@ void describe_sidecar(FileInfo& info, const Sidecar& sidecar) {
   if (sidecar.range)
     info.emplace_back("codes stand for", rounded(sidecar.range->low_m) + " to " + rounded(sidecar.range->high_m) +
                                              (sidecar.heights ? " m" : ""));
+  if (sidecar.ground_width > 0)
+    info.emplace_back("ground", std::to_string(sidecar.ground_width) + " x " + std::to_string(sidecar.ground_height) +
+                                    " samples; the others repeat its edge");
   info.emplace_back("first row", sidecar.south_first ? "south" : "north");
   if (!sidecar.target.empty()) info.emplace_back("made for", sidecar.target);
   for (const auto& [place, value] : sidecar.import) info.emplace_back("  " + place, value);
   if (!sidecar.provenance.program.empty()) info.emplace_back("made by", sidecar.provenance.program);
   if (!sidecar.provenance.recipe.empty()) info.emplace_back("recipe", sidecar.provenance.recipe);
   if (sidecar.provenance.seed) info.emplace_back("seed", std::to_string(*sidecar.provenance.seed));
+}
+
+/// "mountain", "12.3 %" and so on.
+void describe_regions(FileInfo& info, const RegionCounts& counts) {
+  int64_t all = counts.others;
+  for (const int64_t cells : counts.cells) all += cells;
+  const auto share = [&](int64_t cells) {
+    const double percent = 100.0 * static_cast<double>(cells) / static_cast<double>(std::max<int64_t>(1, all));
+    return (cells > 0 && percent < 0.1 ? "below 0.1" : format_number(std::round(10.0 * percent) / 10.0)) + " %";
+  };
+  for (const Region region : kRegions)
+    info.emplace_back(region_name(region), share(counts.cells[static_cast<size_t>(region)]));
+  if (counts.others > 0) info.emplace_back("no region", share(counts.others));
 }
 
 void describe_cells(FileInfo& info, const std::string& path) {
@@ -84,13 +101,24 @@ std::optional<FileInfo> describe_raster(const std::string& path) {
   if (!has_extension(path, readable_raster_extensions()) || is_colour_picture(path)) return std::nullopt;
   FileInfo info;
   describe_cells(info, path);
+  if (!has_extension(path, {".tif", ".tiff"})) return info;
+  if (const auto counts = count_regions(path)) describe_regions(info, *counts);
   return info;
 }
 
 std::optional<FileInfo> describe_picture(const std::string& path) {
   if (!has_extension(path, {".jpg", ".jpeg", ".png"}) || !is_colour_picture(path)) return std::nullopt;
   const Image image = read_image(path);
-  return FileInfo{{"format", "picture"}, {"size", std::to_string(image.width) + " x " + std::to_string(image.height)}};
+  FileInfo info{{"format", "picture"}, {"size", std::to_string(image.width) + " x " + std::to_string(image.height)}};
+  const auto counts = count_regions(image);
+  if (!counts) return info;
+  info[0].second = "regions as a picture";
+  if (const std::optional<Sidecar> sidecar = read_sidecar(path)) {
+    const GridFrame& frame = sidecar->frame;
+    describe_place(info, frame.cell_m, frame.width, frame.height, frame.crs);
+  }
+  describe_regions(info, *counts);
+  return info;
 }
 
 std::optional<FileInfo> describe_vector(const std::string& path) {

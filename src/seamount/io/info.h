@@ -14,10 +14,11 @@ namespace seamount::io {
 
 using FileInfo = std::vector<std::pair<std::string, std::string>>;
 
-/// Rasters of heights, scalars and labels: readable_raster_extensions(), but pictures in colour.
+/// Rasters of heights, scalars and labels (with the share of each region): readable_raster_extensions(), but pictures
+/// in colour.
 std::optional<FileInfo> describe_raster(const std::string& path);
 
-/// Pictures: JPEG, and PNG with more than grey and alpha.
+/// Pictures: JPEG, and PNG with more than grey and alpha; of those in the colours of regions the share of each.
 std::optional<FileInfo> describe_picture(const std::string& path);
 
 /// Areas, lines and points: .geojson, .json, .gpkg, .shp.

@@ -148,6 +148,8 @@ Sidecar sidecar_of(const Grid<float>& grid, const WriteOptions& options, bool he
   sidecar.min_m = extremes.low_m;
   sidecar.max_m = extremes.high_m;
   sidecar.heights = heights;
+  sidecar.ground_width = options.ground_width;
+  sidecar.ground_height = options.ground_height;
   sidecar.provenance = options.provenance;
   return sidecar;
 }
@@ -235,7 +237,7 @@ Loaded load_raster(const std::string& path, const ReadOptions& options, Meaning 
 
 Grid<float> finish_raster(Loaded loaded, const std::string& name, const ReadOptions& options, Meaning meaning) {
   Stored& stored = loaded.stored;
-  const bool heights = meaning == Meaning::heights;
+  const bool heights = meaning == Meaning::heights && !stored.ours && !loaded.sidecar;
   const bool metres = heights && stored.code_max == 0 && !options.range;
   if (metres) take_out_impossible_heights(stored.values, name, options.run);
   treat_voids(stored.values, name, options);

@@ -51,6 +51,8 @@ struct WriteOptions {
   std::optional<HeightRange> range;  ///< of 16-bit formats; default: the field's own minimum and maximum
   bool cloud_optimised = false;      ///< .tif only: tiles and overviews in COG order
   bool sidecar = true;               ///< beside formats that cannot say their own scale
+  int ground_width = 0;              ///< of a padded tile, for the side-car: see Sidecar
+  int ground_height = 0;
   Provenance provenance;
 };
 

@@ -21,6 +21,7 @@ struct Stored {
   std::string crs = {};                     ///< of the placement, as text
   bool metres = false;                      ///< heights whose unit is settled
   bool local = false;                       ///< it says that it lies in metres without a system
+  bool ours = false;                        ///< written by us: its heights are what they are
 };
 
 /// What the numbers of a raster are.
@@ -51,7 +52,10 @@ void encode_npy(const Grid<float>& grid, const std::string& temporary, const std
 
 /// .exr: the channel Y, else Z, height or R, else the only one.
 Stored decode_exr(std::span<const uint8_t> file, const std::string& name, int64_t max_cells);
-void encode_exr(const Grid<float>& grid, const std::string& temporary, const std::string& path);
+/// One float channel. "Y" is luminance, which Blender, Nuke and GDAL read as grey; Godot makes three equal channels of
+/// it, but one, as its terrains want, of a lone "R".
+void encode_exr(const Grid<float>& grid, const std::string& temporary, const std::string& path,
+                const char* channel = "Y");
 
 /// .r16 .raw (16 bit, in options.byte_order) and .r32 (float, little endian), without header: square unless width and
 /// height are given. Says so where the other byte order gives a much smoother raster.

@@ -65,17 +65,26 @@ Sidecar sidecar_from(const Json& json, const std::string& file) {
   const Member member(json, file);
   Sidecar sidecar;
   sidecar.frame = frame_from(member, file);
-  if (member.has("min_m")) sidecar.min_m = member.number("min_m");
-  if (member.has("max_m")) sidecar.max_m = member.number("max_m");
-  if (member.has("low_m") || member.has("high_m")) {
-    sidecar.range = HeightRange{member.number("low_m"), member.number("high_m")};
-    if (!(sidecar.range->high_m > sidecar.range->low_m)) throw IoError(file, "high_m: must be above low_m");
+  sidecar.heights = member.text("quantity") != "field";
+  // Those of fields bear no unit; earlier versions gave them metres too.
+  const auto either = [&](const char* plain, const char* metres) {
+    return !sidecar.heights && member.has(plain) ? plain : metres;
+  };
+  const char *min = either("min", "min_m"), *max = either("max", "max_m");
+  const char *low = either("low", "low_m"), *high = either("high", "high_m");
+  if (member.has(min)) sidecar.min_m = member.number(min);
+  if (member.has(max)) sidecar.max_m = member.number(max);
+  if (member.has(low) || member.has(high)) {
+    sidecar.range = HeightRange{member.number(low), member.number(high)};
+    if (!(sidecar.range->high_m > sidecar.range->low_m))
+      throw IoError(file, std::string(high) + ": must be above " + low);
   }
+  if (member.has("ground_width")) sidecar.ground_width = member.size("ground_width");
+  if (member.has("ground_height")) sidecar.ground_height = member.size("ground_height");
   const std::string first_row = member.text("first_row");
   if (!first_row.empty() && first_row != "north" && first_row != "south")
     throw IoError(file, "first_row: '" + first_row + "' is neither 'north' nor 'south'");
   sidecar.south_first = first_row == "south";
-  sidecar.heights = member.text("quantity") != "field";
   sidecar.target = member.text("target");
   if (member.has("import") && member.at("import").is_object()) {
     for (const auto& [place, value] : member.at("import").items())
@@ -123,12 +132,15 @@ void write_sidecar(const Sidecar& sidecar, const std::string& raster_path) {
   if (!sidecar.frame.crs.empty()) json["crs"] = sidecar.frame.crs;
   json["quantity"] = sidecar.heights ? "height" : "field";
   if (sidecar.heights) json["vertical_datum"] = "sea level is 0 m, up is positive";
-  json["min_m"] = sidecar.min_m;
-  json["max_m"] = sidecar.max_m;
+  const auto name = [&](const char* plain, const char* metres) { return sidecar.heights ? metres : plain; };
+  json[name("min", "min_m")] = sidecar.min_m;
+  json[name("max", "max_m")] = sidecar.max_m;
   if (sidecar.range) {
-    json["low_m"] = sidecar.range->low_m;
-    json["high_m"] = sidecar.range->high_m;
+    json[name("low", "low_m")] = sidecar.range->low_m;
+    json[name("high", "high_m")] = sidecar.range->high_m;
   }
+  if (sidecar.ground_width > 0) json["ground_width"] = sidecar.ground_width;
+  if (sidecar.ground_height > 0) json["ground_height"] = sidecar.ground_height;
   json["first_row"] = sidecar.south_first ? "south" : "north";
   json["byte_order"] = extension_of(raster_path) == ".png" ? "as PNG" : "little endian";
   if (!sidecar.target.empty()) json["target"] = sidecar.target;

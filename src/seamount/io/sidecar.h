@@ -15,7 +15,8 @@
 
 namespace seamount::io {
 
-/// Values of the lowest and the highest code of an integer raster: 0 and 65535, or 0 and 255. high > low.
+/// Values of the lowest and the highest code of an integer raster: 0 and 65535, or 0 and 255. high > low. Metres, or of
+/// a field its own unit.
 struct HeightRange {
   double low_m = 0.0;
   double high_m = 1.0;
@@ -27,10 +28,12 @@ using ImportNumber = std::pair<std::string, std::string>;
 
 struct Sidecar {
   GridFrame frame;                   ///< size, cell, place and CRS of the samples, row 0 north
-  double min_m = 0.0, max_m = 0.0;   ///< of the heights themselves
+  double min_m = 0.0, max_m = 0.0;   ///< of the heights themselves, or of a field in its own unit
   std::optional<HeightRange> range;  ///< integer formats only
   bool south_first = false;          ///< the first row of the file is the southern one
-  bool heights = true;               ///< metres above sea level; else any other scalar
+  bool heights = true;               ///< metres above sea level; else any other scalar, and so are the values below
+  int ground_width = 0;              ///< of a padded tile: samples in the north-west that are ground, the others repeat
+  int ground_height = 0;             ///< its edge; 0: all are
   std::string target;                ///< "unreal", "unity", ...; empty: none in particular
   std::vector<ImportNumber> import;  ///< what to type in there
   bool for_painting = false;         ///< the raster is there to be changed by hand: its digest is not kept

@@ -1,25 +1,52 @@
-// Worlds larger than one image, as tiles that share their border samples.
+// Worlds larger than one image, as tiles.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "seamount/base/fields.h"
+#include "seamount/base/run_context.h"
 #include "seamount/io/raster.h"
 #include "seamount/model/grid.h"
 
 namespace seamount::io {
 
+/// What becomes of the last tiles where a terrain is not a whole number of tiles: as large as the others, its edge
+/// repeated beyond it, or as small as what is left. by_format: smaller in files that know their place (.tif, .asc),
+/// padded in all others, whose readers want tiles of one size.
+enum class LastTiles { by_format, padded, smaller };
+
+struct TileOptions {
+  int tile_size = 1025;  ///< samples a side, >= 2
+  LastTiles last_tiles = LastTiles::by_format;
+  bool share_border = true;  ///< the last row or column of a tile is the first of the next one
+};
+
+/// One tile: the terrain's samples from (column, row) on, `width` x `height` of them. A padded file is larger.
 struct Tile {
   int x = 0;  ///< from the west
   int y = 0;  ///< from the NORTH
   std::string path;
+  int column = 0, row = 0;
+  int width = 0, height = 0;
 };
 
-/// Cuts a terrain into tiles of tile_size x tile_size samples, neighbours sharing one row or column, and writes each
-/// with write_heights() as "name_x0_y0.ext" for path "name.ext". 16-bit tiles share one range (that of the whole
-/// terrain unless options.range is set). Throws InvalidArgument{"tile_size"} unless (width - 1) and (height - 1) are
-/// multiples of (tile_size - 1).
-std::vector<Tile> write_tiles(const HeightField& heights, const std::string& path, int tile_size,
-                              const WriteOptions& options = {});
+/// "name_tiles.json" of "name.ext".
+std::string tiles_manifest(const std::string& path);
+
+/// Cuts a terrain into tiles with its own cells, from the north-west corner on, and writes each with write_heights() as
+/// "name_x0_y0.ext" for path "name.ext", with its place. Every sample is in the tiles; 16-bit tiles share one range
+/// (that of the whole terrain unless `write.range` is set). tiles_manifest(path) says the whole extent, and of each
+/// tile its file and which samples it holds. Says the extent, and what was padded. Throws InvalidArgument{"tile_size"}
+/// for a tile_size below 2.
+std::vector<Tile> write_tiles(const HeightField& heights, const std::string& path, const TileOptions& options = {},
+                              const WriteOptions& write = {}, const RunContext& run = {});
 
 }  // namespace seamount::io
+
+template <>
+struct seamount::Choices<seamount::io::LastTiles> {
+  static constexpr std::array<std::string_view, 3> names = {"by_format", "padded", "smaller"};
+};

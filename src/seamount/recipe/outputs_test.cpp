@@ -69,19 +69,23 @@ class Outputs : public ::testing::Test {
 };
 
 TEST_F(Outputs, WriteTheFilesThatTheySay) {
-  const std::map<std::string, Json> small = {{"mesh", {{"texture_px", 32}}},
-                                             {"tiles", {{"tile_size", 33}}},
-                                             {"perspective", {{"width_px", 96}, {"height_px", 64}}},
-                                             {"map", {{"width_px", 128}}},
-                                             {"texture", {{"size_px", 64}}}};
+  const std::map<std::string, Json> small = {
+      {"mesh", {{"texture_px", 32}}}, {"gazebo", {{"texture_px", 32}}},
+      {"tiles", {{"tile_size", 33}}}, {"perspective", {{"width_px", 96}, {"height_px", 64}}},
+      {"map", {{"width_px", 128}}},   {"texture", {{"size_px", 64}}}};
   for (const auto& format : standard_registry().formats()) {
     for (const Kind* kind : format->accepts) {
       for (const std::string& extension : format->extensions) {
         Json output = small.contains(format->name) ? small.at(format->name) : Json::object();
         output.update({{"from", source_of(*kind)}, {"path", "made/it" + extension}, {"as", format->name}});
         const Recipe made = recipe(Json::array({output}));
-        execute(made, {folder_, cache_}, {});
+        const ExecuteReport report = execute(made, {folder_, cache_}, {});
         const std::vector<std::string> names = written();
+        std::vector<std::string> told;
+        for (const std::string& file : report.outputs[0].files) told.push_back(fs::relative(file, folder_).string());
+        std::sort(told.begin(), told.end());
+        EXPECT_EQ(told, names) << format->name << ": the report lists the files that are there";
+        EXPECT_TRUE(fs::exists(report.outputs[0].path)) << report.outputs[0].path;
         for (const std::string& file : made.outputs[0].files) {
           const bool there = std::find(names.begin(), names.end(), file) != names.end();
           // Digits are known afterwards; without a coordinate system there is no .prj.

@@ -10,16 +10,17 @@
 namespace seamount::recipe {
 
 struct OutputReport {
-  std::string path;  ///< as opened: output folder and relative path
+  std::string path;  ///< as opened: output folder and relative path; of formats of many files the first of them
   std::string format;
   double seconds = 0.0;
-  std::vector<std::string> notes;  ///< what its writer said
+  std::vector<std::string> files = {};  ///< all that were written, side-cars too, in the order of OutputFormat::files
+  std::vector<std::string> notes = {};  ///< what the writer said
 };
 
 /// Writes all outputs side by side below a private folder in `out_folder` and moves them into place at the end. `value`
-/// gives the value of a source; `part` the context of output i, for its progress; run.note gets what writers say, with
-/// "output 'x': " before it. Throws what writers throw, with
-/// "output 'x': " before it and final file names in it; then nothing has changed.
+/// gives the value of a source; `part` the context of output i, for its progress. Throws what writers throw, with
+/// "output 'x': " before it and final file names in it; then nothing has changed. What they say is passed on with the
+/// same before it.
 std::vector<OutputReport> write_outputs(const Recipe& recipe, const std::string& out_folder,
                                         const std::function<const Value&(const Source&)>& value,
                                         const std::function<RunContext(size_t)>& part, const RunContext& run);

@@ -9,6 +9,7 @@
 #include "seamount/geom/water/inland.h"
 #include "seamount/ops/hydrology/comparison.h"
 #include "seamount/ops/hydrology/descriptors.h"
+#include "seamount/ops/hydrology/mostly_sea.h"
 #include "seamount/ops/hydrology/survey.h"
 
 namespace seamount::hydrology {
@@ -45,6 +46,7 @@ Drawing draw_peaks(const std::vector<Peak>& peaks, const GridFrame& frame) {
 Described describe(const HeightField& terrain, const HeightField* reference, const DescribeParams& params,
                    const RunContext& run) {
   check_params(params);
+  say_mostly_sea(terrain, params.sea, run);
   const float sea_level_m = params.sea ? 0.0F : geom::kNoSea;
   std::vector<const HeightField*> inputs{&terrain};
   if (reference != nullptr) inputs.push_back(reference);

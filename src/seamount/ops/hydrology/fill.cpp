@@ -7,11 +7,13 @@
 #include "seamount/geom/water/inland.h"
 #include "seamount/ops/hydrology/breach.h"
 #include "seamount/ops/hydrology/lakes.h"
+#include "seamount/ops/hydrology/mostly_sea.h"
 
 namespace seamount::hydrology {
 
 Filled fill(const HeightField& terrain, const FillParams& params, const RunContext& run) {
   check_params(params);
+  say_mostly_sea(terrain, params.sea, run);
   const float sea = params.sea ? 0.0F : geom::kNoSea;
   HeightField cut = geom::raise_inland(terrain, sea, params.min_sea_m2, run);
   if (params.depressions == Depressions::breach) {

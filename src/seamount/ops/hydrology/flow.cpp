@@ -10,6 +10,7 @@
 #include "seamount/geom/water/inland.h"
 #include "seamount/ops/hydrology/catchments.h"
 #include "seamount/ops/hydrology/flow_spread.h"
+#include "seamount/ops/hydrology/mostly_sea.h"
 
 namespace seamount::hydrology {
 namespace {
@@ -59,6 +60,7 @@ ScalarField number_basins(const FlowDirections& directions, const Grid<uint32_t>
 
 Flow flow(const HeightField& terrain, const FlowParams& params, const RunContext& run) {
   check_params(params);
+  say_mostly_sea(terrain, params.sea, run);
   const float sea = params.sea ? 0.0F : geom::kNoSea;
   const GridFrame& frame = terrain.frame();
   Flow out{geom::fill_depressions(geom::raise_inland(terrain, sea, params.min_sea_m2, run), sea, run.part(0.0, 0.4)),

@@ -8,6 +8,7 @@
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/inland.h"
 #include "seamount/geom/water/skeleton.h"
+#include "seamount/ops/hydrology/mostly_sea.h"
 #include "seamount/ops/hydrology/network.h"
 #include "seamount/ops/hydrology/ridge_flow.h"
 
@@ -58,6 +59,7 @@ double fall(const Link& link, const HeightField& terrain) {
 
 Drawing rivers(const HeightField& terrain, const RiversParams& params, const RunContext& run) {
   check_params(params);
+  say_mostly_sea(terrain, params.sea, run);
   const GridFrame& frame = terrain.frame();
   const float sea = params.sea ? 0.0F : geom::kNoSea;
   const HeightField filled =
@@ -85,6 +87,7 @@ Drawing rivers(const HeightField& terrain, const RiversParams& params, const Run
 
 Drawing ridges(const HeightField& terrain, const RidgesParams& params, const RunContext& run) {
   check_params(params);
+  say_mostly_sea(terrain, params.sea, run);
   const GridFrame& frame = terrain.frame();
   const float sea = params.sea ? 0.0F : geom::kNoSea;
   const HeightField ground = geom::raise_inland(terrain, sea, params.min_sea_m2, run);

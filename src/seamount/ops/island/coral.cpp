@@ -11,6 +11,7 @@
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/scalar/curve.h"
 #include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/water/flat_sea.h"
 #include "seamount/model/same_size.h"
 #include "seamount/ops/island/coordinate.h"
 #include "seamount/ops/island/reef_passes.h"
@@ -183,6 +184,11 @@ Reefed coral(const HeightField& terrain, const LabelMap& labels, const ScalarFie
                        noise.islet_threshold,
                        static_cast<float>(params.section.crest_start),
                        static_cast<float>(params.section.crest_end)};
+  const Grid<uint8_t> no_floor = geom::flat_sea(terrain, run);
+  if (!no_floor.empty())
+    run.say(
+        "the sea of this terrain is 0 m everywhere, as elevation models of land give it: where it has no floor there "
+        "is no reef (terrain.sea_floor gives it one)");
   Reefed out{HeightField(frame), LabelMap(frame)};
   parallel_rows(run.part(0.4, 1.0), frame.width, frame.height, [&](int begin, int end) {
     const auto width = static_cast<size_t>(frame.width);
@@ -210,6 +216,11 @@ Reefed coral(const HeightField& terrain, const LabelMap& labels, const ScalarFie
                 frame.width);
       for (int i = 0; i < frame.width; ++i) {
         const bool behind_crest = across[static_cast<size_t>(i)] < shape.crest_start;
+        if (!no_floor.empty() && no_floor(i, y) != 0) {
+          out.terrain(i, y) = 0.0F;
+          out.labels(i, y) = Region::abyss;
+          continue;
+        }
         out.labels(i, y) =
             params.relabel ? relabelled(labels(i, y), out.terrain(i, y), behind_crest, shape.crest_m) : labels(i, y);
       }

@@ -8,6 +8,7 @@
 #include "seamount/geom/contour/contour.h"
 #include "seamount/geom/grid/pyramid.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/water/flat_sea.h"
 #include "seamount/model/same_size.h"
 #include "seamount/ops/reef/habitat.h"
 #include "seamount/ops/reef/shape.h"
@@ -139,6 +140,20 @@ LabelMap label_regions(const Grown& grown, const LabelMap* before, const ScalarF
   return labels;
 }
 
+/// Nothing stands on a sea without a floor.
+void keep_floorless(const HeightField& terrain, Grown& out, const RunContext& run) {
+  const Grid<uint8_t> no_floor = geom::flat_sea(terrain, run);
+  if (no_floor.empty()) return;
+  run.say(
+      "the sea of this terrain is 0 m everywhere, as elevation models of land give it: where it has no floor there "
+      "is no reef (terrain.sea_floor gives it one)");
+  for (size_t i = 0; i < no_floor.size(); ++i) {
+    if (no_floor.cells()[i] == 0) continue;
+    out.terrain.cells()[i] = 0.0F;
+    out.aggregate.cells()[i] = 0.0F;
+  }
+}
+
 void check_inputs(const GrowInputs& in, const GrowParams& params) {
   check_params(params);
   if (in.labels != nullptr) check_same_size("labels", in.labels->frame(), in.terrain.frame());
@@ -181,6 +196,7 @@ Grown grow(const GrowInputs& in, const GrowParams& params, Seed seed, const RunC
     SurfaceRows rows(form, surface, frame, seed);
     for (int y = begin; y < end; ++y) rows.row(y, in.terrain.row(y), out.terrain.row(y), out.aggregate.row(y));
   });
+  keep_floorless(in.terrain, out, run);
   if (params.finish.blur_m > 0) geom::gaussian_blur(out.terrain, params.finish.blur_m, run);
   if (params.finish.normalise) stretch(out.terrain, params.finish, run);
   const auto lagoon_top = static_cast<float>(rising ? params.heights.flat_m - kBackReefDepth_m : -1e9);

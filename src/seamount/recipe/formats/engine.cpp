@@ -14,8 +14,23 @@
 namespace seamount::recipe {
 namespace {
 
+/// How a terrain that is no square is fitted. by_engine: crop for those that read squares only, else whole.
+enum class Fit { by_engine, crop, pad, whole };
+
+}  // namespace
+}  // namespace seamount::recipe
+
+template <>
+struct seamount::Choices<seamount::recipe::Fit> {
+  static constexpr std::array<std::string_view, 4> names = {"by_engine", "crop", "pad", "whole"};
+};
+
+namespace seamount::recipe {
+namespace {
+
 struct EngineParams {
   int size = 0;
+  Fit fit = Fit::by_engine;
   std::optional<double> low_m;
   std::optional<double> high_m;
 
@@ -24,6 +39,10 @@ struct EngineParams {
     return std::tuple(
         field(&P::size, "size", "", between(0, 16385),
               "samples a side; 0: the largest that the engine takes and the terrain fills"),
+        field(&P::fit, "fit",
+              "a terrain that is no square: crop takes its middle, pad adds its repeated edge, whole leaves it as long "
+              "as "
+              "it is; by_engine: crop for unreal and unity, which read squares, else whole"),
         field(&P::low_m, "low_m", "m", between(-20000, 20000),
               "height of the lowest code; chosen with room to sculpt if absent"),
         field(&P::high_m, "high_m", "m", between(-20000, 20000), "height of the highest code; chosen if absent"));
@@ -32,14 +51,19 @@ struct EngineParams {
 
 struct TilesParams {
   int tile_size = 1025;
+  io::LastTiles last_tiles = io::LastTiles::by_format;
+  bool share_border = true;
   std::optional<double> low_m;
   std::optional<double> high_m;
 
   static constexpr auto fields() {
     using P = TilesParams;
     return std::tuple(
-        field(&P::tile_size, "tile_size", "", between(2, 16385),
-              "samples a side of a tile; neighbours share their border samples"),
+        field(&P::tile_size, "tile_size", "", between(2, 16385), "samples a side of a tile"),
+        field(&P::last_tiles, "last_tiles",
+              "where the terrain is not a whole number of tiles, the last ones are padded with its edge or smaller; "
+              "by_format: smaller in .tif and .asc, padded in the others"),
+        field(&P::share_border, "share_border", "the last row and column of a tile are the first of the next one"),
         field(&P::low_m, "low_m", "m", between(-20000, 20000), "16-bit files: height of code 0, for all tiles"),
         field(&P::high_m, "high_m", "m", between(-20000, 20000), "16-bit files: height of code 65535, for all tiles"));
   }
@@ -60,10 +84,19 @@ void add_engine(Registry& registry, io::Engine engine, OutputFormat row) {
       place.at("size").fail(
           fmt::format("{} is not a size that {} reads; allowed are {}", params.size, name, fmt::join(sizes, ", ")));
     }
+    if (params.fit == Fit::whole && !sizes.empty()) place.at("fit").fail(fmt::format("{} reads squares only", name));
     return write_params(params);
   };
   format.prepare = [&sizes](const Json& params, const Kind&, const std::string&) -> std::vector<Preparation> {
-    return {{"", "terrain.samples", "terrain", {{"samples", params["size"]}, {"choices", sizes}}}};
+    const Json& fit = params["fit"];
+    const bool whole = fit == "whole" || (fit == "by_engine" && sizes.empty());
+    return {{"",
+             "terrain.samples",
+             "terrain",
+             {{"layout", whole ? "whole" : "square"},
+              {"fit", fit == "pad" ? "pad" : "crop"},
+              {"samples", params["size"]},
+              {"choices", sizes}}}};
   };
   format.files = [](const Json&, const Kind&, const std::string& path) -> std::vector<std::string> {
     return {path, io::sidecar_path(path)};
@@ -74,17 +107,25 @@ void add_engine(Registry& registry, io::Engine engine, OutputFormat row) {
 void add_tiles(Registry& registry) {
   const std::vector<std::string> files = {".tif", ".asc", ".png", ".exr", ".r16", ".raw", ".r32", ".npy"};
   OutputFormat format = make_format<TilesParams>(
-      {"tiles", "tiles that share their border samples and one range of heights", files, {}, {&kinds::Terrain::kind()}},
+      {"tiles",
+       "the terrain cut into tiles with its own cells, one range of heights, and a list of them",
+       files,
+       {},
+       {&kinds::Terrain::kind()}},
       [](const TilesParams& params, const OutputCall& call) {
-        io::write_tiles(call.value.get<kinds::Terrain>(), call.path, params.tile_size,
-                        {.range = height_range(params.low_m, params.high_m), .provenance = call.provenance});
+        const Value value =
+            io::can_hold_voids(call.path) ? call.value : call.value.without_voids(call.value.kind().name, call.run);
+        io::write_tiles(
+            value.get<kinds::Terrain>(), call.path,
+            {.tile_size = params.tile_size, .last_tiles = params.last_tiles, .share_border = params.share_border},
+            {.range = height_range(params.low_m, params.high_m), .provenance = call.provenance}, call.run);
       });
-  format.prepare = [](const Json& params, const Kind&, const std::string&) -> std::vector<Preparation> {
-    return {{"", "terrain.samples", "terrain", {{"layout", "tiles"}, {"samples", params["tile_size"]}}}};
-  };
   format.files = [](const Json&, const Kind&, const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
-    return io::written_files(path.substr(0, path.size() - extension.size()) + "_x*_y*" + extension);
+    std::vector<std::string> all = {io::tiles_manifest(path)};
+    const auto tiles = io::written_files(path.substr(0, path.size() - extension.size()) + "_x*_y*" + extension);
+    all.insert(all.end(), tiles.begin(), tiles.end());
+    return all;
   };
   registry.add(std::move(format));
 }

@@ -1,9 +1,13 @@
 // tin: a triangulated network, with or without heights.
+#include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "seamount/base/text.h"
 #include "seamount/geom/contour/marching_triangles.h"
 #include "seamount/geom/polygon/frame_around.h"
 #include "seamount/io/atomic_file.h"
+#include "seamount/io/projection.h"
 #include "seamount/io/reproject.h"
 #include "seamount/io/tin_file.h"
 #include "seamount/recipe/format.h"
@@ -76,6 +80,25 @@ Tin read_tin_file(const FileCall& call) {
   return tin;
 }
 
+/// Where the nodes lie.
+void describe_place(io::FileInfo& info, const Tin& tin) {
+  if (!tin.nodes.empty()) {
+    Vec2 low = tin.nodes[0], high = low;
+    for (const Vec2& node : tin.nodes) {
+      low = {std::min(low.x, node.x), std::min(low.y, node.y)};
+      high = {std::max(high.x, node.x), std::max(high.y, node.y)};
+    }
+    const auto between = [](double from, double to) {
+      const auto shown = [](double metres) { return format_number(std::round(100 * metres) / 100); };
+      return shown(from) + " to " + shown(to) + " m";
+    };
+    info.emplace_back("extent", io::short_number(high.x - low.x) + " m x " + io::short_number(high.y - low.y) + " m");
+    info.emplace_back("x", between(low.x, high.x));
+    info.emplace_back("y", between(low.y, high.y));
+  }
+  info.emplace_back("coordinate system", tin.frame.crs.empty() ? "none (local metres)" : io::crs_name(tin.frame.crs));
+}
+
 std::optional<io::FileInfo> describe(const std::string& path) {
   if (io::extension_of(path) != ".ply") return std::nullopt;
   const Tin tin = io::read_tin(path);
@@ -89,7 +112,7 @@ std::optional<io::FileInfo> describe(const std::string& path) {
     const auto [low, high] = std::minmax_element(tin.height_m.begin(), tin.height_m.end());
     info.emplace_back("heights", io::short_number(*low) + " m to " + io::short_number(*high) + " m");
   }
-  if (!tin.frame.crs.empty()) info.emplace_back("coordinate system", tin.frame.crs);
+  describe_place(info, tin);
   return info;
 }
 

@@ -9,6 +9,7 @@
 #include "seamount/ops/terrain/noise.h"
 #include "seamount/ops/terrain/resample.h"
 #include "seamount/ops/terrain/samples.h"
+#include "seamount/ops/terrain/sea_floor.h"
 #include "seamount/recipe/ports.h"
 
 namespace seamount::recipe {
@@ -171,8 +172,16 @@ void add_sampling(Registry& registry) {
       [](const terrain::ResampleParams& params, const Call& call, const HeightField& terrain) {
         return terrain::resample(terrain, params, call.domain, call.run);
       }));
+  registry.add(make_operator<terrain::SeaFloorParams>(
+      {.name = "terrain.sea_floor",
+       .summary = "A plausible sea floor for elevation models of land, whose sea is 0 m everywhere"},
+      inputs(in<Terrain>("terrain", kHeights)), outputs(out<Terrain>("terrain", kHeights)),
+      [](const terrain::SeaFloorParams& params, const Call& call, const HeightField& terrain) {
+        return terrain::sea_floor(terrain, params, call.run);
+      }));
   registry.add(make_operator<terrain::SamplesParams>(
       {.name = "terrain.samples",
+       .revision = 2,
        .summary = "A terrain as the samples that game engines and tiles want, the outer ones on its edge",
        .cached = false},
       inputs(in<Terrain>("terrain", kHeights)), outputs(out<Terrain>("terrain", kHeights)),
