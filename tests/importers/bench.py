@@ -40,7 +40,7 @@ class Bench:
     def run(self, *command, env=None, timeout=600):
         """What a program prints; it must succeed."""
         done = subprocess.run([str(word) for word in command], cwd=self.folder, text=True, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=timeout, env={**os.environ, **(env or {})}, check=False)
+                              stderr=subprocess.STDOUT, timeout=timeout, env={**os.environ, "PWD": str(self.folder), **(env or {})}, check=False)
         assert done.returncode == 0, f"{' '.join(map(str, command))}: exit {done.returncode}\n{done.stdout[-4000:]}"
         return done.stdout
 
@@ -54,8 +54,15 @@ class Bench:
 
     def blender(self, script, *words):
         """Runs Python in Blender without a window; what the script prints after 'RESULT ' as JSON is returned."""
-        self.path("script.py").write_text(script)
-        said = self.run("blender", "-b", "--factory-startup", "--python-exit-code", "1", "--python", "script.py", "--", *words)
+        old_names = "import numpy\nif 'bool' not in vars(numpy): numpy.bool = bool  # Blender 3.4's glTF importer needs it\n"
+        self.path("script.py").write_text(old_names + script)
+        # A Python that this script runs in, of pyenv say, must not become Blender's.
+        env = {"PATH": os.pathsep.join(p for p in os.environ["PATH"].split(os.pathsep) if "pyenv" not in p)}
+        finds_numpy = "import importlib.util as u; print('RESULT' * bool(u.find_spec('numpy')))"
+        if "RESULT" not in self.run("blender", "-b", "--python-expr", finds_numpy, env=env):
+            raise Missing("numpy is not installed for Blender's Python")
+        said = self.run("blender", "-b", "--factory-startup", "--python-exit-code", "1", "--python", "script.py", "--", *words,
+                        env=env)
         return json.loads(next(line for line in said.splitlines() if line.startswith("RESULT "))[7:])
 
     def node_module(self, name):
