@@ -8,6 +8,7 @@
 
 #include "seamount/geom/contour/contour.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/mesh/terrain_mesh.h"
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/solve/poisson.h"
@@ -49,6 +50,15 @@ Polygon wavy_disc(double radius_m, int points) {
   }
   return disc;
 }
+
+void mesh(benchmark::State& state) {
+  const int size = static_cast<int>(state.range(0));
+  HeightField heights(GridFrame::centred(size, size, 10.0));
+  const ScalarField noise = geom::fbm_grid(heights.frame(), Seed{7}, {.wavelength_m = 8000.0, .octaves = 8}, {});
+  for (size_t i = 0; i < heights.size(); ++i) heights.cells()[i] = 1000.0F * noise.cells()[i];
+  for (auto _ : state) benchmark::DoNotOptimize(geom::make_mesh(heights, {.max_triangles = 400000}, {}));
+}
+BENCHMARK(mesh)->Name("geom/mesh")->Arg(1024)->Arg(4096)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void signed_distance(benchmark::State& state) {
   const int size = static_cast<int>(state.range(0));

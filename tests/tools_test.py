@@ -54,8 +54,6 @@ class Layers(unittest.TestCase):
         self.check("ops/reef/grow.cpp", "nlohmann/json.hpp>", False)
         self.check("io/vector.cpp", "nlohmann/json.hpp>", True)
         self.check("geom/scalar/noise.cpp", "thread>", False)
-        self.check("geom/mesh/terrain_mesh.cpp", "meshoptimizer.h>", True)
-        self.check("io/mesh_glb.cpp", "meshoptimizer.h>", False)
         self.check("ops/learned/network.cpp", "dnnl.hpp>", True)
         self.check("ops/amplify/sparse.cpp", "dnnl.hpp>", False)
 

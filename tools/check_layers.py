@@ -25,7 +25,6 @@ ONLY_IN = {
     "dnnl": "ops/learned",
     "oneapi/dnnl": "ops/learned",
     "torch/": "train",
-    "meshoptimizer": "geom/mesh",
 }
 # Folders with rooms: a room may use itself and those before it.
 ROOMS = {

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
+#include <utility>
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
@@ -42,9 +44,45 @@ class TextWriter {
   std::string text_;
 };
 
+/// A normal for each place: that of its first vertex, which is the ground's where walls begin.
+std::vector<float> normals_of(const MeshPart& mesh, const WeldedPlaces& places) {
+  std::vector<float> normals(places.positions.size());
+  for (size_t v = mesh.vertex_count(); v-- > 0;)
+    std::copy_n(&mesh.normals[3 * v], 3, &normals[3 * size_t{places.place[v]}]);
+  return normals;
+}
+
 }  // namespace
 
-void write_obj(const MeshPart& mesh, const std::string& path, const MeshFileOptions& options) {
+WeldedPlaces welded(const MeshPart& part, Vec2 offset) {
+  using Place = std::array<float, 3>;
+  std::vector<Place> places(part.vertex_count());
+  for (size_t v = 0; v < places.size(); ++v) {
+    const float* p = &part.positions[3 * v];
+    places[v] = {p[0] + static_cast<float>(offset.x), p[1] + static_cast<float>(offset.y), p[2]};
+  }
+  WeldedPlaces result;
+  result.place.resize(places.size());
+  std::iota(result.place.begin(), result.place.end(), 0U);
+  if (part.hard_edges) {
+    std::vector<uint32_t> order = result.place;
+    std::sort(order.begin(), order.end(),
+              [&](uint32_t a, uint32_t b) { return std::pair(places[a], a) < std::pair(places[b], b); });
+    for (size_t i = 1; i < order.size(); ++i) {
+      if (places[order[i]] == places[order[i - 1]]) result.place[order[i]] = result.place[order[i - 1]];
+    }
+  }
+  for (size_t v = 0; v < places.size(); ++v) {
+    const bool is_first = result.place[v] == v;
+    result.place[v] = is_first ? static_cast<uint32_t>(result.positions.size() / 3) : result.place[result.place[v]];
+    if (is_first) result.positions.insert(result.positions.end(), places[v].begin(), places[v].end());
+  }
+  return result;
+}
+
+void write_obj(const Mesh& all, const std::string& path, const MeshFileOptions& options) {
+  const MeshPart& mesh = all.parts[0];
+  const WeldedPlaces places = welded(mesh, all.offset);
   const std::filesystem::path stem = std::filesystem::path(path).replace_extension();
   const std::string name = stem.filename().string();
   if (options.texture != nullptr) write_png(*options.texture, stem.string() + ".png");
@@ -54,44 +92,53 @@ void write_obj(const MeshPart& mesh, const std::string& path, const MeshFileOpti
     FileWriter file(temporary, path);
     TextWriter text(file);
     text << "# metres, y up, sea level at y = 0\nmtllib " << name << ".mtl\no terrain\nusemtl terrain\n";
-    for (size_t i = 0; i < mesh.positions.size(); i += 3)
-      text << "v " << mesh.positions[i] << " " << mesh.positions[i + 2] << " " << 0.0F - mesh.positions[i + 1] << "\n";
+    for (size_t i = 0; i < places.positions.size(); i += 3)
+      text << "v " << places.positions[i] << " " << places.positions[i + 2] << " " << 0.0F - places.positions[i + 1]
+           << "\n";
     for (size_t i = 0; i < mesh.uvs.size(); i += 2)
       text << "vt " << mesh.uvs[i] << " " << 1.0F - mesh.uvs[i + 1] << "\n";
     for (size_t i = 0; i < mesh.normals.size(); i += 3)
       text << "vn " << mesh.normals[i] << " " << mesh.normals[i + 2] << " " << 0.0F - mesh.normals[i + 1] << "\n";
     for (size_t i = 0; i < mesh.indices.size(); ++i) {
-      const uint32_t v = mesh.indices[i] + 1;
-      text << (i % 3 == 0 ? "f " : " ") << v << "/" << v << "/" << v << (i % 3 == 2 ? "\n" : "");
+      const uint32_t v = mesh.indices[i];
+      text << (i % 3 == 0 ? "f " : " ") << places.place[v] + 1 << "/" << v + 1 << "/" << v + 1
+           << (i % 3 == 2 ? "\n" : "");
     }
     text.flush();
     file.close();
   });
 }
 
-void write_ply(const MeshPart& mesh, const std::string& path) {
+void write_ply(const Mesh& all, const std::string& path) {
+  const MeshPart& mesh = all.parts[0];
+  const WeldedPlaces places = welded(mesh, all.offset);
+  const std::vector<float> normals = normals_of(mesh, places);
   write_atomically(path, [&](const std::string& temporary) {
     FileWriter file(temporary, path);
     const std::string header =
         "ply\nformat binary_little_endian 1.0\ncomment metres, z up, sea level at z = 0\nelement vertex " +
-        std::to_string(mesh.vertex_count()) +
+        std::to_string(places.positions.size() / 3) +
         "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n"
         "property float ny\nproperty float nz\nelement face " +
         std::to_string(mesh.triangle_count()) + "\nproperty list uchar uint vertex_indices\nend_header\n";
     file.write_raw<char>(header);
-    for (size_t i = 0; i < mesh.positions.size(); i += 3) {
-      file.write_raw(std::span(mesh.positions).subspan(i, 3));
-      file.write_raw(std::span(mesh.normals).subspan(i, 3));
+    for (size_t i = 0; i < places.positions.size(); i += 3) {
+      file.write_raw(std::span(places.positions).subspan(i, 3));
+      file.write_raw(std::span(normals).subspan(i, 3));
     }
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
       file.write(std::array<uint8_t, 1>{3});
-      file.write_raw(std::span(mesh.indices).subspan(i, 3));
+      const std::array<uint32_t, 3> corners{places.place[mesh.indices[i]], places.place[mesh.indices[i + 1]],
+                                            places.place[mesh.indices[i + 2]]};
+      file.write_raw<uint32_t>(corners);
     }
     file.close();
   });
 }
 
-void write_stl(const MeshPart& mesh, const std::string& path) {
+void write_stl(const Mesh& all, const std::string& path) {
+  const MeshPart& mesh = all.parts[0];
+  const std::array<float, 3> offset{static_cast<float>(all.offset.x), static_cast<float>(all.offset.y), 0.0F};
   write_atomically(path, [&](const std::string& temporary) {
     FileWriter file(temporary, path);
     std::array<char, 80> header{};
@@ -101,7 +148,8 @@ void write_stl(const MeshPart& mesh, const std::string& path) {
     file.write_raw<uint32_t>(std::array{static_cast<uint32_t>(mesh.triangle_count())});
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
       std::array<float, 12> facet{};
-      for (size_t k = 0; k < 9; ++k) facet[3 + k] = mesh.positions[3 * size_t{mesh.indices[i + k / 3]} + k % 3];
+      for (size_t k = 0; k < 9; ++k)
+        facet[3 + k] = mesh.positions[3 * size_t{mesh.indices[i + k / 3]} + k % 3] + offset[k % 3];
       const float ux = facet[6] - facet[3], uy = facet[7] - facet[4], uz = facet[8] - facet[5];
       const float vx = facet[9] - facet[3], vy = facet[10] - facet[4], vz = facet[11] - facet[5];
       const std::array<float, 3> n{uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
@@ -121,9 +169,9 @@ void write_mesh(const Mesh& mesh, const std::string& path, const MeshFileOptions
     throw IoError(path, "'" + extension + "' is not a mesh format" + suggestion(extension, known));
   if (mesh.parts.empty() || mesh.parts[0].indices.empty()) throw InvalidArgument("mesh", "has no triangles");
   if (extension == ".glb") write_glb(mesh, path, options);
-  if (extension == ".obj") write_obj(mesh.parts[0], path, options);
-  if (extension == ".ply") write_ply(mesh.parts[0], path);
-  if (extension == ".stl") write_stl(mesh.parts[0], path);
+  if (extension == ".obj") write_obj(mesh, path, options);
+  if (extension == ".ply") write_ply(mesh, path);
+  if (extension == ".stl") write_stl(mesh, path);
 }
 
 }  // namespace seamount::io

@@ -16,7 +16,9 @@ struct MeshFileOptions {
 };
 
 /// By extension: .glb, .obj (with .mtl and .png beside it), .ply, .stl (both binary). GLB holds all parts, the others
-/// the first. Throws IoError; InvalidArgument{"mesh"} if it has no triangles.
+/// the first. A solid's neighbours share places of vertices, so that it is closed for every program; only GLB has
+/// vertices of each normal. A mesh's offset is a translation in GLB, and is added to the positions in the others.
+/// Throws IoError; InvalidArgument{"mesh"} if it has no triangles.
 void write_mesh(const Mesh& mesh, const std::string& path, const MeshFileOptions& options = {});
 
 }  // namespace seamount::io

@@ -218,6 +218,52 @@ TEST(MeshFile, ObjCanBeReadAgain) {
   EXPECT_EQ(folder.files(), 3U);
 }
 
+/// A tile of a terrain that lies off its middle, with a vertex twice: a hard edge.
+Mesh off_tent() {
+  Mesh mesh = tent();
+  mesh.offset = {512, -96.5};
+  mesh.largest_error_m = 1.75;
+  mesh.rms_error_m = 0.25;
+  MeshPart& part = mesh.parts[0];
+  part.positions.insert(part.positions.end(), part.positions.begin(), part.positions.begin() + 3);
+  part.normals.insert(part.normals.end(), {1, 0, 0});
+  part.uvs.insert(part.uvs.end(), {0, 0});
+  part.indices[0] = 6;
+  part.hard_edges = true;
+  return mesh;
+}
+
+TEST(MeshFile, GlbMovesATileByItsNode) {
+  const TestFolder folder;
+  write_mesh(off_tent(), folder("t.glb"));
+  const Glb glb(folder("t.glb"));
+  const auto& node = glb.json["nodes"][0];
+  EXPECT_EQ(node["translation"], nlohmann::json({512.0, 0.0, 96.5}));
+  EXPECT_EQ(node["extras"]["largest_error_m"], 1.75);
+  EXPECT_EQ(node["extras"]["rms_error_m"], 0.25);
+  EXPECT_EQ(glb.json["accessors"][0]["count"], 7);
+  write_mesh(tent(), folder("middle.glb"));
+  EXPECT_FALSE(Glb(folder("middle.glb")).json["nodes"][0].contains("translation"));
+}
+
+TEST(MeshFile, OtherFormatsHoldATileWhereItLiesAndShareItsPlaces) {
+  const TestFolder folder;
+  write_mesh(off_tent(), folder("t.obj"));
+  const std::string obj = text_of(folder("t.obj"));
+  EXPECT_THAT(obj, HasSubstr("\nv 502 -1.5 89.5\n"));
+  EXPECT_THAT(obj, HasSubstr("\nf 1/7/7 2/2/2 3/3/3\n")) << "a place of the first vertex, the normal of the last";
+  write_mesh(off_tent(), folder("t.ply"));
+  const std::string ply = text_of(folder("t.ply"));
+  EXPECT_THAT(ply, HasSubstr("element vertex 6\n"));
+  std::array<float, 6> first{};
+  std::memcpy(first.data(), ply.data() + ply.find("end_header\n") + 11, sizeof(first));
+  EXPECT_EQ(first, (std::array<float, 6>{502, -89.5, -1.5, 0, 0.6F, 0.8F}));
+  write_mesh(off_tent(), folder("t.stl"));
+  std::array<float, 3> corner{};
+  std::memcpy(corner.data(), text_of(folder("t.stl")).data() + 84 + 12, sizeof(corner));
+  EXPECT_EQ(corner, (std::array<float, 3>{502, -89.5, -1.5}));
+}
+
 TEST(MeshFile, RefusesWhatItCannotWrite) {
   const TestFolder folder;
   EXPECT_THAT(error_of([&] { write_mesh(tent(), folder("x.gbl")); }), HasSubstr("did you mean '.glb'"));

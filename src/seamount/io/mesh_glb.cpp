@@ -111,6 +111,8 @@ Json water_material() {
 Json extras(const Mesh& mesh, const Provenance& provenance) {
   Json json{{"units", "metres, sea level at y = 0"}, {"origin_x_m", mesh.origin.x}, {"origin_y_m", mesh.origin.y}};
   if (!mesh.crs.empty()) json["crs"] = mesh.crs;
+  json["largest_error_m"] = mesh.largest_error_m;
+  json["rms_error_m"] = mesh.rms_error_m;
   if (mesh.vertical_scale != 1.0) json["vertical_scale"] = mesh.vertical_scale;
   if (!provenance.recipe.empty()) json["recipe"] = provenance.recipe;
   if (provenance.seed) json["seed"] = *provenance.seed;
@@ -126,6 +128,7 @@ void write_glb(const Mesh& mesh, const std::string& path, const MeshFileOptions&
   glb.json["scene"] = 0;
   glb.json["scenes"] = {{{"nodes", {0}}}};
   glb.json["nodes"] = {{{"name", "terrain"}, {"mesh", 0}, {"extras", extras(mesh, options.provenance)}}};
+  if (!(mesh.offset == Vec2{})) glb.json["nodes"][0]["translation"] = {mesh.offset.x, 0.0, 0.0 - mesh.offset.y};
   std::deque<std::vector<float>> turned;  // must stay until they are written
   const auto y_up_of = [&](const std::vector<float>& z_up) -> const std::vector<float>& {
     return turned.emplace_back(y_up(z_up));

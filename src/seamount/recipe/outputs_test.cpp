@@ -9,6 +9,7 @@
 
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
+#include "seamount/io/mesh_info.h"
 #include "seamount/recipe/executor.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/output_files.h"
@@ -17,9 +18,11 @@ namespace seamount::recipe {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Pair;
 
 /// An island with one port of each kind that can be written.
 Json document(Json outputs) {
@@ -104,6 +107,38 @@ TEST_F(Outputs, WriteTheFilesThatTheySay) {
     }
   }
   fs::remove_all(cache_);
+}
+
+TEST_F(Outputs, MeshesInTilesAreFilesOfEachTileAndLevel) {
+  const Recipe made = recipe(
+      Json::array({{{"from", "isle.terrain"}, {"path", "t/isle.obj"}, {"tiles", 2}, {"lods", 2}, {"texture_px", 64}}}));
+  EXPECT_THAT(made.outputs[0].files,
+              ElementsAre("t/isle_x*_y*_lod*.obj", "t/isle_x*_y*_lod*.mtl", "t/isle_x*_y*_lod*.png"));
+  execute(made, {folder_, ""}, {});
+  for (const std::string name : {"x0_y0_lod0", "x1_y0_lod0", "x0_y0_lod1", "x1_y0_lod1"}) {
+    EXPECT_TRUE(fs::exists(folder_ + "/t/isle_" + name + ".obj")) << name;
+    EXPECT_TRUE(fs::exists(folder_ + "/t/isle_" + name + ".png")) << name;
+  }
+  EXPECT_FALSE(fs::exists(folder_ + "/t/isle.obj"));
+  EXPECT_THAT(refusal(Json::array({{{"from", "isle.terrain"}, {"path", "s.stl"}, {"tiles", 2}, {"base_m", 10}}})),
+              HasSubstr("/outputs/0/base_m: tiles are open surfaces"));
+}
+
+TEST_F(Outputs, MeshesShowTheSeaOnce) {
+  const auto water_of = [&](const Json& more) {
+    Json output = {{"from", "isle.terrain"}, {"path", "a.glb"}};
+    output.update(more);
+    const Recipe made = recipe(Json::array({output}));
+    return made.outputs[0].prepared.empty() ? Json() : made.steps.back().params["water"];
+  };
+  EXPECT_EQ(water_of(Json::object()), true) << "in the texture";
+  EXPECT_EQ(water_of({{"water", false}}), false);
+  EXPECT_EQ(water_of({{"texture_px", 0}}), Json()) << "as a surface";
+  execute(recipe(Json::array({{{"from", "isle.terrain"}, {"path", "a.glb"}, {"texture_px", 16}},
+                              {{"from", "isle.terrain"}, {"path", "b.glb"}, {"texture_px", 0}}})),
+          {folder_, ""}, {});
+  EXPECT_THAT(*io::describe_mesh(folder_ + "/a.glb"), Contains(Pair("parts", "1")));
+  EXPECT_THAT(*io::describe_mesh(folder_ + "/b.glb"), Contains(Pair("parts", "2")));
 }
 
 TEST_F(Outputs, OfPicturesAreThoseOfTheirOperators) {

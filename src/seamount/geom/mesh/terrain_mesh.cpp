@@ -1,15 +1,16 @@
 #include "seamount/geom/mesh/terrain_mesh.h"
 
-#include <meshoptimizer.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "seamount/base/error.h"
-#include "seamount/base/parallel.h"
 #include "seamount/base/text.h"
+#include "seamount/geom/mesh/cell_surface.h"
 
 namespace seamount::geom {
 namespace {
@@ -18,177 +19,180 @@ void check_options(const HeightField& heights, const MeshOptions& options) {
   if (heights.width() < 2 || heights.height() < 2)
     throw InvalidArgument("heights", "a mesh needs at least 2 x 2 cells");
   for (const float z : heights.cells())
-    if (!std::isfinite(z)) throw InvalidArgument("heights", "a cell is not finite");
+    if (std::isinf(z)) throw InvalidArgument("heights", "a cell is not finite");
   if (!(options.vertical_scale > 0) || !std::isfinite(options.vertical_scale))
     throw InvalidArgument("vertical_scale", format_number(options.vertical_scale) + " is not above 0");
   if (options.max_triangles < 0) throw InvalidArgument("max_triangles", "is negative");
+  if (!(options.max_error_m >= 0) || !std::isfinite(options.max_error_m))
+    throw InvalidArgument("max_error_m", "is negative");
   if (!(options.base_m >= 0) || !std::isfinite(options.base_m)) throw InvalidArgument("base_m", "is negative");
 }
 
-/// Every n-th index of [0, count), evenly, with both ends.
-std::vector<int> thinned(int count, double factor) {
-  const int kept = std::clamp(static_cast<int>(std::lround((count - 1) / factor)) + 1, 2, count);
-  std::vector<int> indices(static_cast<size_t>(kept));
-  for (int i = 0; i < kept; ++i)
-    indices[static_cast<size_t>(i)] = static_cast<int>(static_cast<int64_t>(i) * (count - 1) / (kept - 1));
-  return indices;
+MeshDomain checked_domain(const HeightField& heights, const MeshOptions& options, const RunContext& run) {
+  check_options(heights, options);
+  MeshDomain domain(heights, run);
+  if (domain.triangles() == 0)
+    throw InvalidArgument("heights", "no three neighbouring cells have heights: there is nothing to make a mesh of");
+  const int64_t voids = heights.frame().cells() - domain.known_cells();
+  if (voids > 0) run.say(fmt::format("{} cells without a height are holes in the mesh", voids));
+  if (domain.left_out_cells() > 0)
+    run.say(fmt::format("{} cells have a height and too few neighbours with one to be in the mesh",
+                        domain.left_out_cells()));
+  return domain;
 }
 
-/// Positions, normals and texture coordinates of chosen columns and rows.
-void place_vertices(MeshPart& mesh, const HeightField& heights, const std::vector<int>& columns,
-                    const std::vector<int>& rows, double vertical_scale, const RunContext& run) {
-  const size_t across = columns.size(), count = across * rows.size();
-  mesh.positions.resize(3 * count);
-  mesh.normals.resize(3 * count);
-  mesh.uvs.resize(2 * count);
-  const int width = heights.width(), height = heights.height();
-  const double cell = heights.cell_m();
-  parallel_rows(run, static_cast<int>(across), static_cast<int>(rows.size()), [&](int begin, int end) {
-    for (int j = begin; j < end; ++j) {
-      for (size_t i = 0; i < across; ++i) {
-        const int x = columns[i], y = rows[static_cast<size_t>(j)];
-        const size_t v = static_cast<size_t>(j) * across + i;
-        mesh.positions[3 * v] = static_cast<float>((x - 0.5 * (width - 1)) * cell);
-        mesh.positions[3 * v + 1] = static_cast<float>((0.5 * (height - 1) - y) * cell);
-        mesh.positions[3 * v + 2] = static_cast<float>(heights(x, y) * vertical_scale);
-        const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, width - 1);
-        const int y0 = std::max(y - 1, 0), y1 = std::min(y + 1, height - 1);
-        const double slope_x = (heights(x1, y) - heights(x0, y)) * vertical_scale / ((x1 - x0) * cell);
-        const double slope_y = (heights(x, y0) - heights(x, y1)) * vertical_scale / ((y1 - y0) * cell);
-        const double length = std::sqrt(slope_x * slope_x + slope_y * slope_y + 1.0);
-        mesh.normals[3 * v] = static_cast<float>(-slope_x / length);
-        mesh.normals[3 * v + 1] = static_cast<float>(-slope_y / length);
-        mesh.normals[3 * v + 2] = static_cast<float>(1.0 / length);
-        mesh.uvs[2 * v] = static_cast<float>((x + 0.5) / width);
-        mesh.uvs[2 * v + 1] = static_cast<float>((y + 0.5) / height);
-      }
-    }
-  });
-}
-
-/// Two triangles a cell, cut along the diagonal that is closer to level, which follows ridges and valleys.
-void join_cells(MeshPart& mesh, size_t across, size_t down) {
-  mesh.indices.reserve(6 * (across - 1) * (down - 1));
-  const auto z = [&](size_t v) { return mesh.positions[3 * v + 2]; };
-  for (size_t j = 0; j + 1 < down; ++j) {
-    for (size_t i = 0; i + 1 < across; ++i) {
-      const size_t nw = j * across + i, ne = nw + 1, sw = nw + across, se = sw + 1;
-      const bool falling = std::abs(z(nw) - z(se)) <= std::abs(z(ne) - z(sw));
-      const std::array<size_t, 6> corners =
-          falling ? std::array{nw, sw, se, nw, se, ne} : std::array{nw, sw, ne, ne, sw, se};
-      for (const size_t corner : corners) mesh.indices.push_back(static_cast<uint32_t>(corner));
-    }
+/// One level of detail: a mesh of each tile.
+class Level {
+ public:
+  Level(const HeightField& heights, const MeshDomain& domain, const TileCuts& cuts, const TerrainFitOptions& options,
+        const std::vector<LatticePoint>& borders, const RunContext& run)
+      : heights_(heights), domain_(domain), cuts_(cuts) {
+    const bool all = options.max_triangles >= domain.triangles();
+    if (options.max_error_m == 0 && (options.max_triangles == 0 || all)) return;
+    TerrainFitOptions wanted = options;
+    if (all) wanted.max_triangles = 0;
+    fit_.emplace(heights, domain, cuts, wanted);
+    fit_->refine(borders, run);
   }
-}
 
-/// Quadric simplification with the border locked, then only the vertices that are left.
-void simplify(MeshPart& mesh, int64_t max_triangles) {
-  const auto target = static_cast<size_t>(3 * max_triangles);
-  if (mesh.indices.size() <= target) return;
-  std::vector<uint32_t> fewer(mesh.indices.size());
-  constexpr float kAnyError = 1.0F;  // relative to the mesh's extent: only the count matters
-  fewer.resize(meshopt_simplify(fewer.data(), mesh.indices.data(), mesh.indices.size(), mesh.positions.data(),
-                                mesh.vertex_count(), 3 * sizeof(float), target, kAnyError, meshopt_SimplifyLockBorder,
-                                nullptr));
-  constexpr uint32_t kUnused = UINT32_MAX;
-  std::vector<uint32_t> place(mesh.vertex_count(), kUnused);
-  for (const uint32_t v : fewer) place[v] = 0;
-  uint32_t kept = 0;
-  for (size_t v = 0; v < place.size(); ++v) {
-    if (place[v] == kUnused) continue;
-    for (size_t k = 0; k < 3; ++k) {
-      mesh.positions[3 * kept + k] = mesh.positions[3 * v + k];
-      mesh.normals[3 * kept + k] = mesh.normals[3 * v + k];
-    }
-    for (size_t k = 0; k < 2; ++k) mesh.uvs[2 * kept + k] = mesh.uvs[2 * v + k];
-    place[v] = kept++;
+  CellMesh tile(int column, int row, const RunContext& run) const {
+    return fit_ ? fit_->tile(column, row, run) : every_cell(heights_, domain_, cuts_.box(column, row));
   }
-  mesh.positions.resize(3 * size_t{kept});
-  mesh.normals.resize(3 * size_t{kept});
-  mesh.uvs.resize(2 * size_t{kept});
-  for (uint32_t& v : fewer) v = place[v];
-  mesh.indices = std::move(fewer);
-}
 
-uint32_t add_vertex(MeshPart& mesh, std::array<float, 3> position, std::array<float, 3> normal, size_t uv_of) {
-  mesh.positions.insert(mesh.positions.end(), position.begin(), position.end());
-  mesh.normals.insert(mesh.normals.end(), normal.begin(), normal.end());
-  const float u = mesh.uvs[2 * uv_of], v = mesh.uvs[2 * uv_of + 1];
-  mesh.uvs.insert(mesh.uvs.end(), {u, v});
-  return static_cast<uint32_t>(mesh.vertex_count() - 1);
-}
-
-/// Edges of one triangle only, in its direction: the surface lies to their left.
-std::vector<std::pair<uint32_t, uint32_t>> border_edges(const std::vector<uint32_t>& indices) {
-  std::vector<std::pair<uint32_t, uint32_t>> edges;
-  for (size_t i = 0; i < indices.size(); i += 3)
-    for (size_t k = 0; k < 3; ++k) edges.emplace_back(indices[i + k], indices[i + (k + 1) % 3]);
-  std::sort(edges.begin(), edges.end());
-  std::vector<std::pair<uint32_t, uint32_t>> border;
-  for (const auto& [from, to] : edges)
-    if (!std::binary_search(edges.begin(), edges.end(), std::pair(to, from))) border.emplace_back(from, to);
-  return border;
-}
-
-/// Walls down from the border and a flat floor, so that the mesh encloses a volume.
-void close_below(MeshPart& mesh, double floor_z) {
-  const auto z = static_cast<float>(floor_z);
-  const auto border = border_edges(mesh.indices);
-  const uint32_t middle = add_vertex(mesh, {0, 0, z}, {0, 0, -1}, 0);
-  for (const auto& [a, b] : border) {
-    const auto at = [&](uint32_t v) {
-      return std::array{mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]};
+  std::vector<LatticePoint> border_vertices() const {
+    if (fit_) return fit_->border_vertices();
+    std::vector<LatticePoint> cells;
+    const auto take = [&](int x, int y) {
+      if (domain_.holds({x, y})) cells.push_back({x, y});
     };
-    const auto top_a = at(a), top_b = at(b);
-    const float dx = top_b[0] - top_a[0], dy = top_b[1] - top_a[1], length = std::hypot(dx, dy);
-    const std::array<float, 3> out{dy / length, -dx / length, 0}, down{0, 0, -1};
-    const std::array<float, 3> foot_a{top_a[0], top_a[1], z}, foot_b{top_b[0], top_b[1], z};
-    const uint32_t wall[] = {add_vertex(mesh, top_a, out, a), add_vertex(mesh, foot_a, out, a),
-                             add_vertex(mesh, foot_b, out, b), add_vertex(mesh, top_b, out, b)};
-    for (const int corner : {0, 1, 2, 0, 2, 3}) mesh.indices.push_back(wall[corner]);
-    const uint32_t floor_b = add_vertex(mesh, foot_b, down, b), floor_a = add_vertex(mesh, foot_a, down, a);
-    mesh.indices.insert(mesh.indices.end(), {floor_b, floor_a, middle});
+    for (const int y : cuts_.rows)
+      for (int x = 0; x < heights_.width(); ++x) take(x, y);
+    for (const int x : cuts_.columns)
+      for (int y = 0; y < heights_.height(); ++y) take(x, y);
+    return cells;
   }
+
+ private:
+  const HeightField& heights_;
+  const MeshDomain& domain_;
+  const TileCuts& cuts_;
+  std::optional<TerrainFit> fit_;
+};
+
+double rms(const SurfaceError& error) {
+  return error.cells > 0 ? std::sqrt(error.square_sum / static_cast<double>(error.cells)) : 0.0;
 }
 
-/// The rectangle of the terrain's centres at sea level.
-MeshPart water_surface(const GridFrame& frame) {
-  const auto x = static_cast<float>(0.5 * (frame.width - 1) * frame.cell_m);
-  const auto y = static_cast<float>(0.5 * (frame.height - 1) * frame.cell_m);
+/// "mesh of 400000 triangles, at most 1.8 m from the terrain, 0.2 m rms".
+/// `triangles` are those of the ground.
+void say_error(const std::string& what, size_t triangles, const SurfaceError& error, const TerrainFitOptions& wanted,
+               const RunContext& run) {
+  std::string line = fmt::format("{} of {} triangles, ", what, triangles);
+  line += error.largest_m > 0
+              ? fmt::format("at most {:.3g} m from the terrain, {:.3g} m rms", error.largest_m, rms(error))
+              : "exactly the terrain";
+  if (wanted.max_error_m > 0 && error.largest_m > wanted.max_error_m)
+    line += fmt::format("; max_triangles are too few for a max_error_m of {}", format_number(wanted.max_error_m));
+  if (wanted.max_triangles > 0 && triangles > static_cast<size_t>(wanted.max_triangles))
+    line += fmt::format("; its borders and the rims of holes need more than {}", wanted.max_triangles);
+  run.say(line);
+}
+
+/// A rectangle at sea level.
+MeshPart water_surface(const CellPlaces& places, const CellBox& box, Vec2 offset) {
+  const auto west = static_cast<float>(places.x(box.first.x) - offset.x);
+  const auto east = static_cast<float>(places.x(box.last.x) - offset.x);
+  const auto north = static_cast<float>(places.y(box.first.y) - offset.y);
+  const auto south = static_cast<float>(places.y(box.last.y) - offset.y);
   return {.material = MeshMaterial::water,
-          .positions = {-x, y, 0, -x, -y, 0, x, -y, 0, x, y, 0},
+          .positions = {west, north, 0, west, south, 0, east, south, 0, east, north, 0},
           .normals = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1},
           .uvs = {},
           .indices = {0, 1, 2, 0, 2, 3}};
 }
 
+float lowest_of(const MeshPart& part) {
+  float lowest = std::numeric_limits<float>::infinity();
+  for (size_t i = 2; i < part.positions.size(); i += 3) lowest = std::min(lowest, part.positions[i]);
+  return lowest;
+}
+
+Mesh mesh_of(const CellMesh& cells, const HeightField& heights, const CellBox& box, const MeshOptions& options,
+             Vec2 offset, const RunContext& run) {
+  const GridFrame& frame = heights.frame();
+  const CellPlaces places(frame);
+  Mesh mesh{.parts = {surface(cells, heights, options.vertical_scale, places, offset, run)},
+            .origin = {frame.west_m + 0.5 * frame.width_m(), frame.north_m - 0.5 * frame.height_m()},
+            .crs = frame.crs,
+            .vertical_scale = options.vertical_scale,
+            .offset = offset,
+            .largest_error_m = cells.error.largest_m,
+            .rms_error_m = rms(cells.error)};
+  const bool under_water = lowest_of(mesh.parts[0]) < 0;
+  if (options.water && options.base_m == 0 && under_water) mesh.parts.push_back(water_surface(places, box, offset));
+  return mesh;
+}
+
 }  // namespace
 
 Mesh make_mesh(const HeightField& heights, const MeshOptions& options, const RunContext& run) {
-  check_options(heights, options);
-  constexpr double kThinAbove = 6.0;  // simplification reads at most so many times the triangles that it shall leave
-  const double triangles = 2.0 * (heights.width() - 1) * (heights.height() - 1);
-  const double most = options.max_triangles > 0 ? kThinAbove * static_cast<double>(options.max_triangles) : triangles;
-  const double factor = std::max(1.0, std::sqrt(triangles / most));
-  const std::vector<int> columns = thinned(heights.width(), factor), rows = thinned(heights.height(), factor);
-  const GridFrame& frame = heights.frame();
-  const float lowest = *std::min_element(heights.cells().begin(), heights.cells().end());
-  Mesh mesh{.parts = {{}},
-            .origin = {frame.west_m + 0.5 * frame.width_m(), frame.north_m - 0.5 * frame.height_m()},
-            .crs = frame.crs,
-            .vertical_scale = options.vertical_scale};
-  MeshPart& ground = mesh.parts[0];
-  place_vertices(ground, heights, columns, rows, options.vertical_scale, run.part(0, 0.2));
-  join_cells(ground, columns.size(), rows.size());
-  run.check_cancelled();
-  run.report(0.4);
-  if (options.max_triangles > 0) simplify(ground, options.max_triangles);
-  run.check_cancelled();
-  run.report(0.9);
-  if (options.base_m > 0) close_below(ground, lowest * options.vertical_scale - options.base_m);
-  if (options.water && lowest < 0) mesh.parts.push_back(water_surface(frame));
+  const MeshDomain domain = checked_domain(heights, options, run.part(0, 0.1));
+  const TileCuts cuts{{0, heights.width() - 1}, {0, heights.height() - 1}};
+  const TerrainFitOptions wanted{options.max_triangles, options.max_error_m};
+  const Level level(heights, domain, cuts, wanted, {}, run.part(0.1, 0.6));
+  const CellMesh cells = level.tile(0, 0, run.part(0.6, 0.8));
+  Mesh mesh = mesh_of(cells, heights, cuts.box(0, 0), options, {}, run.part(0.8, 0.9));
+  std::string what = "mesh";
+  if (options.base_m > 0) {
+    const float lowest = lowest_of(mesh.parts[0]);
+    const auto floor = static_cast<float>(double{lowest} - options.base_m);
+    close_below(mesh.parts[0], cells, domain, CellPlaces(heights.frame()), {},
+                std::min(floor, std::nextafter(lowest, -std::numeric_limits<float>::infinity())), run.part(0.9, 1.0));
+    what = fmt::format("solid of {} triangles, its ground", mesh.parts[0].triangle_count());
+  }
+  say_error(what, cells.corners.size() / 3, cells.error, wanted, run);
   run.report(1.0);
   return mesh;
+}
+
+void make_mesh_tiles(const HeightField& heights, const MeshOptions& options, const MeshTiling& tiling,
+                     const std::function<void(const MeshTile&)>& take, const RunContext& run) {
+  if (tiling.across < 1) throw InvalidArgument("tiles", "is below 1");
+  if (tiling.levels < 1) throw InvalidArgument("lods", "is below 1");
+  if (options.base_m > 0) throw InvalidArgument("base_m", "tiles are open surfaces; it must be 0");
+  const MeshDomain domain = checked_domain(heights, options, run.part(0, 0.1));
+  const int right = heights.width() - 1, bottom = heights.height() - 1, longer = std::max(right, bottom);
+  const auto parts = [&](int steps) {
+    return std::clamp(static_cast<int>(std::lround(static_cast<double>(tiling.across) * steps / longer)), 1, steps);
+  };
+  const TileCuts cuts{even_cuts(right, parts(right)), even_cuts(bottom, parts(bottom))};
+  const CellPlaces places(heights.frame());
+  TerrainFitOptions wanted{options.max_triangles, options.max_error_m};
+  std::vector<LatticePoint> borders;
+  for (int k = 0; k < tiling.levels; ++k) {
+    const RunContext part = run.part(0.1 + 0.9 * k / tiling.levels, 0.1 + 0.9 * (k + 1) / tiling.levels);
+    const Level level(heights, domain, cuts, wanted, borders, part.part(0, 0.5));
+    if (k == 0) borders = level.border_vertices();
+    SurfaceError error;
+    size_t triangles = 0;
+    for (int row = 0; row < cuts.down(); ++row) {
+      for (int column = 0; column < cuts.across(); ++column) {
+        run.check_cancelled();
+        const CellMesh cells = level.tile(column, row, {.threads = run.threads});
+        if (cells.corners.empty()) continue;
+        error.add(cells.error);
+        triangles += cells.corners.size() / 3;
+        const CellBox box = cuts.box(column, row);
+        const Vec2 middle{places.x(0.5 * (box.first.x + box.last.x)), places.y(0.5 * (box.first.y + box.last.y))};
+        take({column, row, k, mesh_of(cells, heights, box, options, middle, {.threads = run.threads})});
+      }
+    }
+    say_error(fmt::format("level {}: {} x {} tiles", k, cuts.across(), cuts.down()), triangles, error, wanted, run);
+    const int64_t before = wanted.max_triangles > 0 ? wanted.max_triangles : domain.triangles();
+    if (options.max_error_m == 0 || options.max_triangles > 0) wanted.max_triangles = std::max<int64_t>(1, before / 4);
+    wanted.max_error_m *= 2;
+    part.report(1.0);
+  }
 }
 
 }  // namespace seamount::geom

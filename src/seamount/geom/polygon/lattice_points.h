@@ -6,6 +6,7 @@
 #include <compare>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "seamount/base/run_context.h"
@@ -43,10 +44,12 @@ inline int64_t squared_distance(LatticePoint a, LatticePoint b) {
   return dx * dx + dy * dy;
 }
 
-/// Does p lie strictly inside the circle through the counter-clockwise triangle (a, b, c)? Exact: factors below 2^61,
-/// products below 2^122.
-inline bool in_circle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint p) {
-  __extension__ using Wide = __int128;
+/// Does p lie strictly inside the circle through the counter-clockwise triangle (a, b, c)? Exact for coordinates in
+/// [0, 2^kBits): factors below 2^(2 kBits + 3), products below 2^(4 kBits + 6), in 64 bits up to 14, which is faster.
+template <int kBits = kLatticeBits>
+bool in_circle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint p) {
+  __extension__ using Int128 = __int128;
+  using Wide = std::conditional_t<kBits <= 14, int64_t, Int128>;
   const int64_t ax = int64_t{a.x} - p.x, ay = int64_t{a.y} - p.y;
   const int64_t bx = int64_t{b.x} - p.x, by = int64_t{b.y} - p.y;
   const int64_t cx = int64_t{c.x} - p.x, cy = int64_t{c.y} - p.y;

@@ -164,5 +164,27 @@ TEST(SpatialOrder, IsAPermutationOfShortSteps) {
   EXPECT_LT(length, 1.2 * 100 * 4095);  // a curve of unit steps has 4095
 }
 
+TEST(DelaunayBuilder, AnswersWhatChangedInEitherPrecision) {
+  Rng rng(Seed{11}.derive("points"));
+  std::vector<LatticePoint> points;
+  for (int i = 0; i < 400; ++i)
+    points.push_back({static_cast<int32_t>(rng.uniform(0, 60)), static_cast<int32_t>(rng.uniform(0, 16383))});
+  DelaunayBuilder<14> narrow(points);
+  DelaunayBuilder<kLatticeBits> wide(points);
+  const std::vector<int32_t> order = spatial_order(points);
+  ASSERT_TRUE(narrow.start(order));
+  ASSERT_TRUE(wide.start(order));
+  for (const int32_t p : order) {
+    const std::span<const int32_t> changed = narrow.insert(p), other = wide.insert(p);
+    EXPECT_EQ(std::vector(changed.begin(), changed.end()), std::vector(other.begin(), other.end()));
+    for (const int32_t t : changed) {
+      const Triangle corners = narrow.corners(t);
+      EXPECT_EQ(corners, wide.corners(t));
+      EXPECT_EQ(std::count(corners.begin(), corners.end(), p), 1);
+    }
+  }
+  EXPECT_TRUE(narrow.insert(order[7]).empty()) << "there already";
+}
+
 }  // namespace
 }  // namespace seamount::geom

@@ -1,4 +1,5 @@
 // terrain: heights in metres.
+#include "seamount/io/mesh_info.h"
 #include "seamount/io/raster.h"
 #include "seamount/recipe/format.h"
 #include "seamount/recipe/formats/formats.h"
@@ -7,6 +8,16 @@
 #include "seamount/recipe/kinds/rasters.h"
 
 namespace seamount::recipe {
+
+namespace {
+
+/// A raster, or a mesh that a terrain was written to.
+std::optional<io::FileInfo> describe(const std::string& path) {
+  std::optional<io::FileInfo> info = io::describe_raster(path);
+  return info ? info : io::describe_mesh(path);
+}
+
+}  // namespace
 
 const Kind& kinds::Terrain::kind() {
   static const Kind kind = make_kind<HeightField>({
@@ -21,7 +32,7 @@ const Kind& kinds::Terrain::kind() {
       .write = write_grid<float>,
       .read = read_grid<float>,
       .read_file = [](const FileCall& call) { return io::read_heights(call.path, read_options(call)); },
-      .info = io::describe_raster,
+      .info = describe,
   });
   return kind;
 }

@@ -1,0 +1,143 @@
+#include "seamount/io/glb_info.h"
+
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "seamount/base/error.h"
+#include "seamount/base/text.h"
+
+namespace seamount::io {
+namespace {
+
+using Json = nlohmann::json;
+using Matrix = std::array<double, 16>;  // columns, as glTF has them
+
+constexpr Matrix kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix c{};
+  for (size_t column = 0; column < 4; ++column)
+    for (size_t row = 0; row < 4; ++row)
+      for (size_t k = 0; k < 4; ++k) c[4 * column + row] += a[4 * k + row] * b[4 * column + k];
+  return c;
+}
+
+/// A node's matrix, or that of its translation, rotation and scale.
+Matrix matrix_of(const Json& node) {
+  if (node.contains("matrix")) return node.at("matrix").get<Matrix>();
+  const auto t = node.value("translation", std::array<double, 3>{0, 0, 0});
+  const auto [x, y, z, w] = node.value("rotation", std::array<double, 4>{0, 0, 0, 1});
+  const auto s = node.value("scale", std::array<double, 3>{1, 1, 1});
+  return {(1 - 2 * (y * y + z * z)) * s[0],
+          2 * (x * y + z * w) * s[0],
+          2 * (x * z - y * w) * s[0],
+          0,
+          2 * (x * y - z * w) * s[1],
+          (1 - 2 * (x * x + z * z)) * s[1],
+          2 * (y * z + x * w) * s[1],
+          0,
+          2 * (x * z + y * w) * s[2],
+          2 * (y * z - x * w) * s[2],
+          (1 - 2 * (x * x + y * y)) * s[2],
+          0,
+          t[0],
+          t[1],
+          t[2],
+          1};
+}
+
+Json description_of(std::span<const uint8_t> bytes, const std::string& name) {
+  constexpr uint32_t kMagic = 0x46546C67, kJson = 0x4E4F534A;
+  std::array<uint32_t, 5> header{};
+  if (bytes.size() < sizeof(header)) throw IoError(name, "is no GLB file, or it is cut off");
+  std::memcpy(header.data(), bytes.data(), sizeof(header));
+  if (header[0] != kMagic || header[1] != 2 || header[4] != kJson) throw IoError(name, "is no GLB file of version 2");
+  if (header[2] != bytes.size() || header[3] > bytes.size() - sizeof(header)) throw IoError(name, "is cut off");
+  return Json::parse(bytes.begin() + sizeof(header), bytes.begin() + sizeof(header) + header[3]);
+}
+
+class Reader {
+ public:
+  explicit Reader(const Json& json) : json_(json) { mesh_.format = "GLB"; }
+
+  MeshSummary summary() {
+    const Json& scene = json_.at("scenes").at(json_.value("scene", size_t{0}));
+    for (const Json& node : scene.value("nodes", Json::array())) visit(node.get<size_t>(), kIdentity, 0);
+    if (const Json asset = json_.value("asset", Json::object()); asset.contains("generator"))
+      mesh_.said.emplace_back("made by", asset.at("generator").get<std::string>());
+    return mesh_;
+  }
+
+ private:
+  void visit(size_t index, const Matrix& outer, int depth) {
+    constexpr int kDeepest = 64;  // nodes are a tree; a damaged file may have them in circles
+    constexpr int kMostNodes = 1 << 20;
+    if (depth > kDeepest || ++visited_ > kMostNodes) throw std::invalid_argument("its nodes have no end");
+    const Json& node = json_.at("nodes").at(index);
+    const Matrix matrix = product(outer, matrix_of(node));
+    if (node.contains("mesh")) {
+      for (const Json& primitive : json_.at("meshes").at(node.at("mesh").get<size_t>()).at("primitives"))
+        add(primitive, matrix);
+    }
+    if (node.contains("extras") && mesh_.said.empty()) tell(node.at("extras"));
+    for (const Json& child : node.value("children", Json::array())) visit(child.get<size_t>(), matrix, depth + 1);
+  }
+
+  void add(const Json& primitive, const Matrix& matrix) {
+    const Json& places = json_.at("accessors").at(primitive.at("attributes").at("POSITION").get<size_t>());
+    const auto vertices = places.at("count").get<size_t>();
+    size_t corners = vertices;
+    if (primitive.contains("indices"))
+      corners = json_.at("accessors").at(primitive.at("indices").get<size_t>()).at("count").get<size_t>();
+    const int mode = primitive.value("mode", 4);
+    if (mode == 4) mesh_.triangles += corners / 3;
+    if ((mode == 5 || mode == 6) && corners > 2) mesh_.triangles += corners - 2;
+    mesh_.vertices += vertices;
+    ++mesh_.parts;
+    const auto low = places.at("min").get<std::array<double, 3>>(),
+               high = places.at("max").get<std::array<double, 3>>();
+    for (size_t corner = 0; corner < 8; ++corner) {
+      std::array<double, 3> p{};
+      for (size_t k = 0; k < 3; ++k) {
+        p[k] = matrix[12 + k];
+        for (size_t axis = 0; axis < 3; ++axis)
+          p[k] += matrix[4 * axis + k] * ((corner >> axis & 1U) != 0 ? high[axis] : low[axis]);
+      }
+      mesh_.add_box({p[0], -p[2], p[1]}, {p[0], -p[2], p[1]});
+    }
+  }
+
+  /// What write_glb() says of a terrain.
+  void tell(const Json& extras) {
+    const auto number = [&](const char* key) -> std::optional<double> {
+      if (!extras.is_object() || !extras.contains(key) || !extras.at(key).is_number()) return std::nullopt;
+      return extras.at(key).get<double>();
+    };
+    if (const auto largest = number("largest_error_m"), rms = number("rms_error_m"); largest && rms)
+      mesh_.said.emplace_back("from the terrain",
+                              "at most " + short_number(*largest) + " m, " + short_number(*rms) + " m rms");
+    if (const auto x = number("origin_x_m"), y = number("origin_y_m"); x && y)
+      mesh_.said.emplace_back("middle of the terrain", format_number(*x) + " m, " + format_number(*y) + " m");
+    if (const auto scale = number("vertical_scale")) mesh_.said.emplace_back("vertical scale", short_number(*scale));
+  }
+
+  const Json& json_;
+  MeshSummary mesh_;
+  int visited_ = 0;
+};
+
+}  // namespace
+
+MeshSummary glb_summary(std::span<const uint8_t> bytes, const std::string& name) {
+  try {
+    const Json description = description_of(bytes, name);
+    return Reader(description).summary();
+  } catch (const Json::exception&) {
+    throw IoError(name, "has a damaged description");
+  } catch (const std::invalid_argument& error) {
+    throw IoError(name, error.what());
+  }
+}
+
+}  // namespace seamount::io
