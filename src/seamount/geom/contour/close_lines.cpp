@@ -38,7 +38,7 @@ bool at_border(const SheetBorder& sheet, Vec2 p) { return sheet.nearest(p).dista
 /// Joins the pieces of lines, then ends inside the sheet over gaps.
 std::vector<ValuedLine> join_all(std::vector<ValuedLine> lines, const SheetBorder& sheet, const CloseOptions& options,
                                  const RunContext& run) {
-  constexpr double kSamePlace = 1e-7;
+  constexpr double kSamePlace = 1e-10;
   lines = join_lines(lines, true, kSamePlace * sheet.size());
   std::vector<ValuedLine> broken, whole;
   for (ValuedLine& line : lines) {
