@@ -29,6 +29,18 @@ std::optional<double> number_of(const Attributes& attributes, std::string_view n
   return std::nullopt;
 }
 
+/// A hole that touches its shell in a place is sound, but outlines of regions stay apart: it is drawn in by a
+/// thousandth.
+Ring apart_from(const Ring& hole, const Polygon& polygon) {
+  constexpr double kShrink = 1e-3;
+  if (!geom::find_crossing(polygon.outer, hole) || geom::find_defect(polygon)) return hole;
+  Vec2 middle;
+  for (const Vec2 p : hole) middle = middle + (1.0 / static_cast<double>(hole.size())) * p;
+  Ring moved;
+  for (const Vec2 p : hole) moved.push_back(p + kShrink * (middle - p));
+  return moved;
+}
+
 std::vector<GrowthRegion> regions_of_areas(const std::vector<NamedArea>& areas) {
   std::vector<GrowthRegion> regions;
   for (size_t a = 0; a < areas.size(); ++a) {
@@ -39,7 +51,8 @@ std::vector<GrowthRegion> regions_of_areas(const std::vector<NamedArea>& areas) 
       const std::string name = part_name(area.name, "area", a, area.parts.size(), p);
       regions.push_back({name, area.parts[p].outer, -1, height, basin, peak});
       for (size_t h = 0; h < area.parts[p].holes.size(); ++h)
-        regions.push_back({fmt::format("{} (hole {})", name, h), area.parts[p].holes[h], -1, std::nullopt, true});
+        regions.push_back({fmt::format("{} (hole {})", name, h), apart_from(area.parts[p].holes[h], area.parts[p]), -1,
+                           std::nullopt, true});
     }
   }
   return regions;

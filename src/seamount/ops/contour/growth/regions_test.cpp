@@ -137,6 +137,15 @@ TEST(Regions, AreasCarryTheirHeightsPeaksAndBasins) {
   EXPECT_TRUE(tree.regions[2].basin);
 }
 
+TEST(Regions, AHoleMayTouchItsShell) {
+  Drawing drawing;
+  drawing.areas = {{"land", {{square(300), {{{-300, 0}, {-200, -50}, {-200, 50}}}}}}};
+  const RegionTree tree = regions_from_drawing(drawing, kDomain, "regions");
+  ASSERT_EQ(tree.regions.size(), 2U);
+  EXPECT_EQ(tree.regions[1].parent, 0);
+  EXPECT_TRUE(tree.regions[1].basin);
+}
+
 TEST(Regions, LinesThatMeetEndToEndEnclose) {
   Drawing drawing;
   drawing.lines = {{{{-100, -100}, {100, -100}, {100, 100}}, 7, false, {}},
