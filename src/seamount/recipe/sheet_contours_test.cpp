@@ -1,26 +1,20 @@
 // Contours as GDAL draws them of a raster, read and made a terrain again.
-#include <gdal_alg.h>
-#include <gdal_priv.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <ogrsf_frmts.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "seamount/geom/scalar/noise.h"
-#include "seamount/io/gdal_call.h"
 #include "seamount/io/projection.h"
+#include "seamount/io/test_sheet.h"
 #include "seamount/ops/contour/convert/reconstruct.h"
 #include "seamount/recipe/contour_file.h"
 
 namespace seamount::recipe {
 namespace {
 
-struct Sheet {
-  std::string crs;
-  double west, north, cell;
-};
+using io::Sheet, io::write_contours;
 
 /// Whole metres, as elevation models hold them: many cells lie at a contour's very height.
 std::vector<float> whole_metres(int side, uint64_t seed) {
@@ -33,28 +27,6 @@ std::vector<float> whole_metres(int side, uint64_t seed) {
     for (float& z : row) z = std::round(260.0F * z);
   }
   return heights;
-}
-
-void write_contours(const std::string& path, const Sheet& sheet, const std::vector<float>& heights, int side,
-                    double interval) {
-  const io::GdalCall call(path);
-  const auto system = io::parse_crs(sheet.crs);
-  GDALDriverManager& drivers = *GetGDALDriverManager();
-  const io::DatasetPtr raster(drivers.GetDriverByName("MEM")->Create("", side, side, 1, GDT_Float32, nullptr));
-  double transform[6] = {sheet.west, sheet.cell, 0, sheet.north, 0, -sheet.cell};
-  raster->SetGeoTransform(transform);
-  GDALRasterBand* band = raster->GetRasterBand(1);
-  ASSERT_EQ(band->RasterIO(GF_Write, 0, 0, side, side, const_cast<float*>(heights.data()), side, side, GDT_Float32, 0,
-                           0, nullptr),
-            CE_None);
-  const io::DatasetPtr lines(drivers.GetDriverByName("GPKG")->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-  OGRLayer* layer = lines->CreateLayer("contour", system.get(), wkbLineString, nullptr);
-  OGRFieldDefn id("ID", OFTInteger), elev("ELEV", OFTReal);
-  layer->CreateField(&id);
-  layer->CreateField(&elev);
-  ASSERT_EQ(
-      GDALContourGenerate(band, interval, 0, 0, nullptr, FALSE, 0, OGRLayer::ToHandle(layer), 0, 1, nullptr, nullptr),
-      CE_None);
 }
 
 /// The share of a terrain's cells that differ by more than the interval from the raster, read between its cells.
@@ -89,7 +61,7 @@ TEST(SheetContours, OfGdalGiveTheTerrainBack) {
     for (const uint64_t seed : {1U, 2U, 3U, 4U}) {
       std::filesystem::remove(path);
       const std::vector<float> heights = whole_metres(kSide, seed);
-      write_contours(path, sheet, heights, kSide, kInterval);
+      ASSERT_TRUE(write_contours(path, sheet, heights, kSide, kInterval));
       std::vector<std::string> notes;
       RunContext run;
       run.note = [&](const std::string& line) { notes.push_back(line); };
