@@ -24,6 +24,8 @@ struct ChoreFlags : RunFlags {
   std::string as;
   std::string labels;
   std::string feature;
+  std::string layer;
+  std::string crs;
   std::optional<int> size;
   std::optional<double> cell_m, low_m, high_m;
   std::vector<std::string> sets;
@@ -31,7 +33,8 @@ struct ChoreFlags : RunFlags {
 
 bool is_drawing(const std::string& file) {
   const std::string extension = fs::path(file).extension().string();
-  return extension == ".geojson" || extension == ".gpkg" || extension == ".shp" || extension == ".json";
+  return extension == ".geojson" || extension == ".gpkg" || extension == ".shp" || extension == ".json" ||
+         extension == ".svg";
 }
 
 /// "name=value" or "group.name=value" of an output format's parameter.
@@ -60,8 +63,10 @@ void convert(const ChoreFlags& flags) {
       throw InvalidArgument("out", "would be written over the input " + flags.in);
     const fs::path folder = fs::path(flags.out).parent_path();
     io::PrivateFolder::remove_abandoned(folder.empty() ? "." : folder);
+    RunContext run{.cancelled = &cancel_flag()};
+    run.note = [](const std::string& line) { std::cerr << "note: " << printable(line) << "\n"; };
     io::write_drawing(
-        io::read_drawing(flags.in, {.feature = flags.feature, .layer = {}}, {.cancelled = &cancel_flag()}), flags.out);
+        io::read_drawing(flags.in, {.feature = flags.feature, .layer = flags.layer, .crs = flags.crs}, run), flags.out);
     std::cout << printable(flags.out) << "\n";
     return;
   }
@@ -154,6 +159,9 @@ void add_chore_commands(Command program, const recipe::Registry& registry) {
   convert_command.add("out", &flags->out, "file to write; its extension is the format").required();
   convert_command.add("--as", &flags->as, "output format, where the extension does not say: unreal, unity, mesh, ...");
   convert_command.add("--feature", &flags->feature, "name of the one feature to convert, of areas and lines");
+  convert_command.add("--layer", &flags->layer, "layer to convert of a file of areas and lines that has several");
+  convert_command.add("--crs", &flags->crs,
+                      "coordinate system of areas and lines whose file says none or a wrong one: EPSG:32627, local");
   convert_command.add("--size", &flags->size, "samples a side, for engines");
   convert_command.add("--cell", &flags->cell_m, "cell size in metres, where the file does not say").finite();
   convert_command.add("--low", &flags->low_m, "height of the lowest code of an 8- or 16-bit image, in metres").finite();

@@ -1,4 +1,4 @@
-// GeoJSON in memory, all features and one by name.
+// GeoJSON and SVG in memory, all features and one by name.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,6 +11,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   for (const char* feature : {"", "a"}) {
     try {
       io::read_geojson({data, size}, "fuzz.geojson", {.feature = feature});
+    } catch (const Error&) {
+    }
+    try {
+      io::read_svg({data, size}, "fuzz.svg", {.feature = feature});
     } catch (const Error&) {
     }
   }

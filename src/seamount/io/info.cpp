@@ -12,7 +12,6 @@
 #include "seamount/io/projection.h"
 #include "seamount/io/raster.h"
 #include "seamount/io/sidecar.h"
-#include "seamount/io/vector.h"
 
 namespace seamount::io {
 namespace {
@@ -119,16 +118,6 @@ std::optional<FileInfo> describe_picture(const std::string& path) {
   }
   describe_regions(info, *counts);
   return info;
-}
-
-std::optional<FileInfo> describe_vector(const std::string& path) {
-  if (!has_extension(path, {".geojson", ".json", ".gpkg", ".shp"})) return std::nullopt;
-  const std::vector<std::string> names = feature_names(path);
-  std::string list;
-  constexpr size_t kMostNames = 20;
-  for (size_t i = 0; i < std::min(kMostNames, names.size()); ++i) list += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > kMostNames) list += ", ...";
-  return FileInfo{{"format", "areas and lines"}, {"features", names.empty() ? "without names" : list}};
 }
 
 }  // namespace seamount::io

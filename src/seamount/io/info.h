@@ -21,7 +21,8 @@ std::optional<FileInfo> describe_raster(const std::string& path);
 /// Pictures: JPEG, and PNG with more than grey and alpha; of those in the colours of regions the share of each.
 std::optional<FileInfo> describe_picture(const std::string& path);
 
-/// Areas, lines and points: .geojson, .json, .gpkg, .shp.
+/// Areas, lines and points: .geojson, .json, .gpkg, .shp, .svg. Layer by layer how many of each, the coordinate system,
+/// the extent in its units, the fields; of a single layer also the heights and the names of its features.
 std::optional<FileInfo> describe_vector(const std::string& path);
 
 /// Six significant digits, enough to read.

@@ -18,7 +18,7 @@ constexpr const char* kWhat = "a GeoJSON, GeoPackage or Shapefile";
 }  // namespace
 
 void check_vector_extension(const std::string& path) {
-  const std::vector<std::string> known = {".geojson", ".json", ".gpkg", ".shp"};
+  const std::vector<std::string> known = {".geojson", ".json", ".gpkg", ".shp", ".svg"};
   const std::string extension = extension_of(path);
   if (std::find(known.begin(), known.end(), extension) == known.end())
     throw IoError(path, "'" + extension + "' is not a vector format" + suggestion(extension, known));

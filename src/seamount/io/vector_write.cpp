@@ -2,7 +2,6 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +11,7 @@
 #include "seamount/io/gdal_call.h"
 #include "seamount/io/projection.h"
 #include "seamount/io/vector.h"
+#include "seamount/io/vector_chains.h"
 #include "seamount/io/vector_frame.h"
 
 namespace seamount::io {
@@ -37,28 +37,6 @@ Ring oriented(Ring ring, bool counter_clockwise) {
 
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-/// Decimal without exponent, at most `digits` behind the point, no trailing zeros.
-void append_decimal(std::string& text, double value, int digits) {
-  char buffer[400];
-  const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::fixed, digits).ptr;
-  std::string_view number(buffer, static_cast<size_t>(end - buffer));
-  while (number.ends_with('0')) number.remove_suffix(1);
-  if (number.ends_with('.')) number.remove_suffix(1);
-  text += number == "-0" ? "0" : number;
-}
-
-/// Visits every chain of points of a drawing.
-template <class AnyDrawing, class Visit>
-void for_each_chain(AnyDrawing& drawing, const Visit& visit) {
-  for (auto& area : drawing.areas) {
-    for (auto& part : area.parts) {
-      visit(part.outer);
-      for (auto& hole : part.holes) visit(hole);
-    }
-  }
-  for (auto& line : drawing.lines) visit(line.points);
 }
 
 /// Names of the attributes of a kind of feature, in order of appearance.
@@ -158,81 +136,6 @@ std::string to_geojson(const Drawing& metres) {
     text += "}}";
   }
   return text + "\n]}\n";
-}
-
-void append_path(std::string& text, const std::vector<Vec2>& points, bool close) {
-  for (size_t i = 0; i < points.size(); ++i) {
-    text += i == 0 ? "M" : "L";
-    append_decimal(text, points[i].x, 3);
-    text += ' ';
-    append_decimal(text, -points[i].y, 3);
-  }
-  if (close) text += 'Z';
-}
-
-/// " data-width-m=\"12.5\"" for each attribute; letters that XML names cannot have become hyphens.
-std::string svg_data(const Attributes& attributes) {
-  std::string text;
-  for (const Attribute& attribute : attributes) {
-    text += " data-";
-    for (const char c : attribute.name) {
-      const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-      text += plain ? c : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : '-';
-    }
-    text += "=\"" + format_number(attribute.value) + '"';
-  }
-  return text;
-}
-
-std::string to_svg(const Drawing& drawing) {
-  double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
-  const auto include = [&](Vec2 p) {
-    x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
-    y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
-  };
-  for_each_chain(drawing,
-                 [&](const std::vector<Vec2>& points) { std::for_each(points.begin(), points.end(), include); });
-  for (const ValuedPoint& point : drawing.points) include(point.place);
-  if (!(x1 >= x0)) x0 = x1 = y0 = y1 = 0;
-  double margin = 0.01 * std::max({x1 - x0, y1 - y0, 1.0});
-  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" ";
-  if (drawing.frame) {  // the picture lies over the terrain
-    const GridFrame& frame = *drawing.frame;
-    x0 = frame.west_m, x1 = frame.east_m(), y0 = frame.south_m(), y1 = frame.north_m;
-    margin = 0.0;
-    text += "data-seamount-frame=\"" + frame_text(frame) + "\" ";
-  }
-  text += "viewBox=\"";
-  for (const double number : {x0 - margin, -y1 - margin, x1 - x0 + 2 * margin, y1 - y0 + 2 * margin}) {
-    append_decimal(text, number, 3);
-    text += ' ';
-  }
-  text.back() = '"';
-  text += ">\n<g fill=\"#d8cfb8\" fill-rule=\"evenodd\" stroke=\"#333\" stroke-width=\"1\">\n";
-  for (const NamedArea& area : drawing.areas) {
-    text += "<path vector-effect=\"non-scaling-stroke\" data-name=\"" + xml_escaped(area.name) + '"' +
-            svg_data(area.attributes) + " d=\"";
-    for (const Polygon& polygon : area.parts) {
-      append_path(text, polygon.outer, true);
-      for (const Ring& hole : polygon.holes) append_path(text, hole, true);
-    }
-    text += "\"/>\n";
-  }
-  text += "</g>\n<g fill=\"none\" stroke=\"#7a4a1e\" stroke-width=\"1\">\n";
-  for (const ValuedLine& line : drawing.lines) {
-    text += "<path vector-effect=\"non-scaling-stroke\" data-value=\"" + format_number(line.value) + '"' +
-            svg_data(line.attributes) + " d=\"";
-    append_path(text, line.points, line.closed);
-    text += "\"/>\n";
-  }
-  // A line without length and with a round end is a dot of the same size at any scale.
-  for (const ValuedPoint& point : drawing.points) {
-    text += "<path vector-effect=\"non-scaling-stroke\" stroke-width=\"4\" stroke-linecap=\"round\" data-value=\"" +
-            format_number(point.value) + '"' + svg_data(point.attributes) + " d=\"";
-    append_path(text, {point.place, point.place}, false);
-    text += "\"/>\n";
-  }
-  return text + "</g>\n</svg>\n";
 }
 
 void add_points(OGRSimpleCurve& curve, const std::vector<Vec2>& points, bool close) {

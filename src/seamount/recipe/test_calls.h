@@ -91,6 +91,7 @@ class ExampleCall {
     if (op.name == "terrain.import") params_["file"] = file(extent);
     if (op.name == "terrain.join") params_["files"] = {file(extent)};
     if (params_.contains("fill_voids")) params_["fill_voids"] = true;
+    if (op.name == "drawing.import" || op.name == "contour.import") params_["file"] = sheet_file(extent);
     if (op.name == "terrain.mask") give("criteria", R"([{"tool": "slope"}, {"tool": "height"}])");
     if (op.name == "contour.edit") give("edits", R"([{"tool": "smooth"}, {"tool": "smooth", "rounds": 1}])");
     if (op.name == "island.wind") give("radial_count", "5");
@@ -118,6 +119,23 @@ class ExampleCall {
       for (int x = 0; x < extent.width; ++x) out << (std::abs(x - 40) + std::abs(y - 30) < 12 ? -9 : x % 50 + y) << ' ';
       out << '\n';
     }
+    return path;
+  }
+
+  /// Contour lines of a plane that rises eastwards, from the southern to the northern edge.
+  static std::string sheet_file(const Extent& extent) {
+    const std::string path = (std::filesystem::temp_directory_path() / "seamount_example.geojson").string();
+    std::ofstream out(path);
+    out << R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:32604"}},"features":[)";
+    for (int i = 0; i < 9; ++i) {
+      out << (i == 0 ? "" : ",") << R"({"type":"Feature","properties":{"ELEV":)" << 20 * i
+          << R"(},"geometry":{"type":"LineString","coordinates":[)";
+      for (int k = 0; k <= extent.height; ++k)
+        out << (k == 0 ? "" : ",") << '[' << 500000 + 1000 * i + 10 * (k % 2) << ',' << 9000.0 * k / extent.height
+            << ']';
+      out << "]}}";
+    }
+    out << "]}\n";
     return path;
   }
   GridFrame domain_;

@@ -56,7 +56,8 @@ TEST(ContourLines, SayWhatIsWrongAndWhere) {
   };
   Drawing open = to_lines(hill());
   open.lines[1].closed = false;
-  EXPECT_THAT(message(open), ::testing::HasSubstr("line 1 (20.5 m) is open"));
+  EXPECT_THAT(message(open),
+              ::testing::HasSubstr("the line of 20.5 m from (-200, -200) to (-200, 200) ends inside the sheet, at"));
   Drawing crossing = to_lines(hill());
   for (Vec2& p : crossing.lines[1].points) p.x += 300;
   EXPECT_THAT(message(crossing), ::testing::HasSubstr("line 0 (10 m) meets line 1 (20.5 m) at"));

@@ -228,4 +228,17 @@ std::vector<ClippedRing> clip_to_frame(std::span<const Ring> rings, const GridFr
   return closed;
 }
 
+std::vector<FrameRun> runs_in_frame(const Ring& ring, const GridFrame& frame) {
+  const Edge edge(frame);
+  if (ring.empty()) return {};
+  if (std::all_of(ring.begin(), ring.end(), [&](Vec2 p) { return edge.holds(p); })) return {{ring, true}};
+  std::vector<FrameRun> runs;
+  for (Piece& piece : pieces_of(ring, edge)) {
+    Polyline& points = piece.points;
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() >= 2) runs.push_back({std::move(points), false});
+  }
+  return runs;
+}
+
 }  // namespace seamount::geom

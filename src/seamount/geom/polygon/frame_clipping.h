@@ -27,4 +27,14 @@ struct ClippedRing {
 /// touch within the frame still do. n log n.
 std::vector<ClippedRing> clip_to_frame(std::span<const Ring> rings, const GridFrame& frame, double reach_m);
 
+/// What lies of a ring within a frame, running the same way.
+struct FrameRun {
+  Polyline points;
+  bool closed = false;
+};
+
+/// The runs of a ring within the frame, from edge to edge; all of it, closed, where it leaves it nowhere. REQUIRES:
+/// finite places. Linear.
+std::vector<FrameRun> runs_in_frame(const Ring& ring, const GridFrame& frame);
+
 }  // namespace seamount::geom

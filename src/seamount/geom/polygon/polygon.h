@@ -41,8 +41,9 @@ bool contains(const Ring& ring, Vec2 p);
 bool contains(const Polygon& polygon, Vec2 p);
 
 /// What is wrong with a polygon, in one line for its author, with places: fewer than 3 points, a coordinate that is not
-/// finite, no area, edges that cross or touch (within a ring or between rings), a hole outside. Nothing if it is sound.
-/// A point repeated next to itself is no defect. About n log n for n vertices.
+/// finite, no area, edges that cross, edges that touch within a ring or run along each other, a hole outside. Nothing
+/// if it is sound: rings may touch each other in single places. A point repeated next to itself is no defect. About n
+/// log n for n vertices.
 std::optional<std::string> find_defect(const Polygon& polygon);
 
 /// A place where two rings cross or touch, if there is one. REQUIRES: finite coordinates. About n log n.

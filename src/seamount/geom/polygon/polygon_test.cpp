@@ -73,6 +73,23 @@ TEST(FindDefect, SaysWhatAndWhere) {
   EXPECT_THAT(defect({kSquare, {{{20, 20}, {22, 20}, {20, 22}}}}), testing::HasSubstr("outside the outer ring"));
 }
 
+TEST(FindDefect, RingsMayTouchInAPlace) {
+  EXPECT_EQ(defect({kSquare, {{{0, 5}, {4, 4}, {4, 6}}}}), "none") << "a corner of the hole on a side";
+  EXPECT_EQ(defect({kSquare, {{{0, 0}, {4, 1}, {1, 4}}}}), "none") << "corner on corner";
+  EXPECT_EQ(defect({kSquare, {{{2, 2}, {4, 2}, {4, 4}}, {{4, 4}, {8, 5}, {5, 8}}}}), "none") << "two holes";
+  EXPECT_EQ(defect({{{0, 0}, {10, 0}, {10, 10}, {5, 5}, {0, 10}}, {{{4, 1}, {6, 1}, {5, 5}}}}), "none") << "a bay";
+  EXPECT_EQ(defect({{{0, 0}, {10, 0}, {10, 10}, {5, 5}, {0, 10}}, {{{4, 2}, {6, 2}, {6, 5}, {4, 5}}}}), "none")
+      << "a corner of the shell on a side of the hole";
+}
+
+TEST(FindDefect, RingsMustNotCrossInACornerOrRunAlongEachOther) {
+  EXPECT_THAT(defect({kSquare, {{{0, 2}, {4, 4}, {0, 6}}}}), testing::HasSubstr("cross or touch")) << "along a side";
+  EXPECT_THAT(defect({kSquare, {{{0, 5}, {4, 4}, {-4, 7}}}}), testing::HasSubstr("cross or touch"));
+  EXPECT_THAT(defect({{{0, 0}, {10, 0}, {10, 10}, {5, 5}, {0, 10}}, {{{4, 8}, {5, 2}, {5, 5}}}}),
+              testing::HasSubstr("cross or touch"));
+  EXPECT_THAT(defect({kSquare, {{{0, 5}, {-4, 4}, {-4, 6}}}}), testing::HasSubstr("outside the outer ring"));
+}
+
 TEST(FindDefect, FindsEveryCrossingThatBruteForceFinds) {
   Rng rng(Seed{2});
   const auto turns = [](Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a) > 0; };

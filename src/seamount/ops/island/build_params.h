@@ -42,6 +42,8 @@ struct BuildDetail {
 struct BuildParams {
   FilePath coast;
   std::string feature;
+  std::string layer;
+  std::string crs;
   std::vector<PolarOutline> outlines;
   std::vector<Polygon> areas;
   Vec2 centre;
@@ -59,8 +61,12 @@ struct BuildParams {
     using P = BuildParams;
     return std::tuple(
         field(&P::coast, "coast",
-              "coastline to build on: GeoJSON, GeoPackage or Shapefile, or a painted label image (.png)"),
+              "coastline to build on: areas or closed lines in a GeoJSON, GeoPackage, Shapefile or SVG, or a painted "
+              "label image (.png)"),
         field(&P::feature, "feature", "name of the feature in the coast file; empty: all of them"),
+        field(&P::layer, "layer", "layer of the coast file; empty: the first with areas, else with lines"),
+        field(&P::crs, "crs",
+              "coordinate system of the coast file where it says none or a wrong one: EPSG:32627, or local for metres"),
         field(&P::outlines, "outlines", "m", at_least(0),
               "polar outlines around the centre: the coast alone, or mountain, beach, lagoon, reef, abyss"),
         field(&P::areas, "areas", "drawn polygons of the coast"),

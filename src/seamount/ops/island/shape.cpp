@@ -9,6 +9,7 @@
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
 #include "seamount/geom/contour/contour.h"
+#include "seamount/geom/polygon/joined_lines.h"
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/scalar/spline.h"
@@ -58,11 +59,23 @@ void check_order(const std::vector<PolarOutline>& outlines) {
   }
 }
 
-/// Does ring `inner` leave `outer` by more than its own accuracy? Outlines traced from labels overlap by up to a cell
-/// where a region is narrower than that: they touch, and x~ puts them in order.
-bool leaves(const Ring& inner, const Ring& outer) {
-  const double size = std::sqrt(std::abs(geom::signed_area(inner)));
-  const double accuracy = std::min(geom::ring_length(inner) / static_cast<double>(inner.size()), 0.04 * size);
+/// How far outlines may leave those around them: traced from labels and simplified they overlap by up to two cells and
+/// a half, where an edge is about a cell long, and x~ puts them in order. In drawn ones no more than a small part of
+/// the land.
+double accuracy_of(const Plan& plan, int inner) {
+  constexpr double kEdges = 2.5, kShare = 0.04;
+  double length = 0.0, largest = 0.0;
+  size_t points = 0;
+  for (const Polygon& polygon : plan.areas[static_cast<size_t>(inner)]) {
+    length += geom::ring_length(polygon.outer);
+    points += polygon.outer.size();
+    largest = std::max(largest, std::abs(geom::signed_area(polygon.outer)));
+  }
+  return std::min(kEdges * length / static_cast<double>(std::max<size_t>(points, 1)), kShare * std::sqrt(largest));
+}
+
+/// Does ring `inner` leave `outer` by more than that?
+bool leaves(const Ring& inner, const Ring& outer, double accuracy) {
   Polyline border = outer;
   border.push_back(outer.front());
   for (const Vec2 p : geom::densify(inner, std::max(accuracy, geom::ring_length(inner) / 4000))) {
@@ -71,16 +84,25 @@ bool leaves(const Ring& inner, const Ring& outer) {
   return false;
 }
 
+/// Does a part lie beside an outline that it cannot cross, being smaller than the accuracy itself?
+bool lies_beside(const Ring& inner, const Ring& outer, double accuracy) {
+  Polyline border = outer;
+  border.push_back(outer.front());
+  return geom::closest_on_polyline(border, inner.front()).distance <= accuracy;
+}
+
 /// Nested outlines must not cross.
 void check_nesting(const Plan& plan, const std::string& name) {
   for (int i = 0; i < kOutlineCount; ++i) {
+    const double accuracy = accuracy_of(plan, i);
     for (int j = i + 1; j < kOutlineCount; ++j) {
       for (const Polygon& inner : plan.areas[i]) {
         bool inside = plan.areas[j].empty();
         for (const Polygon& outer : plan.areas[j]) {
           const auto place = geom::find_crossing(inner.outer, outer.outer);
-          inside = inside || place || geom::contains(outer.outer, inner.outer.front());
-          if (!place || !leaves(inner.outer, outer.outer)) continue;
+          inside = inside || place || geom::contains(outer.outer, inner.outer.front()) ||
+                   lies_beside(inner.outer, outer.outer, accuracy);
+          if (!place || !leaves(inner.outer, outer.outer, accuracy)) continue;
           throw InvalidArgument(name, fmt::format("outline '{}' crosses outline '{}' at x = {:.1f} m, y = {:.1f} m",
                                                   kAreaNames[i], kAreaNames[j], place->x, place->y));
         }
@@ -164,14 +186,33 @@ Plan plan_from_polar(std::vector<PolarOutline> outlines, Vec2 centre, const Give
   return plan;
 }
 
+namespace {
+
+/// The areas of a drawing and those that its lines enclose, as coastline ways do.
+std::vector<NamedArea> all_areas(const Drawing& drawing, const std::string& name) {
+  std::vector<NamedArea> areas = drawing.areas;
+  geom::LineAreas found = geom::areas_from_lines(drawing.lines);
+  if (areas.empty() && !found.open.empty()) {
+    const Polyline& line = found.open[0].points;
+    throw InvalidArgument(name, "a line runs from " + geom::format_place(line.front()) + " to " +
+                                    geom::format_place(line.back()) +
+                                    " and does not close; a coast is an area or closed");
+  }
+  areas.insert(areas.end(), std::make_move_iterator(found.areas.begin()), std::make_move_iterator(found.areas.end()));
+  return areas;
+}
+
+}  // namespace
+
 Plan plan_from_areas(const Drawing& drawing, const GivenWidths& widths, const std::string& name) {
   Plan plan;
   plan.crs = drawing.crs;
   bool named = false;
-  for (const NamedArea& area : drawing.areas) {
+  const std::vector<NamedArea> areas = all_areas(drawing, name);
+  for (const NamedArea& area : areas) {
     for (int i = 0; i < kOutlineCount; ++i) named = named || area.name == kAreaNames[i];
   }
-  for (const NamedArea& area : drawing.areas) {
+  for (const NamedArea& area : areas) {
     for (Polygon part : area.parts) {
       if (const auto defect = geom::find_defect(part)) {
         throw InvalidArgument(name, (area.name.empty() ? "" : "'" + area.name + "': ") + *defect);

@@ -61,6 +61,7 @@ RegionWidths natural_widths(double land_m2);
 Plan plan_from_polar(std::vector<PolarOutline> outlines, Vec2 centre, const GivenWidths& widths);
 
 /// A plan from named areas ("mountain" ... "abyss" as in kAreaNames) or, if no area has such a name, from one coast.
+/// Lines that close, alone or end to end, are areas too.
 /// Throws InvalidArgument{name} for no area, defective polygons (which, where) or outlines that cross.
 Plan plan_from_areas(const Drawing& drawing, const GivenWidths& widths, const std::string& name);
 

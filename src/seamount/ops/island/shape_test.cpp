@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "seamount/base/error.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/ops/island/outlines.h"
 
 namespace seamount::island {
 namespace {
@@ -64,6 +66,41 @@ TEST(PlanFromAreas, NamesDefectsAndCrossings) {
   EXPECT_THAT(message_of([&] { plan_from_areas(crossing, {}, "outlines"); }),
               HasSubstr("outline 'beach' crosses outline 'reef' at x = "));
   EXPECT_THAT(message_of([] { plan_from_areas({}, {}, "coast"); }), HasSubstr("coast: holds no area"));
+}
+
+TEST(PlanFromAreas, LinesThatCloseAreACoast) {
+  const Ring ring = circle({}, 1000, 40);
+  Drawing drawing;
+  drawing.lines.push_back({{ring.begin(), ring.begin() + 21}, 0, false, {}});
+  drawing.lines.push_back({{ring.begin() + 20, ring.end()}, 0, false, {}});
+  drawing.lines[1].points.push_back(ring.front());
+  drawing.lines.push_back({circle({4000, 0}, 500, 30), 0, true, {}});
+  const Plan plan = plan_from_areas(drawing, {}, "coast");
+  EXPECT_EQ(plan.areas[kCoast].size(), 2U);
+  EXPECT_NEAR(plan.land_m2, std::numbers::pi * (1e6 + 0.25e6), 0.02e6);
+  drawing.lines.resize(1);
+  EXPECT_THAT(message_of([&] { plan_from_areas(drawing, {}, "coast"); }),
+              HasSubstr("coast: a line runs from (1000, 0) to (-1000, 0) and does not close"));
+}
+
+TEST(PlanFromAreas, TakesWhatIslandOutlinesTracesOfAnyLabels) {
+  for (const uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    LabelMap labels(GridFrame::centred(120, 90, 30.0), Region::abyss);
+    for (int y = 0; y < 90; ++y)
+      for (int x = 0; x < 120; ++x) {
+        const double angle = std::atan2(y - 45, x - 60);
+        const double wave = geom::fbm_circle(Seed{seed}, angle + 0.01 * x, 4.0, 5);
+        const double r = std::hypot(x - 60, y - 45) * (1.0 + 0.6 * wave);
+        labels(x, y) = r < 15   ? Region::mountain
+                       : r < 16 ? Region::beach
+                       : r < 25 ? Region::lagoon
+                       : r < 26 ? Region::reef
+                                : Region::abyss;
+        if (x % 17 == 3 && y % 13 == 4 && r < 35) labels(x, y) = labels(x, std::min(y + 1, 89)) = Region::mountain;
+      }
+    const Drawing drawing = outlines(labels, {}, {});
+    EXPECT_EQ(message_of([&] { plan_from_areas(drawing, {}, "outlines"); }), "no error") << "seed " << seed;
+  }
 }
 
 TEST(CheckFits, SaysHowLargeTheDomainMustBe) {

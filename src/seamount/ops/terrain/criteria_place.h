@@ -53,7 +53,8 @@ struct ByArea {
   static constexpr auto fields() {
     using P = ByArea;
     return std::tuple(
-        field(&P::polygons, "polygons", "areas drawn here; none: those of the input 'drawing'"),
+        field(&P::polygons, "polygons",
+              "areas drawn here; none: those of the input 'drawing', or what its lines enclose"),
         field(&P::feature, "feature", "name of the area in the drawing; empty: all of them"),
         field(&P::low_m, "low_m", "m", between(-1e7, 1e7),
               "least distance from the border that is fully selected, negative inside; no limit if absent"),

@@ -9,6 +9,7 @@
 #include "seamount/geom/grid/surface.h"
 #include "seamount/geom/grid/voids.h"
 #include "seamount/geom/polygon/distance.h"
+#include "seamount/geom/polygon/joined_lines.h"
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/solve/fill_voids.h"
@@ -167,6 +168,9 @@ class Judge {
         if (by.feature.empty() || area.name == by.feature)
           polygons.insert(polygons.end(), area.parts.begin(), area.parts.end());
       }
+      if (polygons.empty() && in_.drawing->areas.empty() && by.feature.empty())
+        for (const NamedArea& area : geom::areas_from_lines(in_.drawing->lines).areas)
+          polygons.insert(polygons.end(), area.parts.begin(), area.parts.end());
       if (polygons.empty())
         fail("feature", "the drawing has no area" + (by.feature.empty() ? "" : " '" + by.feature + "'"));
     }

@@ -114,6 +114,16 @@ TEST(Mask, AreasAndLinesComeFromParametersOrTheDrawing) {
   EXPECT_THROW(from(ByArea{.feature = "lake"}), InvalidArgument);
 }
 
+TEST(Mask, ClosedLinesAreAreasWhereThereAreNone) {
+  const HeightField terrain = hills();
+  const Ring ring = {{-300, -300}, {300, -300}, {300, 300}, {-300, 300}};
+  Drawing areas, lines;
+  areas.areas = {{"a", {{ring, {}}}}};
+  lines.lines = {{ring, 0, true, {}}};
+  const MaskParams params{.criteria = {ByArea{}}};
+  EXPECT_EQ(mask({terrain, nullptr, &lines}, params, {}, {}), mask({terrain, nullptr, &areas}, params, {}, {}));
+}
+
 TEST(Mask, NoiseCoversItsShareAndHangsOnTheSeed) {
   const HeightField terrain(GridFrame::centred(400, 400, 20.0), 0.0F);
   for (const double coverage : {0.2, 0.5, 0.8}) {

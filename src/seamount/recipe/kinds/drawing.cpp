@@ -108,7 +108,7 @@ const Kind& kinds::Drawing::kind() {
       .name = "drawing",
       .about = "areas, lines and points",
       .files = {".geojson"},
-      .reads = {".geojson", ".json", ".gpkg", ".shp"},
+      .reads = {".geojson", ".json", ".gpkg", ".shp", ".svg"},
       .frame = {},
       .extent = extent_of,
       .bring = [](const seamount::Drawing& drawing,

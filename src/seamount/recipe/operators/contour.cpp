@@ -31,7 +31,13 @@ Tin grow(const contour::GrowParams& params, const Call& call, const Drawing* reg
     if (is_picture(path))
       file = io::read_image(path);
     else
-      file = bring_drawing(io::read_drawing(path, {.feature = params.feature, .layer = {}}, call.run), domain, path);
+      file = bring_drawing(io::read_drawing(path,
+                                            {.feature = params.feature,
+                                             .layer = params.layer,
+                                             .height_field = params.height_field,
+                                             .crs = params.crs},
+                                            call.run),
+                           domain, path);
   }
   const auto read_regions = [&](const FilePath&) { return *file; };
   const auto read_picture = [&](const FilePath& picture) { return io::read_image(call.resolve(picture)); };

@@ -27,7 +27,9 @@ const char* const kCoordinate = "region coordinate: 0 at the summit, i on outlin
 island::CoastFile read_coast(const island::BuildParams& params, const Call& call, GridFrame& domain) {
   const std::string path = call.resolve(params.coast);
   if (is_picture(path)) return read_label_picture(path, domain, call.run);
-  return bring_drawing(io::read_areas(path, {.feature = params.feature, .layer = {}}, call.run), domain, path);
+  return bring_drawing(
+      io::read_areas(path, {.feature = params.feature, .layer = params.layer, .crs = params.crs}, call.run), domain,
+      path);
 }
 
 IslandParts build(const island::BuildParams& params, const Call& call, const seamount::Drawing* outlines,

@@ -19,6 +19,9 @@ struct GrowParams {
   std::vector<RegionOutline> outlines;
   FilePath regions;
   std::string feature;
+  std::string layer;
+  std::string height_field;
+  std::string crs;
   std::vector<RiverLine> rivers;
   bool darkest_is_land = false;
   double irregularity = 0.0;
@@ -37,9 +40,16 @@ struct GrowParams {
             &P::outlines, "outlines", "m", between(-12000, 9000),
             "nested regions, each with a name, a ring, the height of its outline if wanted, and whether it is a basin"),
         field(&P::regions, "regions",
-              "the regions instead as a GeoJSON, GeoPackage or Shapefile, or as a picture whose grey levels are nested "
+              "the regions instead as a GeoJSON, GeoPackage, Shapefile or SVG, or as a picture whose grey levels are "
+              "nested "
               "regions"),
         field(&P::feature, "feature", "only the areas of this name in the file `regions`"),
+        field(&P::layer, "layer", "layer of the file `regions`; empty: the first with areas or lines"),
+        field(&P::height_field, "height_field",
+              "field of the file `regions` with the heights of outlines; empty: one named like a height"),
+        field(&P::crs, "crs",
+              "coordinate system of the file `regions` where it says none or a wrong one: EPSG:32627, or local for "
+              "metres"),
         field(&P::rivers, "rivers",
               "rivers from source to mouth, each with its bed at all points, at source and mouth, at the mouth, or "
               "none, and the width of its valley floor"),

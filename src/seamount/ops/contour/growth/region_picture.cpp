@@ -74,6 +74,41 @@ std::vector<int> find_levels(const Greys& greys, const RunContext& run) {
   return levels;
 }
 
+/// Whether greys run into each other, as in a height map, instead of standing for zones: much of what is not as dark as
+/// the darkest level belongs to no level.
+bool is_gradual(const Greys& greys, const std::vector<int>& levels) {
+  constexpr int kNear = kLevelGap / 2;
+  constexpr double kMostLost = 0.3, kLeastShare = 0.01;
+  size_t beyond = 0, lost = 0;
+  for (const uint8_t grey : greys.cells()) {
+    if (!levels.empty() && grey <= levels[0] + kNear) continue;
+    ++beyond;
+    const bool held =
+        std::any_of(levels.begin(), levels.end(), [&](int level) { return std::abs(level - grey) <= kNear; });
+    lost += held ? 0 : 1;
+  }
+  return static_cast<double>(beyond) >= kLeastShare * static_cast<double>(greys.size()) &&
+         static_cast<double>(lost) > kMostLost * static_cast<double>(beyond);
+}
+
+/// Greys of a few zones, evenly from the darkest level (or the darkest pixels) to the lightest pixels.
+std::vector<int> even_levels(const Greys& greys, const std::vector<int>& levels) {
+  constexpr int kMostZones = 6;
+  std::vector<uint8_t> sorted(greys.cells().begin(), greys.cells().end());
+  const auto at_share = [&](double share) {
+    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), sorted.begin() + place, sorted.end());
+    return static_cast<int>(sorted[static_cast<size_t>(place)]);
+  };
+  const int high = at_share(0.998);
+  const int darkest = at_share(0.002);
+  const int low = !levels.empty() && levels[0] <= darkest + kLevelGap ? levels[0] : darkest;
+  const int zones = std::clamp((high - low) / kLevelGap, 1, kMostZones);
+  std::vector<int> even;
+  for (int i = 0; i <= zones; ++i) even.push_back(low + (high - low) * i / zones);
+  return even;
+}
+
 /// Keeps a cell whose eight neighbours are inside; what lies beyond the edge is not.
 Greys eroded(const Greys& inside) {
   Greys rows(inside.frame(), 0);
@@ -134,7 +169,12 @@ std::vector<GrowthRegion> trace_levels(const Greys& greys, const std::vector<int
 
 RegionTree from_greys(const Greys& greys, const GridFrame& place, const GridFrame& domain, bool darkest_is_land,
                       const std::string& field, const RunContext& run) {
-  const std::vector<int> levels = find_levels(greys, run);
+  std::vector<int> levels = find_levels(greys, run);
+  if (is_gradual(greys, levels)) {
+    levels = even_levels(greys, levels);
+    run.say(fmt::format("{}: the picture's greys run into each other; it is cut into {} zones, from grey {} to {}",
+                        field, levels.size() - 1, levels.front(), levels.back()));
+  }
   if (levels.size() < (darkest_is_land ? 1 : 2)) {
     throw InvalidArgument(field, fmt::format("the picture shows {} grey level{}; it needs at least two, the darkest of "
                                              "which is the world outside the regions",

@@ -99,30 +99,6 @@ void check_meets_domain(const GrowthRegion& region, const GridFrame& domain, con
                          geom::format_place(frame.high)));
 }
 
-/// A hill is higher than the hill around it, a basin lower than the basin around it. Ancestors without a height are
-/// passed over; where hill and basin alternate any height is possible.
-void check_height(const std::vector<GrowthRegion>& regions, size_t child, const std::string& field) {
-  const GrowthRegion& region = regions[child];
-  if (!region.height_m) return;
-  for (int i = region.parent; i >= 0; i = regions[static_cast<size_t>(i)].parent) {
-    const GrowthRegion& around = regions[static_cast<size_t>(i)];
-    if (around.basin != region.basin) return;
-    if (!around.height_m) continue;
-    if (region.basin ? *region.height_m < *around.height_m : *region.height_m > *around.height_m) return;
-    throw InvalidArgument(
-        field, fmt::format("{} at {} m (near {}) is not {} than {} at {} m around it{}", quoted(region),
-                           format_number(*region.height_m), geom::format_place(region.outline[0]),
-                           region.basin ? "lower" : "higher", quoted(around), format_number(*around.height_m),
-                           region.basin ? "" : "; if it is to be a basin, say so"));
-  }
-}
-
-std::string part_name(const std::string& name, const std::string& kind, size_t number, size_t parts, size_t part) {
-  std::string text = name.empty() ? fmt::format("{} {}", kind, number) : name;
-  if (parts > 1) text += fmt::format(" (part {})", part);
-  return text;
-}
-
 /// The mean width of each region: twice its area over the length of its outlines.
 std::vector<double> mean_widths(const std::vector<GrowthRegion>& regions) {
   std::vector<double> areas(regions.size(), 0.0);
@@ -169,6 +145,22 @@ void set_contour_peaks(std::vector<GrowthRegion>& regions) {
 
 }  // namespace
 
+void check_region_height(const std::vector<GrowthRegion>& regions, size_t child, const std::string& field) {
+  const GrowthRegion& region = regions[child];
+  if (!region.height_m) return;
+  for (int i = region.parent; i >= 0; i = regions[static_cast<size_t>(i)].parent) {
+    const GrowthRegion& around = regions[static_cast<size_t>(i)];
+    if (around.basin != region.basin) return;
+    if (!around.height_m) continue;
+    if (region.basin ? *region.height_m < *around.height_m : *region.height_m > *around.height_m) return;
+    throw InvalidArgument(
+        field, fmt::format("{} at {} m (near {}) is not {} than {} at {} m around it{}", quoted(region),
+                           format_number(*region.height_m), geom::format_place(region.outline[0]),
+                           region.basin ? "lower" : "higher", quoted(around), format_number(*around.height_m),
+                           region.basin ? "" : "; if it is to be a basin, say so"));
+  }
+}
+
 RegionTree nest_regions(std::vector<GrowthRegion> regions, const GridFrame& domain, const std::string& field,
                         const RunContext& run) {
   if (regions.empty()) throw InvalidArgument(field, "no regions: give at least one closed outline");
@@ -194,7 +186,7 @@ RegionTree nest_regions(std::vector<GrowthRegion> regions, const GridFrame& doma
       throw InvalidArgument(field, fmt::format("the basin {} (near {}) lies in no region; draw the land around it",
                                                quoted(regions[i]), geom::format_place(regions[i].outline[0])));
     }
-    check_height(regions, i, field);
+    check_region_height(regions, i, field);
   }
   return {std::move(regions)};
 }
@@ -207,51 +199,6 @@ RegionTree regions_from_outlines(const std::vector<RegionOutline>& outlines, con
     regions.push_back({drawn.name, drawn.ring, -1, drawn.height_m, drawn.basin, drawn.peak_m});
   }
   return nest_regions(std::move(regions), domain, field);
-}
-
-RegionTree regions_from_drawing(const Drawing& drawing, const GridFrame& domain, const std::string& field) {
-  std::vector<GrowthRegion> regions;
-  for (size_t a = 0; a < drawing.areas.size(); ++a) {
-    const NamedArea& area = drawing.areas[a];
-    for (size_t p = 0; p < area.parts.size(); ++p) {
-      const std::string name = part_name(area.name, "area", a, area.parts.size(), p);
-      regions.push_back({name, area.parts[p].outer, -1, std::nullopt, false});
-      for (size_t h = 0; h < area.parts[p].holes.size(); ++h) {
-        regions.push_back({fmt::format("{} (hole {})", name, h), area.parts[p].holes[h], -1, std::nullopt, true});
-      }
-    }
-  }
-  const bool heights =
-      std::any_of(drawing.lines.begin(), drawing.lines.end(), [](const ValuedLine& line) { return line.value != 0.0; });
-  const size_t first_line = regions.size();
-  for (size_t i = 0; i < drawing.lines.size(); ++i) {
-    const ValuedLine& line = drawing.lines[i];
-    if (!line.closed && !line.points.empty() && !(line.points.front() == line.points.back())) {
-      throw InvalidArgument(
-          field, fmt::format("line {} is open: it begins at {} and ends at {}; a region's outline is "
-                             "closed",
-                             i, geom::format_place(line.points.front()), geom::format_place(line.points.back())));
-    }
-    const std::optional<double> height = heights ? std::optional<double>(line.value) : std::nullopt;
-    regions.push_back({fmt::format("line {}", i), line.points, -1, height, false});
-  }
-  if (!heights) return nest_regions(std::move(regions), domain, field);
-  // Which lines are depressions shows once they are nested: take the heights off, nest, and put them back.
-  std::vector<std::pair<std::string, std::optional<double>>> given;
-  for (size_t i = first_line; i < regions.size(); ++i) {
-    given.emplace_back(regions[i].name, std::exchange(regions[i].height_m, std::nullopt));
-  }
-  RegionTree tree = nest_regions(std::move(regions), domain, field);
-  for (GrowthRegion& region : tree.regions) {
-    const auto found = std::find_if(given.begin(), given.end(), [&](const auto& g) { return g.first == region.name; });
-    if (found == given.end()) continue;
-    region.height_m = found->second;
-    const GrowthRegion* around = region.parent < 0 ? nullptr : &tree.regions[static_cast<size_t>(region.parent)];
-    if (around == nullptr || !around->height_m) continue;
-    region.basin = *region.height_m < *around->height_m || (!around->basin && *region.height_m == *around->height_m);
-  }
-  for (size_t i = 0; i < tree.regions.size(); ++i) check_height(tree.regions, i, field);
-  return tree;
 }
 
 RegionTree regions_from_contours(const ContourSet& set, const GridFrame& domain, const std::string& field,

@@ -47,8 +47,10 @@ struct RegionTree {
 RegionTree regions_from_outlines(const std::vector<RegionOutline>& outlines, const GridFrame& domain,
                                  const std::string& field);
 
-/// From the areas and closed lines of a drawing. A hole in an area is a basin. A line's value is its height, unless all
-/// are 0; a line that is not higher than the one around it is a basin, as on a map of depression contours.
+/// From the areas and closed lines of a drawing, and what open lines enclose that meet end to end. An area's attributes
+/// height_m, peak_m and basin (not 0) are those of its outlines; a hole in an area is a basin. A line's value is its
+/// height, unless all are 0; a line that is not higher than the one around it is a basin, as on a map of depression
+/// contours.
 RegionTree regions_from_drawing(const Drawing& drawing, const GridFrame& domain, const std::string& field);
 
 /// From contours: a clockwise one is a basin. Their levels are all there are, so that a summit or a basin's floor does
@@ -64,7 +66,8 @@ struct PaintedRegions {
 /// are clusters of grey at least 16 apart of 255, found where the picture is flat, so that JPEG noise and soft edges do
 /// not matter; a darker patch inside a lighter one is a basin. Land at the picture's edge continues beyond the domain.
 /// Outlines lie within two pixels of the painted borders; where several levels meet at one border they fan out by three
-/// pixels each. Patches below 12 pixels are noise. Linear in pixels.
+/// pixels each. Patches below 12 pixels are noise. A picture whose greys run into each other is cut into up to six
+/// zones of equal steps, which is said. Linear in pixels.
 RegionTree regions_from_image(const Image& image, const GridFrame& domain, const PaintedRegions& painted,
                               const std::string& field, const RunContext& run);
 
@@ -76,6 +79,11 @@ RegionTree regions_from_mask(const ScalarField& mask, const GridFrame& domain, c
 /// above end with.
 RegionTree nest_regions(std::vector<GrowthRegion> regions, const GridFrame& domain, const std::string& field,
                         const RunContext& run = {});
+
+/// A hill is higher than the hill around it, a basin lower than the basin around it. Ancestors without a height are
+/// passed over; where hill and basin alternate any height is possible. Throws InvalidArgument{field}. What
+/// nest_regions() holds of each region.
+void check_region_height(const std::vector<GrowthRegion>& regions, size_t child, const std::string& field);
 
 /// Index of the region that holds p, -1: none. Brute force, linear in vertices: for tests and single points.
 int region_at(const RegionTree& tree, Vec2 p);

@@ -123,6 +123,39 @@ TEST(Regions, DrawingsGiveHolesAndDepressions) {
   EXPECT_EQ(named(tree, "line 2").height_m, 80.0);
 }
 
+TEST(Regions, AreasCarryTheirHeightsPeaksAndBasins) {
+  Drawing drawing;
+  drawing.areas = {{"land", {{square(300), {}}}, {{"height_m", 5}}},
+                   {"hill", {{square(80, {-100, 0}), {}}}, {{"HEIGHT_M", 120}, {"Peak_m", 300}}},
+                   {"crater", {{square(80, {100, 0}), {}}}, {{"basin", 1}, {"height_m", 4}}}};
+  const RegionTree tree = regions_from_drawing(drawing, kDomain, "regions");
+  ASSERT_EQ(tree.regions.size(), 3U);
+  EXPECT_EQ(tree.regions[0].height_m, 5.0);
+  EXPECT_EQ(tree.regions[1].height_m, 120.0);
+  EXPECT_EQ(tree.regions[1].peak_m, 300.0);
+  EXPECT_FALSE(tree.regions[1].basin);
+  EXPECT_TRUE(tree.regions[2].basin);
+}
+
+TEST(Regions, AHoleMayTouchItsShell) {
+  Drawing drawing;
+  drawing.areas = {{"land", {{square(300), {{{-300, 0}, {-200, -50}, {-200, 50}}}}}}};
+  const RegionTree tree = regions_from_drawing(drawing, kDomain, "regions");
+  ASSERT_EQ(tree.regions.size(), 2U);
+  EXPECT_EQ(tree.regions[1].parent, 0);
+  EXPECT_TRUE(tree.regions[1].basin);
+}
+
+TEST(Regions, LinesThatMeetEndToEndEnclose) {
+  Drawing drawing;
+  drawing.lines = {{{{-100, -100}, {100, -100}, {100, 100}}, 7, false, {}},
+                   {{{-100, -100}, {-100, 100}, {100, 100}}, 7, false, {}}};
+  const RegionTree tree = regions_from_drawing(drawing, kDomain, "regions");
+  ASSERT_EQ(tree.regions.size(), 1U);
+  EXPECT_EQ(std::abs(geom::signed_area(tree.regions[0].outline)), 40000.0);
+  EXPECT_EQ(tree.regions[0].height_m, 7.0);
+}
+
 TEST(Regions, OpenLinesAreRefusedWithTheirEnds) {
   Drawing drawing;
   drawing.lines.push_back({{{0, 0}, {50, 0}, {50, 70}}, 10.0, false});
@@ -264,6 +297,23 @@ TEST(RegionPicture, MasksAreReadInTheirOwnFrame) {
   const RegionTree tree = regions_from_mask(mask, kDomain, {}, "mask", {});
   ASSERT_EQ(tree.regions.size(), 1U);
   EXPECT_NEAR(geom::signed_area(tree.regions[0].outline), 1600, 200);
+}
+
+TEST(RegionPicture, HeightMapsAreCutIntoAFewZones) {
+  Image image(200, 160);
+  for (int y = 0; y < 160; ++y)
+    for (int x = 0; x < 200; ++x) {
+      const double r = std::hypot(x - 100, y - 80);
+      const auto grey = static_cast<uint8_t>(std::clamp(255.0 - 3.5 * r, 0.0, 255.0));
+      for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = grey;
+    }
+  std::vector<std::string> notes;
+  RunContext run;
+  run.note = [&](const std::string& line) { notes.push_back(line); };
+  const RegionTree tree = regions_from_image(image, kDomain, {}, "regions", run);
+  EXPECT_EQ(tree.regions.size(), 6U);
+  for (size_t i = 0; i < tree.regions.size(); ++i) EXPECT_EQ(tree.regions[i].parent, static_cast<int>(i) - 1);
+  EXPECT_THAT(notes, ::testing::ElementsAre(HasSubstr("it is cut into 6 zones")));
 }
 
 TEST(RegionPicture, PicturesWithoutRegionsAreRefused) {
