@@ -37,6 +37,19 @@ void list(const recipe::Registry& registry, bool json) {
   for (const recipe::Kind* kind : registry.kinds()) fmt::print("  {:<20} {}\n", kind->name, kind->about);
 }
 
+/// The operators whose names begin with "name."; false if there are none.
+bool describe_family(const recipe::Registry& registry, const std::string& name, bool after_other) {
+  bool any = false;
+  for (const auto& op : registry.operators()) {
+    if (!op->name.starts_with(name + ".")) continue;
+    if (!any && after_other) std::cout << "\n";
+    if (!any) fmt::print("operators of the family {} (seamount describe NAME)\n", name);
+    any = true;
+    fmt::print("  {:<20} {}\n", op->name, op->summary);
+  }
+  return any;
+}
+
 void describe(const recipe::Registry& registry, const std::string& name, bool markdown) {
   if (markdown) {
     std::cout << recipe::reference_markdown(registry);
@@ -49,7 +62,9 @@ void describe(const recipe::Registry& registry, const std::string& name, bool ma
   if (format != nullptr) std::cout << recipe::describe_format(*format);
   if (format != nullptr && kind != nullptr) std::cout << "\n";  // labels, drawing, ... are both
   if (kind != nullptr) std::cout << recipe::describe_kind(*kind, registry);
-  if (op != nullptr || format != nullptr || kind != nullptr) return;
+  const bool one_thing = format != nullptr || kind != nullptr;
+  const bool family = op == nullptr && describe_family(registry, name, one_thing);
+  if (op != nullptr || one_thing || family) return;
   std::vector<std::string> names = registry.operator_names();
   for (const auto& row : registry.formats()) names.push_back(row->name);
   for (const recipe::Kind* row : registry.kinds()) names.push_back(row->name);
@@ -74,8 +89,21 @@ void write_new_file(const fs::path& path, std::string_view content) {
   std::cout << path.string() << "\n";
 }
 
-/// Writes an example recipe, and beside it the data that it names.
+/// Examples by name, each with what it says of itself.
+void list_examples() {
+  std::cout << "examples (seamount new NAME)\n";
+  for (const Example& example : example_files()) {
+    if (!example.file.ends_with(".json")) continue;
+    const recipe::Json document = recipe::Json::parse(example.content, nullptr, false);
+    const std::string about =
+        document.is_object() && document.contains("about") && document["about"].is_string() ? document["about"] : "";
+    fmt::print("  {:<28} {}\n", example.file.substr(0, example.file.size() - 5), about.substr(0, about.find('.')));
+  }
+}
+
+/// Writes an example recipe, and beside it the data that it names; without a name lists them.
 void make_new(const std::string& name, const std::string& folder) {
+  if (name.empty()) return list_examples();
   const Example* recipe = nullptr;
   for (const Example& example : example_files()) {
     if (example.file == name + ".json") recipe = &example;
@@ -118,7 +146,7 @@ void add_discover_commands(Command program, const recipe::Registry& registry) {
   schema_command.does([&registry] { std::cout << recipe::recipe_schema(registry).dump(2) << "\n"; });
 
   Command new_command = program.add_command("new", "Write an example recipe to start from");
-  new_command.add("example", name.get(), fmt::format("one of {}", fmt::join(example_names(), ", "))).required();
+  new_command.add("example", name.get(), fmt::format("one of {}", fmt::join(example_names(), ", ")));
   new_command.add("--out", folder.get(), "folder to write to");
   new_command.does([=] { make_new(*name, *folder); });
 }

@@ -13,8 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size < 1) return 0;
   const std::span<const uint8_t> file(data + 1, size - 1);
   const auto& extensions = io::readable_raster_extensions();
-  const io::ReadOptions options{
-      .cell_m = 1.0, .range = io::HeightRange{0, 1}, .voids = io::Voids::fill, .max_cells = 1 << 16};
+  const auto coding = static_cast<io::ElevationCoding>(data[0] / (extensions.size() + 1) % 3);
+  const io::ReadOptions options{.cell_m = 1.0, .range = io::HeightRange{0, 1}, .coding = coding, .max_cells = 1 << 16};
   try {
     if (data[0] % (extensions.size() + 1) == extensions.size()) {
       io::read_image(file, "fuzz.png");

@@ -52,6 +52,22 @@ void flip_rows(Grid<float>& grid) {
     std::swap_ranges(grid.row(y).begin(), grid.row(y).end(), grid.row(grid.height() - 1 - y).begin());
 }
 
+int64_t voids_of(const Grid<float>& grid) {
+  return std::count_if(grid.cells().begin(), grid.cells().end(), [](float z) { return std::isnan(z); });
+}
+
+void warp(Stored& stored, const std::string& name, const Settlement& settlement, const GdalCall& call,
+          const ReadOptions& options) {
+  const bool all_known = voids_of(stored.values) == 0;
+  stored.values = warp_to_metres(stored.values, *stored.placement, settlement, options.cover, call, options.max_cells,
+                                 options.run.part(0.5, 0.9));
+  const int64_t beyond = options.cover || !all_known ? 0 : voids_of(stored.values);
+  if (beyond > 0)
+    options.run.say(name + ": is turned against north; " + std::to_string(beyond) + " of " +
+                    std::to_string(stored.values.size()) +
+                    " cells of the upright raster lie beyond it, without a value");
+}
+
 /// A stored raster with a placement on square cells in metres.
 void settle_stored(Stored& stored, const std::string& name, const ReadOptions& options, Meaning meaning) {
   const GdalCall call(name);
@@ -64,7 +80,7 @@ void settle_stored(Stored& stored, const std::string& name, const ReadOptions& o
   if (settlement.as_it_is)
     grid.set_frame({grid.width(), grid.height(), p.cell_x, p.west, p.north, stored.crs});
   else
-    grid = warp_to_metres(grid, p, settlement, options.cover, call, options.max_cells, options.run.part(0.5, 0.9));
+    warp(stored, name, settlement, call, options);
 }
 
 void place(Stored& stored, const std::string& name, const ReadOptions& options, const std::optional<Sidecar>& sidecar,
@@ -111,7 +127,7 @@ void apply_range(Stored& stored, const std::string& name, const ReadOptions& opt
 }
 
 void treat_voids(Grid<float>& grid, const std::string& name, const ReadOptions& options) {
-  const auto count = std::count_if(grid.cells().begin(), grid.cells().end(), [](float z) { return std::isnan(z); });
+  const int64_t count = voids_of(grid);
   if (count == 0) return;
   const auto all = static_cast<int64_t>(grid.size());
   if (count == all) throw IoError(name, "none of its " + std::to_string(all) + " cells has a value");

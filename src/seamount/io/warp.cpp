@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "seamount/base/text.h"
@@ -38,27 +39,63 @@ double edge_extreme(OGRCoordinateTransformation* way, std::vector<double> x, std
   return want_max ? *std::max_element(values.begin(), values.end()) : *std::min_element(values.begin(), values.end());
 }
 
-GridFrame target_frame(const Placement& p, int width, int height, const std::string& crs,
-                       OGRCoordinateTransformation* way, bool cover, const GdalCall& call, int64_t max_cells) {
+/// The rectangle that a warped raster is laid on.
+struct Rectangle {
+  double x0, x1, y0, y1;
+  double area() const { return x1 > x0 && y1 > y0 ? (x1 - x0) * (y1 - y0) : 0.0; }
+};
+
+/// The largest upright rectangle inside a raster, or the one around it.
+Rectangle rectangle_of(const Placement& p, int width, int height, OGRCoordinateTransformation* way, bool cover,
+                       const GdalCall& call) {
   const double east = p.west + width * p.cell_x, south = p.north - height * p.cell_y;
   const auto across = steps(p.west, east), down = steps(p.north, south);
   const std::vector<double> at_west(down.size(), p.west), at_east(down.size(), east), at_north(across.size(), p.north),
       at_south(across.size(), south);
-  const double x0 = edge_extreme(way, at_west, down, true, !cover, call);
-  const double x1 = edge_extreme(way, at_east, down, true, cover, call);
-  const double y1 = edge_extreme(way, across, at_north, false, cover, call);
-  const double y0 = edge_extreme(way, across, at_south, false, !cover, call);
-  if (!(x1 > x0) || !(y1 > y0)) call.fail("has no upright rectangle inside it");
-  const double cell = std::sqrt((x1 - x0) / width * ((y1 - y0) / height));
+  if (!cover)
+    return {edge_extreme(way, at_west, down, true, true, call), edge_extreme(way, at_east, down, true, false, call),
+            edge_extreme(way, across, at_south, false, true, call),
+            edge_extreme(way, across, at_north, false, false, call)};
+  Rectangle around{INFINITY, -INFINITY, INFINITY, -INFINITY};
+  for (const auto& [xs, ys] : {std::pair(at_west, down), {at_east, down}, {across, at_south}, {across, at_north}}) {
+    around.x0 = std::min(around.x0, edge_extreme(way, xs, ys, true, false, call));
+    around.x1 = std::max(around.x1, edge_extreme(way, xs, ys, true, true, call));
+    around.y0 = std::min(around.y0, edge_extreme(way, xs, ys, false, false, call));
+    around.y1 = std::max(around.y1, edge_extreme(way, xs, ys, false, true, call));
+  }
+  return around;
+}
+
+/// The side in metres of a square as large as the raster's middle cell.
+double middle_cell(const Placement& p, int width, int height, OGRCoordinateTransformation* way, const GdalCall& call) {
+  const double x0 = p.x(0.5 * (width - 1)), y0 = p.y(0.5 * (height - 1));
+  std::vector<double> x{x0 - 0.5 * p.cell_x, x0 + 0.5 * p.cell_x, x0, x0};
+  std::vector<double> y{y0, y0, y0 - 0.5 * p.cell_y, y0 + 0.5 * p.cell_y};
+  if (!apply(way, x, y)) call.fail("lies outside of its coordinate reference system");
+  return std::sqrt(std::hypot(x[1] - x[0], y[1] - y[0]) * std::hypot(x[3] - x[2], y[3] - y[2]));
+}
+
+GridFrame target_frame(const Placement& p, int width, int height, const std::string& crs,
+                       OGRCoordinateTransformation* way, bool cover, const GdalCall& call, int64_t max_cells) {
+  constexpr double kMostLost = 0.4;
+  Rectangle r = rectangle_of(p, width, height, way, cover, call);
+  const double middle = middle_cell(p, width, height, way, call);
+  // Near the poles north is anywhere: of a raster that comes out turned, what is upright inside is little or nothing.
+  if (!cover && r.area() < (1 - kMostLost) * middle * middle * width * height) {
+    cover = true;
+    r = rectangle_of(p, width, height, way, true, call);
+  }
+  if (!(r.area() > 0)) call.fail("has no area in metres");
+  const double cell = cover ? middle : std::sqrt((r.x1 - r.x0) / width * ((r.y1 - r.y0) / height));
   GridFrame frame;
   frame.cell_m = std::max(std::round(cell * 1000) / 1000, cell / 2);
-  const double columns = (x1 - x0) / frame.cell_m + 1e-6, rows = (y1 - y0) / frame.cell_m + 1e-6;
+  const double columns = (r.x1 - r.x0) / frame.cell_m + 1e-6, rows = (r.y1 - r.y0) / frame.cell_m + 1e-6;
   if (columns > 1e6 || rows > 1e6 || columns * rows > static_cast<double>(max_cells))
     call.fail("needs more than " + std::to_string(max_cells) + " square cells");
   frame.width = std::max(1, static_cast<int>(cover ? std::ceil(columns - 2e-6) : columns));
   frame.height = std::max(1, static_cast<int>(cover ? std::ceil(rows - 2e-6) : rows));
-  frame.west_m = 0.5 * (x0 + x1) - 0.5 * frame.width_m();
-  frame.north_m = 0.5 * (y0 + y1) + 0.5 * frame.height_m();
+  frame.west_m = 0.5 * (r.x0 + r.x1) - 0.5 * frame.width_m();
+  frame.north_m = 0.5 * (r.y0 + r.y1) + 0.5 * frame.height_m();
   frame.crs = crs;
   return frame;
 }

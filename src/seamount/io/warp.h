@@ -22,10 +22,10 @@ struct Settlement {
 /// than 20 degrees of longitude across that cannot be kept.
 Settlement settle(const Placement& placement, int width, int height, const GdalCall& call);
 
-/// The raster on square cells in metres, covering the largest upright rectangle that lies inside it, or, with `cover`,
-/// all of it, NaN beyond; the cell keeps the number of cells about the same. Bilinear; a target is NaN where less than
-/// half of the weight has a value. Throws IoError through `call` for more than max_cells; Cancelled. Serial, about 100
-/// ns per cell.
+/// The raster on square cells in metres, covering the largest upright rectangle that lies inside it, or, with `cover`
+/// and where it comes out turned so far that this would lose much, all of it, NaN beyond; the cell keeps the number of
+/// cells about the same. Bilinear; a target is NaN where less than half of the weight has a value. Throws IoError
+/// through `call` for more than max_cells; Cancelled. Serial, about 100 ns per cell.
 Grid<float> warp_to_metres(const Grid<float>& stored, const Placement& placement, const Settlement& settlement,
                            bool cover, const GdalCall& call, int64_t max_cells, const RunContext& run);
 

@@ -1,5 +1,7 @@
 #include "seamount/recipe/file_values.h"
 
+#include <filesystem>
+
 #include "seamount/geom/grid/painted_labels.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
@@ -24,11 +26,8 @@ bool is_picture(const std::string& path) {
 }
 
 LabelMap read_label_picture(const std::string& path, const GridFrame& domain, const RunContext& run) {
+  if (std::filesystem::exists(io::sidecar_path(path))) return decode_picture(path, io::read_placed_image(path), run);
   return decode_picture(path, {io::read_image(path), domain}, run);
-}
-
-LabelMap read_placed_labels(const std::string& path, const RunContext& run) {
-  return decode_picture(path, io::read_placed_image(path), run);
 }
 
 }  // namespace seamount::recipe

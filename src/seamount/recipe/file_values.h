@@ -11,9 +11,8 @@ namespace seamount::recipe {
 /// A picture by its extension (.png, .jpg, .jpeg), not areas and lines.
 bool is_picture(const std::string& path);
 
-/// A painted label image (geom/grid/painted_labels.h) laid over the domain. Throws IoError.
+/// A painted label image (geom/grid/painted_labels.h) where its side-car says that it lies, or laid over the domain.
+/// Throws IoError.
 LabelMap read_label_picture(const std::string& path, const GridFrame& domain, const RunContext& run);
-/// The same where its side-car says that it lies.
-LabelMap read_placed_labels(const std::string& path, const RunContext& run);
 
 }  // namespace seamount::recipe

@@ -117,15 +117,21 @@ void check_visible(const HeightField& terrain, const LabelMap* labels, const Run
   if (labels != nullptr) check_same_size("labels", labels->frame(), terrain.frame());
   parallel_rows(run, terrain.width(), terrain.height(), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      float sum = 0.0F;  // becomes nan or inf with any height that is
-      for (const float h : terrain.row(y)) sum += 0.0F * h;
-      if (sum != 0.0F) throw InvalidArgument("terrain", "row " + std::to_string(y) + " has a height that is no number");
+      bool finite = true;
+      for (const float h : terrain.row(y)) finite = finite && !std::isinf(h);
+      if (!finite) throw InvalidArgument("terrain", "row " + std::to_string(y) + " has a height that is no number");
     }
   });
 }
 
 Ground::Ground(const HeightField& terrain, const LabelMap* labels, const GroundOptions& options, const RunContext& run)
-    : heights_((check_visible(terrain, labels, run), drawn_heights(terrain, options, run))),
+    : Ground(fill_unknown(terrain, run), terrain, labels, options, run) {}
+
+Ground::Ground(Filled filled, const HeightField& terrain, const LabelMap* labels, const GroundOptions& options,
+               const RunContext& run)
+    : unknown_(std::move(filled.unknown)),
+      heights_((check_visible(terrain, labels, run),
+                drawn_heights(filled.terrain.empty() ? terrain : filled.terrain, options, run))),
       form_(form_texels(heights_, options.sun, run), run),
       cover_(cover_texels(heights_, labels, options.exaggeration, run), run),
       half_columns_(0.5F * static_cast<float>(heights_.width() - 1)),
@@ -135,6 +141,14 @@ Ground::Ground(const HeightField& terrain, const LabelMap* labels, const GroundO
       labelled_(labels != nullptr),
       layered_(options.style != Style::natural) {
   if (layered_) layers_ = MipMap<LayerTexel>(layer_texels(heights_, options, run), run);
+}
+
+bool Ground::is_unknown(float x, float y) const {
+  if (unknown_.empty()) return false;
+  const auto cell = static_cast<float>(unknown_.cell_m());
+  const float column = x / cell + 0.5F * static_cast<float>(unknown_.width() - 1);
+  const float row = 0.5F * static_cast<float>(unknown_.height() - 1) - y / cell;
+  return unknown_.clamped(static_cast<int>(std::lround(column)), static_cast<int>(std::lround(row))) != 0;
 }
 
 FormTexel Ground::form(float x, float y, float footprint) const {
@@ -156,6 +170,7 @@ GroundSample Ground::sample(float x, float y, float footprint) const {
   p.northness = -s.form.south / exaggeration_;
   p.concavity = s.cover.concavity;
   p.footprint = footprint;
+  p.unknown = is_unknown(x, y);
   p.labelled = labelled_ ? 1.0F : 0.0F;
   p.beach = s.cover.beach;
   p.lagoon = s.cover.lagoon;

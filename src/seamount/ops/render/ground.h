@@ -9,6 +9,7 @@
 #include "seamount/ops/render/materials.h"
 #include "seamount/ops/render/mip_map.h"
 #include "seamount/ops/render/sky.h"
+#include "seamount/ops/render/unknown.h"
 
 namespace seamount::render {
 
@@ -60,8 +61,8 @@ struct GroundSample {
 
 class Ground {
  public:
-  /// Throws InvalidArgument for an empty terrain or heights that are not finite, IncompatibleInputs for labels of
-  /// another size. About 60 ns a cell of the kept size.
+  /// Throws InvalidArgument for an empty terrain or heights that are infinite, IncompatibleInputs for labels of another
+  /// size. Unknown cells (NaN) are blank ground. About 60 ns a cell of the kept size.
   Ground(const HeightField& terrain, const LabelMap* labels, const GroundOptions& options, const RunContext& run);
 
   const HeightField& heights() const { return heights_; }  ///< over the water, exaggerated, at least 2 x 2 cells
@@ -79,6 +80,11 @@ class Ground {
   Vec3 normal(const GroundSample& sample, float bump) const;
 
  private:
+  Ground(Filled filled, const HeightField& terrain, const LabelMap* labels, const GroundOptions& options,
+         const RunContext& run);
+  bool is_unknown(float x, float y) const;
+
+  Grid<uint8_t> unknown_;  ///< empty: all is known
   HeightField heights_;
   MipMap<FormTexel> form_;
   MipMap<CoverTexel> cover_;
@@ -87,7 +93,7 @@ class Ground {
   bool labelled_, layered_;
 };
 
-/// Throws InvalidArgument unless the terrain has cells and all heights are finite, IncompatibleInputs unless the labels
+/// Throws InvalidArgument unless the terrain has cells and no height is infinite, IncompatibleInputs unless the labels
 /// (may be null) have its size.
 void check_visible(const HeightField& terrain, const LabelMap* labels, const RunContext& run);
 

@@ -14,6 +14,7 @@
 #include "seamount/ops/render/relief.h"
 #include "seamount/ops/render/shading.h"
 #include "seamount/ops/render/style_tints.h"
+#include "seamount/ops/render/unknown.h"
 
 namespace seamount::render {
 namespace {
@@ -22,6 +23,7 @@ namespace {
 struct Sheet {
   HeightField ground;
   Grid<uint8_t> unknown_sea;  ///< 1: sea without depths; empty: none
+  Grid<uint8_t> unknown;      ///< 1: nothing is known; empty: nowhere
   Grid<float> shade;
   double low = 0.0, high = 0.0;
 };
@@ -29,6 +31,11 @@ struct Sheet {
 Sheet make_sheet(const HeightField& terrain, int width_px, const RunContext& run) {
   Sheet sheet;
   sheet.ground = picture_terrain(terrain, width_px, run.part(0.0, 0.2));
+  Filled filled = fill_unknown(sheet.ground, run);
+  if (!filled.terrain.empty()) {
+    sheet.ground = std::move(filled.terrain);
+    sheet.unknown = std::move(filled.unknown);
+  }
   sheet.unknown_sea = geom::flat_sea(sheet.ground, run.part(0.2, 0.25));
   sheet.shade = relief_shading(sheet.ground, {}, run.part(0.25, 1.0));
   const auto [low, high] = std::minmax_element(sheet.ground.cells().begin(), sheet.ground.cells().end());
@@ -157,6 +164,17 @@ void paint_ground(Image& image, const Layout& layout, const Sheet& sheet, const 
   });
 }
 
+/// Takes out what was drawn where nothing is known.
+void blank_unknown(Image& image, const Layout& layout, const Grid<uint8_t>& unknown) {
+  if (unknown.empty()) return;
+  for (int y = 0; y < unknown.height(); ++y) {
+    for (int x = 0; x < unknown.width(); ++x) {
+      const int px = layout.map.x + x, py = layout.map.y + y;
+      if (unknown(x, y) != 0) write_dithered(image.pixel(px, py), px, py, kUnknownGround);
+    }
+  }
+}
+
 std::vector<Swatch> region_swatches() {
   std::vector<Swatch> swatches;
   swatches.reserve(kRegions.size());
@@ -225,6 +243,7 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings&
     add_level(coast, ground, 0.0, line, run);
     coast.draw(image, layout.map.x, layout.map.y, Colour{46, 74, 94}, 0.85F);
   }
+  blank_unknown(image, layout, sheet.unknown);
   draw_drawings(image, layout.map, ground.frame(), drawings, layout.unit, run);
   draw_furniture(image, layout, params, scale, tints, ground.cell_m());
   run.report(1.0);

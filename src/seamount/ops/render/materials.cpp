@@ -2,6 +2,7 @@
 
 #include "seamount/ops/render/detail_noise.h"
 #include "seamount/ops/render/style.h"
+#include "seamount/ops/render/unknown.h"
 
 namespace seamount::render {
 namespace {
@@ -116,6 +117,7 @@ Material floor_material(const SurfacePoint& p, const MaterialRules& rules) {
 }
 
 Material ground_material(const SurfacePoint& p, const MaterialRules& rules) {
+  if (p.unknown) return {kUnknownAlbedo, 0.0F, {}};
   if (p.z >= 0.3F) return land_material(p, rules);
   if (p.z <= -0.3F) return floor_material(p, rules);
   const Material land = land_material(p, rules), floor = floor_material(p, rules);

@@ -91,7 +91,7 @@ TEST(Perspective, RefusesWhatItCannotDraw) {
   EXPECT_THROW(perspective(terrain, nullptr, params, {}), InvalidArgument);
   const LabelMap labels(GridFrame::centred(5, 4, 10.0), Region::reef);
   EXPECT_THROW(perspective(terrain, &labels, small(), {}), IncompatibleInputs);
-  terrain(2, 1) = std::numeric_limits<float>::quiet_NaN();
+  terrain(2, 1) = std::numeric_limits<float>::infinity();
   EXPECT_THROW(perspective(terrain, nullptr, small(), {}), InvalidArgument);
   EXPECT_THROW(perspective(HeightField(), nullptr, small(), {}), InvalidArgument);
   const std::atomic<bool> stop = true;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/ops/render/ground.h"
 #include "seamount/ops/render/shading.h"
 #include "seamount/ops/render/tints.h"
+#include "seamount/ops/render/unknown.h"
 
 namespace seamount::render {
 
@@ -36,7 +38,9 @@ Rgb shaded(Rgb tint, float shade) {
 Image relief(const HeightField& terrain, const ReliefParams& params, const RunContext& run) {
   check_params(params);
   check_visible(terrain, nullptr, run);
-  const HeightField ground = picture_terrain(terrain, params.width_px, run.part(0.0, 0.2));
+  HeightField ground = picture_terrain(terrain, params.width_px, run.part(0.0, 0.2));
+  Filled filled = fill_unknown(ground, run);
+  if (!filled.terrain.empty()) ground = std::move(filled.terrain);
   constexpr double kDegree = std::numbers::pi / 180.0;
   const Grid<float> shade = relief_shading(ground,
                                            {.light_azimuth = params.light_azimuth_deg * kDegree,
@@ -51,8 +55,9 @@ Image relief(const HeightField& terrain, const ReliefParams& params, const RunCo
   parallel_rows(run.part(0.9, 1.0), image.width, image.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < image.width; ++x) {
+        const bool unknown = !filled.unknown.empty() && filled.unknown(x, y) != 0;
         const Rgb tint = params.tint == ReliefTint::grey ? kPaper : scale.tint(ground(x, y));
-        write_dithered(image.pixel(x, y), x, y, shaded(tint, shade(x, y)));
+        write_dithered(image.pixel(x, y), x, y, unknown ? kUnknownGround : shaded(tint, shade(x, y)));
       }
     }
   });

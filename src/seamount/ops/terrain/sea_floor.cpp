@@ -39,7 +39,9 @@ ScalarField slope_at_coast(const HeightField& terrain, const ScalarField& from_s
                            const RunContext& run) {
   const GridFrame& own = terrain.frame();
   GridFrame coarse = own;
-  const int factor = std::max(1, (std::max(own.width, own.height) + kSpreadSide - 1) / kSpreadSide);
+  const int size = (std::max(own.width, own.height) + kSpreadSide - 1) / kSpreadSide;
+  const auto shore = static_cast<int>(std::min(1e6, 0.5 * params.shore_m / own.cell_m));
+  const int factor = std::clamp(std::max(size, shore), 1, std::max(1, std::min(own.width, own.height) / 4));
   coarse.width = (own.width + factor - 1) / factor;
   coarse.height = (own.height + factor - 1) / factor;
   coarse.cell_m *= factor;
@@ -53,7 +55,7 @@ ScalarField slope_at_coast(const HeightField& terrain, const ScalarField& from_s
       int count = 0;
       for (int j = y * factor; j < std::min((y + 1) * factor, own.height); ++j) {
         for (int i = x * factor; i < std::min((x + 1) * factor, own.width); ++i) {
-          const float inland = from_sea(i, j);
+          const float inland = from_sea(i, j) - static_cast<float>(0.5 * own.cell_m);
           if (!(inland > 0 && inland <= params.shore_m && terrain(i, j) > 0)) continue;
           sum += static_cast<double>(terrain(i, j) / inland);
           ++count;

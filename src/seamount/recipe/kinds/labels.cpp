@@ -1,6 +1,4 @@
 // labels: the region of each cell.
-#include <filesystem>
-
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/raster.h"
 #include "seamount/recipe/file_values.h"
@@ -14,9 +12,7 @@ namespace {
 
 /// A label raster, or a painted picture laid over the frame if nothing beside it says where it lies.
 LabelMap read_labels(const FileCall& call) {
-  if (io::extension_of(call.path) != ".png") return io::read_labels(call.path);
-  if (!std::filesystem::exists(call.path + ".json")) return read_label_picture(call.path, call.frame, call.run);
-  return read_placed_labels(call.path, call.run);
+  return is_picture(call.path) ? read_label_picture(call.path, call.frame, call.run) : io::read_labels(call.path);
 }
 
 }  // namespace
@@ -26,7 +22,7 @@ const Kind& kinds::Labels::kind() {
       .name = "labels",
       .about = "the region of each cell",
       .files = {".png"},
-      .reads = {".tif", ".tiff", ".png"},
+      .reads = {".tif", ".tiff", ".png", ".jpg", ".jpeg"},
       .frame = [](const LabelMap& labels) { return &labels.frame(); },
       .bring = bring_raster<Region>,
       .bytes = [](const LabelMap& labels) { return labels.size(); },

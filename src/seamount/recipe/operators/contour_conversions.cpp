@@ -65,7 +65,7 @@ void add_contour_conversions(Registry& registry) {
        .summary = "The contours of a network or of a terrain, closed and nested",
        .source = "P2 sec. 4.4"},
       inputs(optional_in<kinds::Tin>("tin", "a network with heights"),
-             optional_in<kinds::Terrain>("terrain", "or heights in metres")),
+             with_voids(optional_in<kinds::Terrain>("terrain", "or heights in metres"))),
       outputs(out<kinds::Contours>("contours", "nested closed contours")),
       [](const contour::ExtractParams& params, const Call& call, const Tin* tin, const HeightField* terrain) {
         return contour::extract(tin, terrain, params, call.run);

@@ -13,7 +13,7 @@ namespace {
 using kinds::Drawing, kinds::Labels, kinds::Terrain;
 using Lines = const seamount::Drawing*;
 
-In<Terrain> terrain_in() { return in<Terrain>("terrain", "heights in metres"); }
+In<Terrain> terrain_in() { return with_voids(in<Terrain>("terrain", "heights in metres")); }
 OptionalIn<Labels> labels_in() {
   return optional_in<Labels>("labels", "its regions: where beach, lagoon and reef are");
 }
@@ -72,7 +72,7 @@ void add_render_operators(Registry& registry) {
       {.name = "render.layers",
        .summary = "The layers of ground that a style's pictures show: three masks that sum to one, for splat maps",
        .source = "P4 sec. 3.4, eq. 3-6"},
-      inputs(terrain_in()),
+      inputs(in<Terrain>("terrain", "heights in metres")),
       outputs(out<kinds::Field>("low", "share of the low layer"),
               out<kinds::Field>("middle", "share of the middle layer"),
               out<kinds::Field>("high", "share of the high layer")),

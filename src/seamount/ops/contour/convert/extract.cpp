@@ -69,6 +69,26 @@ void drop_small(std::vector<Contour>& contours, const ExtractParams& params, con
   contours = std::move(kept);
 }
 
+struct Known {
+  float low, high;
+  int64_t voids = 0;
+};
+
+Known known_range(const HeightField& terrain) {
+  Known known{INFINITY, -INFINITY};
+  for (const float z : terrain.cells()) {
+    if (std::isinf(z)) throw InvalidArgument("terrain", "has an infinite height");
+    if (std::isnan(z)) {
+      ++known.voids;
+      continue;
+    }
+    known.low = std::min(known.low, z);
+    known.high = std::max(known.high, z);
+  }
+  if (known.low > known.high) throw InvalidArgument("terrain", "none of its heights is known");
+  return known;
+}
+
 ContourSet finish(const GridFrame& frame, std::vector<Contour> contours, const ExtractParams& params,
                   const RunContext& run) {
   run.check_cancelled();
@@ -95,12 +115,14 @@ ContourSet extract(const HeightField& terrain, const ExtractParams& params, cons
   check_params(params);
   run.check_cancelled();
   if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");
-  const std::span<const float> cells = terrain.cells();
-  if (!std::all_of(cells.begin(), cells.end(), [](float z) { return std::isfinite(z); }))
-    throw InvalidArgument("terrain", "has heights that are not finite; fill its voids first");
-  const auto [low, high] = std::minmax_element(cells.begin(), cells.end());
-  const std::vector<double> levels = chosen_levels(params, *low, *high);
-  return finish(terrain.frame(), geom::trace_contours(terrain, levels, run), params, run);
+  const Known known = known_range(terrain);
+  const std::vector<double> levels = chosen_levels(params, known.low, known.high);
+  if (known.voids == 0) return finish(terrain.frame(), geom::trace_contours(terrain, levels, run), params, run);
+  HeightField closed = terrain;
+  const float below = known.low - std::max(1.0F, known.high - known.low);
+  for (float& z : closed.cells())
+    if (std::isnan(z)) z = below;
+  return finish(terrain.frame(), geom::trace_contours(closed, levels, run), params, run);
 }
 
 ContourSet extract(const Tin* tin, const HeightField* terrain, const ExtractParams& params, const RunContext& run) {

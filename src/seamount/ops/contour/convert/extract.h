@@ -52,7 +52,8 @@ struct ExtractParams {
 /// Linear in the triangles and, times its logarithm, in the points.
 ContourSet extract(const Tin& tin, const ExtractParams& params, const RunContext& run);
 
-/// The same of a terrain. Throws InvalidArgument for heights that are not finite.
+/// The same of a terrain; within holes of unknown cells (NaN) it lies below all levels, so that contours close along
+/// their rims. Throws InvalidArgument for infinite heights, or none that is known.
 ContourSet extract(const HeightField& terrain, const ExtractParams& params, const RunContext& run);
 
 /// Of the one that is given. Throws IncompatibleInputs for none or both.

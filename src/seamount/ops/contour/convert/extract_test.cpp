@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "seamount/geom/contour/nesting.h"
@@ -143,9 +144,26 @@ TEST(ContourExtract, SaysWhatIsWrong) {
   bare.height_m.clear();
   EXPECT_THAT(message_of([&] { extract(bare, {}, {}); }), HasSubstr("tin: has no heights yet"));
   EXPECT_THAT(message_of([&] { extract(Tin{}, {}, {}); }), HasSubstr("tin: has no triangles"));
-  HeightField hole = raster();
-  hole(3, 3) = std::nanf("");
-  EXPECT_THAT(message_of([&] { extract(hole, {}, {}); }), HasSubstr("terrain: has heights that are not finite"));
+  HeightField broken = raster();
+  broken(3, 3) = std::numeric_limits<float>::infinity();
+  EXPECT_THAT(message_of([&] { extract(broken, {}, {}); }), HasSubstr("terrain: has an infinite height"));
+}
+
+/// Contours close along the rim of a hole, and no level lies beyond what is known.
+TEST(ContourExtract, HolesAreOutside) {
+  HeightField terrain(GridFrame::centred(60, 60, 10.0));
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 60; ++x)
+      terrain(x, y) = std::hypot(x - 30, y - 30) < 8 ? std::nanf("") : static_cast<float>(10 * x);
+  ExtractParams params;
+  params.interval_m = 50;
+  const ContourSet set = extract(terrain, params, {});
+  ASSERT_FALSE(set.contours.empty());
+  for (const Contour& contour : set.contours) {
+    EXPECT_GE(contour.height_m, 0);
+    EXPECT_LE(contour.height_m, 590);
+    for (const Vec2 p : contour.ring) EXPECT_GT(std::hypot(p.x - 5, p.y + 5), 60) << contour.height_m;
+  }
 }
 
 }  // namespace
