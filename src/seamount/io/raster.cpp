@@ -59,7 +59,9 @@ int64_t voids_of(const Grid<float>& grid) {
 void warp(Stored& stored, const std::string& name, const Settlement& settlement, const GdalCall& call,
           const ReadOptions& options) {
   const bool all_known = voids_of(stored.values) == 0;
-  stored.values = warp_to_metres(stored.values, *stored.placement, settlement, options.cover, call, options.max_cells,
+  const bool fits = options.lattice && options.lattice->crs == settlement.crs;
+  stored.values = warp_to_metres(stored.values, *stored.placement, settlement,
+                                 {options.cover, fits ? &*options.lattice : nullptr, options.max_cells}, call,
                                  options.run.part(0.5, 0.9));
   const int64_t beyond = options.cover || !all_known ? 0 : voids_of(stored.values);
   if (beyond > 0)

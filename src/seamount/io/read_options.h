@@ -10,6 +10,7 @@
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
 #include "seamount/io/sidecar.h"
+#include "seamount/model/grid.h"
 
 namespace seamount::io {
 
@@ -41,8 +42,9 @@ struct ReadOptions {
   ByteOrder byte_order = ByteOrder::little;
   std::string into;    ///< system for a raster that must be warped; empty: a local one
   bool cover = false;  ///< warped rasters cover all of theirs, unknown beyond; else the largest rectangle inside it
-  int64_t max_cells = 300'000'000;  ///< larger rasters are refused (17 320 squared)
-  RunContext run;                   ///< progress, cancelling, and notes of what was taken for granted
+  std::optional<GridFrame> lattice;  ///< in that system, whose cells warped rasters take if theirs are about as large
+  int64_t max_cells = 300'000'000;   ///< larger rasters are refused (17 320 squared)
+  RunContext run;                    ///< progress, cancelling, and notes of what was taken for granted
 };
 
 }  // namespace seamount::io

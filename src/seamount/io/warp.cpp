@@ -75,9 +75,31 @@ double middle_cell(const Placement& p, int width, int height, OGRCoordinateTrans
   return std::sqrt(std::hypot(x[1] - x[0], y[1] - y[0]) * std::hypot(x[3] - x[2], y[3] - y[2]));
 }
 
+/// The lattice's cells around a rectangle.
+GridFrame cells_around(const Rectangle& r, const GridFrame& lattice) {
+  constexpr double kRounding = 1e-6;
+  GridFrame frame = lattice;
+  const double cell = lattice.cell_m;
+  const double first = std::floor((r.x0 - lattice.west_m) / cell + kRounding);
+  const double last = std::ceil((r.x1 - lattice.west_m) / cell - kRounding);
+  const double top = std::floor((lattice.north_m - r.y1) / cell + kRounding);
+  const double bottom = std::ceil((lattice.north_m - r.y0) / cell - kRounding);
+  frame.west_m += first * cell;
+  frame.north_m -= top * cell;
+  frame.width = static_cast<int>(std::clamp(last - first, 1.0, 1e6));
+  frame.height = static_cast<int>(std::clamp(bottom - top, 1.0, 1e6));
+  return frame;
+}
+
+void check_count(double columns, double rows, const Layout& layout, const GdalCall& call) {
+  if (columns > 1e6 || rows > 1e6 || columns * rows > static_cast<double>(layout.max_cells))
+    call.fail("needs more than " + std::to_string(layout.max_cells) + " square cells");
+}
+
 GridFrame target_frame(const Placement& p, int width, int height, const std::string& crs,
-                       OGRCoordinateTransformation* way, bool cover, const GdalCall& call, int64_t max_cells) {
-  constexpr double kMostLost = 0.4;
+                       OGRCoordinateTransformation* way, const Layout& layout, const GdalCall& call) {
+  constexpr double kMostLost = 0.4, kAlike = 1.5;
+  bool cover = layout.cover;
   Rectangle r = rectangle_of(p, width, height, way, cover, call);
   const double middle = middle_cell(p, width, height, way, call);
   // Near the poles north is anywhere: of a raster that comes out turned, what is upright inside is little or nothing.
@@ -86,12 +108,18 @@ GridFrame target_frame(const Placement& p, int width, int height, const std::str
     r = rectangle_of(p, width, height, way, true, call);
   }
   if (!(r.area() > 0)) call.fail("has no area in metres");
+  if (cover && layout.lattice != nullptr) {
+    const double ratio = layout.lattice->cell_m / middle;
+    if (ratio < kAlike && ratio > 1 / kAlike) {
+      check_count((r.x1 - r.x0) / layout.lattice->cell_m, (r.y1 - r.y0) / layout.lattice->cell_m, layout, call);
+      return cells_around(r, *layout.lattice);
+    }
+  }
   const double cell = cover ? middle : std::sqrt((r.x1 - r.x0) / width * ((r.y1 - r.y0) / height));
   GridFrame frame;
   frame.cell_m = std::max(std::round(cell * 1000) / 1000, cell / 2);
   const double columns = (r.x1 - r.x0) / frame.cell_m + 1e-6, rows = (r.y1 - r.y0) / frame.cell_m + 1e-6;
-  if (columns > 1e6 || rows > 1e6 || columns * rows > static_cast<double>(max_cells))
-    call.fail("needs more than " + std::to_string(max_cells) + " square cells");
+  check_count(columns, rows, layout, call);
   frame.width = std::max(1, static_cast<int>(cover ? std::ceil(columns - 2e-6) : columns));
   frame.height = std::max(1, static_cast<int>(cover ? std::ceil(rows - 2e-6) : rows));
   frame.west_m = 0.5 * (r.x0 + r.x1) - 0.5 * frame.width_m();
@@ -137,16 +165,15 @@ Settlement settle(const Placement& p, int width, int height, const GdalCall& cal
   return settlement;
 }
 
-Grid<float> warp_to_metres(const Grid<float>& stored, const Placement& p, const Settlement& settlement, bool cover,
-                           const GdalCall& call, int64_t max_cells, const RunContext& run) {
+Grid<float> warp_to_metres(const Grid<float>& stored, const Placement& p, const Settlement& settlement,
+                           const Layout& layout, const GdalCall& call, const RunContext& run) {
   const auto metres = parse_crs(settlement.crs);
   TransformPtr way;
   if (metres && metres->IsSame(&p.system) == 0) {
     way.reset(OGRCreateCoordinateTransformation(&p.system, metres.get()));
     if (!way) call.fail("its coordinate reference system cannot be used");
   }
-  const GridFrame frame =
-      target_frame(p, stored.width(), stored.height(), settlement.crs, way.get(), cover, call, max_cells);
+  const GridFrame frame = target_frame(p, stored.width(), stored.height(), settlement.crs, way.get(), layout, call);
   Grid<float> warped(frame);
   const Placement target = placement_of(frame);
   CellFinder finder(target, frame.width, p, stored.width(), call);

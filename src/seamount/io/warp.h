@@ -10,6 +10,13 @@
 
 namespace seamount::io {
 
+/// How a warped raster is laid out.
+struct Layout {
+  bool cover = false;                  ///< all of the raster, NaN beyond; else the largest rectangle inside it
+  const GridFrame* lattice = nullptr;  ///< whose cells are taken if theirs are about as large; null: none
+  int64_t max_cells = 0;
+};
+
 /// What must be done with a raster so that its cells are squares of metres.
 struct Settlement {
   bool as_it_is = false;  ///< nothing
@@ -22,12 +29,12 @@ struct Settlement {
 /// than 20 degrees of longitude across that cannot be kept.
 Settlement settle(const Placement& placement, int width, int height, const GdalCall& call);
 
-/// The raster on square cells in metres, covering the largest upright rectangle that lies inside it, or, with `cover`
-/// and where it comes out turned so far that this would lose much, all of it, NaN beyond; the cell keeps the number of
-/// cells about the same. Bilinear; a target is NaN where less than half of the weight has a value. Throws IoError
+/// The raster on square cells in metres, on the largest upright rectangle that lies inside it or, as the layout says
+/// and where it comes out turned so far that this would lose much, all of it with NaN beyond; the cell keeps the number
+/// of cells about the same. Bilinear; a target is NaN where less than half of the weight has a value. Throws IoError
 /// through `call` for more than max_cells; Cancelled. Serial, about 100 ns per cell.
 Grid<float> warp_to_metres(const Grid<float>& stored, const Placement& placement, const Settlement& settlement,
-                           bool cover, const GdalCall& call, int64_t max_cells, const RunContext& run);
+                           const Layout& layout, const GdalCall& call, const RunContext& run);
 
 /// True if the system's unit is the metre (or there is no system).
 bool is_metric(const OGRSpatialReference& system);

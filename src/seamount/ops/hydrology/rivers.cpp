@@ -82,6 +82,7 @@ Drawing rivers(const HeightField& terrain, const RiversParams& params, const Run
     line.attributes.push_back({"fall_m", fall(link, filled)});
     drawing.lines.push_back(std::move(line));
   }
+  if (drawing.lines.empty()) run.say("no river: nothing drains an area as large as min_area_m2");
   return drawing;
 }
 
@@ -102,6 +103,7 @@ Drawing ridges(const HeightField& terrain, const RidgesParams& params, const Run
     line.attributes.push_back({"rise_m", -fall(link, ground)});
     drawing.lines.push_back(std::move(line));
   }
+  if (drawing.lines.empty()) run.say("no ridge parts areas as large as min_area_m2");
   return drawing;
 }
 

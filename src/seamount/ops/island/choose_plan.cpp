@@ -1,5 +1,7 @@
 #include "seamount/ops/island/choose_plan.h"
 
+#include <cmath>
+
 #include "seamount/base/inputs.h"
 #include "seamount/base/text.h"
 
@@ -28,6 +30,8 @@ Plan choose_plan(const BuildParams& p, const BuildInputs& inputs, const GridFram
 
 namespace {
 
+std::string rounded(double value, double per_unit) { return format_number(std::round(value * per_unit) / per_unit); }
+
 /// Parameters that have no part in this island.
 void say_ignored(const Plan& plan, const BuildParams& params, const RunContext& run) {
   if (plan.polar.empty() && !(params.centre == Vec2{}))
@@ -47,8 +51,8 @@ Island build(const BuildInputs& inputs, const BuildParams& params, const GridFra
   if (inputs.fit_domain && plan.polar.empty() && inputs.labels == nullptr) {
     const GridFrame fitted = frame_around(plan, frame);
     if (fitted != frame)
-      run.say("the document does not say how large it is: laid around the island, " + format_number(fitted.width_m()) +
-              " x " + format_number(fitted.height_m()) + " m in cells of " + format_number(fitted.cell_m) + " m");
+      run.say("the document does not say how large it is: laid around the island, " + rounded(fitted.width_m(), 1) +
+              " x " + rounded(fitted.height_m(), 1) + " m in cells of " + rounded(fitted.cell_m, 100) + " m");
     frame = fitted;
   }
   say_ignored(plan, params, run);

@@ -91,6 +91,11 @@ void select_nothing_unknown(const ScalarField& field, ScalarField& weights) {
     if (std::isnan(field.cells()[i])) weights.cells()[i] = 0.0F;
 }
 
+void say_if_nothing(const Mask& mask, const RunContext& run) {
+  const auto cells = mask.cells();
+  if (std::all_of(cells.begin(), cells.end(), [](float w) { return w == 0.0F; })) run.say("nothing is selected");
+}
+
 /// Weights of one criterion after another.
 class Judge {
  public:
@@ -275,11 +280,16 @@ Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunCo
   check_params(params);
   check_inputs(in);
   run.check_cancelled();
-  if (geom::count_voids(in.terrain, run) == 0) return mask_known(in, params, seed, run);
+  if (geom::count_voids(in.terrain, run) == 0) {
+    Mask out = mask_known(in, params, seed, run);
+    say_if_nothing(out, run);
+    return out;
+  }
   HeightField filled = in.terrain;  // slopes at the rim of a hole need something beyond it
   geom::fill_voids(filled, run.part(0.0, 0.2));
   Mask out = mask_known({filled, in.labels, in.drawing, in.values, in.mask}, params, seed, run.part(0.2, 1.0));
   select_nothing_unknown(in.terrain, out);
+  say_if_nothing(out, run);
   return out;
 }
 

@@ -23,10 +23,25 @@ struct RasterParams {
   }
 };
 
+/// Heights beyond the codes of a 16-bit file become its lowest or highest.
+void say_clamped(const Value& value, io::HeightRange range, const std::string& path, const RunContext& run) {
+  if (io::can_hold_voids(path)) return;
+  const Grid<float>& grid = value.is<kinds::Field>() ? value.get<kinds::Field>() : value.get<kinds::Terrain>();
+  int64_t below = 0, above = 0;
+  for (const float z : grid.cells()) {
+    below += z < range.low_m ? 1 : 0;
+    above += z > range.high_m ? 1 : 0;
+  }
+  if (below + above == 0) return;
+  run.say(std::to_string(below) + " cells below low_m and " + std::to_string(above) +
+          " above high_m are written as these");
+}
+
 void write_raster(const RasterParams& params, const OutputCall& call) {
   const io::WriteOptions options{.range = height_range(params.low_m, params.high_m),
                                  .cloud_optimised = params.cloud_optimised,
                                  .provenance = call.provenance};
+  if (options.range) say_clamped(call.value, *options.range, call.path, call.run);
   const Value value =
       io::can_hold_voids(call.path) ? call.value : call.value.without_voids(call.value.kind().name, call.run);
   if (value.is<kinds::Field>()) return io::write_field(value.get<kinds::Field>(), call.path, options);

@@ -13,7 +13,12 @@
 namespace seamount::recipe {
 
 inline io::ReadOptions read_options(const FileCall& call) {
-  return {.into = call.frame.crs, .cover = call.joins, .run = call.run};
+  io::ReadOptions options;
+  options.into = call.frame.crs;
+  options.cover = call.joins;
+  if (call.joins && !call.frame.crs.empty()) options.lattice = call.frame;
+  options.run = call.run;
+  return options;
 }
 
 template <class T>
