@@ -194,7 +194,8 @@ HeightField resample(const HeightField& source, const GridFrame& target, const R
       const Axis::Tap& tap = down.taps[static_cast<size_t>(y)];
       const float* weights = down.weights.data() + tap.weights;
       resample_row(source, across, tap, weights, mixed, result.row(y));
-      for (int x = 0; x < target.width; ++x) {
+      const bool holes = any_void(result.row(y));
+      for (int x = 0; holes && x < target.width; ++x) {
         if (!std::isnan(result(x, y))) continue;
         const Axis::Tap& column = across.taps[static_cast<size_t>(x)];
         result(x, y) = ratio > 1.0 + 1e-9

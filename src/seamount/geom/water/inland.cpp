@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "seamount/geom/grid/voids.h"
+
 namespace seamount::geom {
 namespace {
 
@@ -19,13 +21,13 @@ struct Stretch {
 /// Waters: stretches that touch each other, found row by row (union-find).
 class Waters {
  public:
-  Waters(const HeightField& terrain, float sea, const RunContext& run)
+  Waters(const HeightField& terrain, float sea, bool holes, const RunContext& run)
       : width_(terrain.width()), height_(terrain.height()) {
     size_t above = 0;
     for (int y = 0; y < height_; ++y) {
       if (y % 64 == 0) run.check_cancelled();
       const size_t first = stretches_.size();
-      add_row(terrain.row(y), y, sea);
+      add_row(terrain.row(y), y, sea, holes);
       join(above, first);
       above = first;
     }
@@ -40,14 +42,14 @@ class Waters {
   bool touches_unknown(const Stretch& stretch) { return unknown_[static_cast<size_t>(find(stretch.water))]; }
 
  private:
-  void add_row(std::span<const float> row, int y, float sea) {
+  void add_row(std::span<const float> row, int y, float sea, bool holes) {
     for (int x = 0; x < width_; ++x) {
       if (!(row[static_cast<size_t>(x)] <= sea)) continue;
       const int begin = x;
       while (x < width_ && row[static_cast<size_t>(x)] <= sea) ++x;
       stretches_.push_back({y, begin, x, static_cast<int32_t>(leader_.size())});
       const auto cells = row.subspan(static_cast<size_t>(begin), static_cast<size_t>(x - begin));
-      unknown_.push_back(std::find(cells.begin(), cells.end(), kUnknownGround) != cells.end());
+      unknown_.push_back(holes && std::find(cells.begin(), cells.end(), kUnknownGround) != cells.end());
       leader_.push_back(static_cast<int32_t>(leader_.size()));
       cells_.push_back(x - begin);
       edge_.push_back(y == 0 || y == height_ - 1 || begin == 0 || x == width_);
@@ -94,19 +96,18 @@ class Waters {
 HeightField raise_inland(HeightField terrain, float sea_level_m, const std::optional<double>& min_sea_m2,
                          const RunContext& run) {
   // Unknown cells are part of the sea, with all water that touches them.
-  int64_t unknown = 0;
-  for (float& z : terrain.cells()) {
-    if (!std::isnan(z)) continue;
-    z = kUnknownGround;
-    ++unknown;
+  const bool unknown = count_voids(terrain, run) > 0;
+  if (unknown) {
+    for (float& z : terrain.cells())
+      if (std::isnan(z)) z = kUnknownGround;
   }
   if (std::isinf(sea_level_m)) return terrain;
   const double cell_m2 = terrain.cell_m() * terrain.cell_m();
   const double least = min_sea_m2 ? *min_sea_m2 / cell_m2 : kLeastSea * static_cast<double>(terrain.size());
-  Waters waters(terrain, sea_level_m, run);
+  Waters waters(terrain, sea_level_m, unknown, run);
   const float ground = std::nextafter(sea_level_m, INFINITY);
   for (const Stretch& stretch : waters.stretches()) {
-    if (waters.is_sea(stretch, least) || (unknown > 0 && waters.touches_unknown(stretch))) continue;
+    if (waters.is_sea(stretch, least) || (unknown && waters.touches_unknown(stretch))) continue;
     const auto row = terrain.row(stretch.row);
     std::fill(row.begin() + stretch.begin, row.begin() + stretch.end, ground);
   }

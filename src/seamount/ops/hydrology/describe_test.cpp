@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <string>
 
 #include "seamount/base/error.h"
 #include "seamount/base/rng.h"
@@ -378,6 +380,24 @@ TEST(Network, StreamsCountLinksOfOneOrderOnce) {
   links[2].next = links[4].next = 5;
   links[3].next = links[5].next = 6;
   EXPECT_THAT(streams_by_order(links), ::testing::ElementsAre(4, 1));
+}
+
+/// Half of a terrain without heights: what is measured on the rest is what the rest has, no cliffs along the rim.
+TEST(Describe, UnknownCellsAreNoLand) {
+  HeightField plane(GridFrame::centred(100, 80, 30.0));
+  for (int y = 0; y < 80; ++y)
+    for (int x = 0; x < 100; ++x) plane(x, y) = static_cast<float>(500 + 6 * x);
+  HeightField half = plane;
+  for (int y = 0; y < 80; ++y)
+    for (int x = 60; x < 100; ++x) half(x, y) = std::numeric_limits<float>::quiet_NaN();
+  const Described out = describe(half, nullptr, {}, {});
+  for (const Descriptor& descriptor : out.report.descriptors) {
+    for (const Measure& measure : descriptor.measures) {
+      const bool mean = measure.name.find("mean") != std::string::npos;
+      if (descriptor.name != "slope" || measure.values.empty() || !mean) continue;
+      EXPECT_NEAR(measure.values[0], std::atan(0.2) * 180 / 3.14159265358979, 0.1) << measure.name;
+    }
+  }
 }
 
 }  // namespace

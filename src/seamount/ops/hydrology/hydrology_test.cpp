@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "seamount/base/rng.h"
@@ -309,6 +310,40 @@ TEST(Hydrology, TakesOddShapes) {
       EXPECT_EQ(flow(terrain, {.method = method}, {}).cells.size(), terrain.size());
     EXPECT_TRUE(rivers(terrain, {}, {}).lines.empty());
     ridges(terrain, {}, {});
+  }
+}
+
+/// A round catchment in a void: water leaves at its rim, all of it, and nothing gathers beyond.
+TEST(Voids, AreOutlets) {
+  for (const double tilt : {0.5, 2.0, -1.0}) {
+    HeightField terrain(GridFrame::centred(120, 120, 30.0));
+    int64_t known = 0;
+    for (int y = 0; y < 120; ++y) {
+      for (int x = 0; x < 120; ++x) {
+        const bool inside = std::hypot(x - 60, y - 60) < 50;
+        known += inside ? 1 : 0;
+        terrain(x, y) = inside ? static_cast<float>(500 + tilt * x + 0.8 * std::abs(y - 60))
+                               : std::numeric_limits<float>::quiet_NaN();
+      }
+    }
+    for (const FlowMethod method : {FlowMethod::d8, FlowMethod::dinf, FlowMethod::mfd}) {
+      const Flow out = flow(terrain, {.method = method}, {});
+      float most = 0;
+      for (size_t i = 0; i < terrain.size(); ++i) {
+        ASSERT_EQ(std::isnan(out.cells.cells()[i]), std::isnan(terrain.cells()[i]));
+        ASSERT_EQ(std::isnan(out.terrain.cells()[i]), std::isnan(terrain.cells()[i]));
+        if (!std::isnan(terrain.cells()[i])) most = std::max(most, out.cells.cells()[i]);
+      }
+      EXPECT_LE(most, static_cast<float>(known));
+      EXPECT_GT(most, 50.0F);
+    }
+    const Drawing lines = rivers(terrain, {}, {});
+    ASSERT_FALSE(lines.lines.empty());
+    for (const ValuedLine& line : lines.lines)
+      for (const Attribute& attribute : line.attributes) ASSERT_TRUE(std::isfinite(attribute.value)) << attribute.name;
+    const Filled filled = fill(terrain, {}, {});
+    for (size_t i = 0; i < terrain.size(); ++i)
+      ASSERT_EQ(std::isnan(filled.change_m.cells()[i]), std::isnan(terrain.cells()[i]));
   }
 }
 

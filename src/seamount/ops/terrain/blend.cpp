@@ -1,9 +1,11 @@
 #include "seamount/ops/terrain/blend.h"
 
 #include <cmath>
+#include <limits>
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
+#include "seamount/geom/grid/voids.h"
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/model/same_size.h"
 
@@ -41,10 +43,13 @@ void settle_unknown(BlendMode mode, float strength, std::span<const float> a, st
                     const float* mask, std::span<float> out) {
   const bool sums = mode == BlendMode::add || mode == BlendMode::subtract;
   for (size_t i = 0; i < out.size(); ++i) {
-    if (!std::isnan(out[i])) continue;
+    const bool no_a = std::isnan(a[i]), no_b = std::isnan(b[i]);
+    if (!no_a && !no_b) continue;
     const bool counts = strength > 0.0F && (mask == nullptr || mask[i] > 0.0F);
-    if (!std::isnan(a[i]) && (!sums || !counts)) out[i] = a[i];
-    if (std::isnan(a[i]) && !sums && counts) out[i] = b[i];
+    if (!counts || (no_b && !sums))
+      out[i] = a[i];
+    else
+      out[i] = sums ? std::numeric_limits<float>::quiet_NaN() : b[i];
   }
 }
 
@@ -79,7 +84,8 @@ HeightField blend(const HeightField& a, const HeightField& b, const Mask* mask, 
       const float* weights = mask == nullptr ? nullptr : mask->row(y).data();
       const auto strength = static_cast<float>(params.strength);
       weigh_row(strength, a.width(), a.row(y).data(), weights, out.row(y).data());
-      settle_unknown(params.mode, strength, a.row(y), b.row(y), weights, out.row(y));
+      if (geom::any_void(a.row(y)) || geom::any_void(b.row(y)))
+        settle_unknown(params.mode, strength, a.row(y), b.row(y), weights, out.row(y));
     }
   });
   return out;

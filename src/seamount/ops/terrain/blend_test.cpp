@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/scalar/noise.h"
@@ -87,6 +90,31 @@ TEST(Blend, RefusesWhatDoesNotFitAndSaysWhatHelps) {
   EXPECT_THROW(blend(a, finer, nullptr, {}, {}), IncompatibleInputs);
   const Mask small(GridFrame::centred(3, 3, 20.0), 1.0F);
   EXPECT_THROW(blend(a, hills(2), &small, {}, {}), IncompatibleInputs);
+}
+
+/// Where one of the two is not known the other stands, as far as the mask lets it; sums need both.
+TEST(Blend, UnknownCellsTakeWhatIsKnown) {
+  const GridFrame frame = GridFrame::centred(4, 1, 10.0);
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  HeightField a(frame), b(frame);
+  const std::array<float, 4> of_a = {1, none, 3, none}, of_b = {10, 20, none, none};
+  std::copy(of_a.begin(), of_a.end(), a.cells().begin());
+  std::copy(of_b.begin(), of_b.end(), b.cells().begin());
+  for (const BlendMode mode : {BlendMode::mix, BlendMode::max, BlendMode::min}) {
+    for (const double smooth : {0.0, 5.0}) {
+      const HeightField out = blend(a, b, nullptr, {.mode = mode, .smooth_m = smooth}, {});
+      EXPECT_EQ(out(1, 0), 20.0F);
+      EXPECT_EQ(out(2, 0), 3.0F);
+      EXPECT_TRUE(std::isnan(out(3, 0)));
+    }
+  }
+  const HeightField sum = blend(a, b, nullptr, {.mode = BlendMode::add}, {});
+  EXPECT_EQ(sum(0, 0), 11.0F);
+  EXPECT_TRUE(std::isnan(sum(1, 0)) && std::isnan(sum(2, 0)));
+  const Mask nowhere(frame, 0.0F);
+  const HeightField kept = blend(a, b, &nowhere, {}, {});
+  EXPECT_TRUE(std::isnan(kept(1, 0)));
+  EXPECT_EQ(kept(2, 0), 3.0F);
 }
 
 }  // namespace

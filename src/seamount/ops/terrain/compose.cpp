@@ -126,7 +126,8 @@ class Row {
     const auto count = static_cast<size_t>(places_.last - places_.first);
     geom::sample_bicubic_rows(*p.terrain, {&places_.columns[from], count}, {&places_.rows[from], count},
                               {&own_[from], count});
-    for (size_t i = from; i < from + count; ++i)
+    const bool holes = geom::any_void({&own_[from], count});
+    for (size_t i = from; holes && i < from + count; ++i)
       if (std::isnan(own_[i])) own_[i] = geom::sample_known(*p.terrain, places_.columns[i], places_.rows[i]);
     const double feather_cells = params_.feather_m / (own.cell_m * p.at.scale);
     const Fade fade{static_cast<float>(own.width - 1), static_cast<float>(own.height - 1),

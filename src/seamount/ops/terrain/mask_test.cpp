@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "seamount/geom/grid/surface.h"
 #include "seamount/geom/scalar/noise.h"
@@ -219,6 +220,25 @@ TEST(Mask, ACoarseMaskIsTheFineOneAveraged) {
     }
   }
   EXPECT_LT(difference / static_cast<double>(coarse.size()), 0.03);
+}
+
+/// Nothing is selected where nothing is known, whatever the criteria, and the rim of a hole is no cliff.
+TEST(Mask, UnknownCellsAreNotSelected) {
+  HeightField terrain(GridFrame::centred(60, 50, 10.0));
+  for (int y = 0; y < 50; ++y)
+    for (int x = 0; x < 60; ++x) terrain(x, y) = static_cast<float>(3 * x);  // 17 degrees everywhere
+  for (int y = 20; y < 30; ++y)
+    for (int x = 20; x < 40; ++x) terrain(x, y) = std::numeric_limits<float>::quiet_NaN();
+  MaskParams params;
+  BySlope steep;
+  steep.low_deg = 25;
+  steep.falloff_deg = 0;
+  params.criteria = {steep};
+  const Mask cliffs = mask({terrain, nullptr, nullptr, nullptr, nullptr}, params, Seed{1}, {});
+  for (const float w : cliffs.cells()) ASSERT_EQ(w, 0.0F);
+  params.invert = true;
+  const Mask gentle = mask({terrain, nullptr, nullptr, nullptr, nullptr}, params, Seed{1}, {});
+  for (size_t i = 0; i < gentle.size(); ++i) ASSERT_EQ(gentle.cells()[i], std::isnan(terrain.cells()[i]) ? 0.0F : 1.0F);
 }
 
 }  // namespace
