@@ -22,9 +22,9 @@ Drawing to_cut_lines(const ContourSet& set);
 ///
 /// Open lines are closed along the border that they end at (close_lines.h): the drawing's frame, `sheet` if it is not
 /// empty (the rectangle around the lines as their file has it), the rectangle around them, or their hull. The frame is
-/// then the largest in it. Lines that touch are moved apart by less than a millionth of the sheet's size.
+/// then the largest in it.
 /// Throws InvalidArgument{field} naming the line and a place: no lines, one of fewer than three points or without a
-/// finite height, lines that cross, what close_lines() throws. n log n.
+/// finite height, lines that cross or touch, what close_lines() throws. n log n.
 ContourSet contours_from_lines(const Drawing& drawing, const GridFrame& frame, const std::string& field,
                                const Ring& sheet = {}, const RunContext& run = {});
 

@@ -3,11 +3,34 @@
 #include <cmath>
 
 #include "seamount/base/parallel.h"
+#include "seamount/base/simd.h"
 #include "seamount/geom/polygon/distance.h"
 
 namespace seamount::geom {
+namespace {
+
+SEAMOUNT_VECTORISED int count_zeros(const float* heights, int count) {
+  int zeros = 0;
+  for (int i = 0; i < count; ++i) zeros += heights[i] == 0.0F ? 1 : 0;
+  return zeros;
+}
+
+/// A look that most terrains end with: are there as many cells of 0 m as such a sea has?
+bool may_have_one(const HeightField& terrain, const RunContext& run) {
+  constexpr int64_t kRows = 64;
+  const auto zeros = parallel_sum<int64_t>(run, terrain.height(), kRows, [&](int64_t begin, int64_t end) {
+    int64_t count = 0;
+    for (int64_t y = begin; y < end; ++y)
+      count += count_zeros(terrain.row(static_cast<int>(y)).data(), terrain.width());
+    return count;
+  });
+  return zeros * 100 >= static_cast<int64_t>(terrain.size());
+}
+
+}  // namespace
 
 Grid<uint8_t> flat_sea(const HeightField& terrain, const RunContext& run) {
+  if (!may_have_one(terrain, run)) return {};
   Grid<uint8_t> sea(terrain.frame());
   parallel_rows(run, terrain.width(), terrain.height(), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
