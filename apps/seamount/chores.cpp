@@ -26,6 +26,10 @@ struct ChoreFlags : RunFlags {
   std::string feature;
   std::string layer;
   std::string crs;
+  std::string unit;
+  std::string coding;
+  std::string byte_order;
+  std::optional<int> band;
   std::optional<int> size;
   std::optional<double> cell_m, low_m, high_m;
   std::vector<std::string> sets;
@@ -56,8 +60,30 @@ void set_member(Json& output, const std::string& assignment) {
   (*object)[rest] = value.is_discarded() ? Json(assignment.substr(equals + 1)) : value;
 }
 
+/// A flag that has no part in the work is an error, not ignored.
+void refuse_flags(const ChoreFlags& flags, bool drawing) {
+  const auto refuse = [&](const char* flag, bool given, bool for_drawings) {
+    if (given && for_drawings != drawing)
+      throw InvalidArgument(flag, std::string("is for ") + (for_drawings ? "areas and lines, " : "terrains, ") +
+                                      flags.in + (drawing ? " holds areas and lines" : " holds a terrain"));
+  };
+  refuse("--feature", !flags.feature.empty(), true);
+  refuse("--layer", !flags.layer.empty(), true);
+  refuse("--as", !flags.as.empty(), false);
+  refuse("--size", flags.size.has_value(), false);
+  refuse("--cell", flags.cell_m.has_value(), false);
+  refuse("--low", flags.low_m.has_value(), false);
+  refuse("--high", flags.high_m.has_value(), false);
+  refuse("--unit", !flags.unit.empty(), false);
+  refuse("--coding", !flags.coding.empty(), false);
+  refuse("--byte-order", !flags.byte_order.empty(), false);
+  refuse("--band", flags.band.has_value(), false);
+  refuse("--set", !flags.sets.empty(), false);
+}
+
 /// Areas and lines as they are; a terrain by importing it and writing one output.
 void convert(const ChoreFlags& flags) {
+  refuse_flags(flags, is_drawing(flags.in));
   if (is_drawing(flags.in)) {
     if (std::error_code none_there; fs::equivalent(flags.in, flags.out, none_there))
       throw InvalidArgument("out", "would be written over the input " + flags.in);
@@ -74,6 +100,10 @@ void convert(const ChoreFlags& flags) {
   if (flags.cell_m) step["params"]["cell_m"] = *flags.cell_m;
   if (flags.low_m) step["params"]["low_m"] = *flags.low_m;
   if (flags.high_m) step["params"]["high_m"] = *flags.high_m;
+  if (flags.band) step["params"]["band"] = *flags.band;
+  for (const auto& [name, text] :
+       {std::pair("crs", flags.crs), {"unit", flags.unit}, {"coding", flags.coding}, {"byte_order", flags.byte_order}})
+    if (!text.empty()) step["params"][name] = text;
   const fs::path out(flags.out);
   Json output = {{"from", "file.terrain"}, {"path", out.filename().string()}};
   if (!flags.as.empty()) output["as"] = flags.as;
@@ -83,6 +113,9 @@ void convert(const ChoreFlags& flags) {
   const FlagNames names = {{"/steps/0/params/cell_m", "--cell"},
                            {"/steps/0/params/low_m", "--low"},
                            {"/steps/0/params/high_m", "--high"},
+                           {"/steps/0/params/band", "--band"},
+                           {"/steps/0/params/coding", "--coding"},
+                           {"/steps/0/params/byte_order", "--byte-order"},
                            {"/outputs/0/path", "out"},
                            {"/outputs/0/as", "--as"},
                            {"/outputs/0/size", "--size"},
@@ -95,13 +128,16 @@ void convert(const ChoreFlags& flags) {
 void join(const ChoreFlags& flags) {
   Json files = Json::array();
   for (const std::string& file : flags.files) files.push_back(absolute_file("files", file));
-  const Json step = {{"id", "joined"}, {"op", "terrain.join"}, {"params", {{"files", files}}}};
+  Json step = {{"id", "joined"}, {"op", "terrain.join"}, {"params", {{"files", files}}}};
+  for (const auto& [name, text] : {std::pair("crs", flags.crs), {"unit", flags.unit}, {"coding", flags.coding}})
+    if (!text.empty()) step["params"][name] = text;
   const fs::path out(flags.out);
   Json output = {{"from", "joined.terrain"}, {"path", out.filename().string()}};
   if (!flags.as.empty()) output["as"] = flags.as;
   for (const std::string& assignment : flags.sets) set_member(output, assignment);
   const Json document = {{"seamount", 1}, {"steps", {step}}, {"outputs", {output}}};
   const FlagNames names = {{"/steps/0/params/files", "files"},
+                           {"/steps/0/params/coding", "--coding"},
                            {"/outputs/0/path", "--out"},
                            {"/outputs/0/as", "--as"},
                            {"/outputs/0/", "--set "}};
@@ -161,7 +197,11 @@ void add_chore_commands(Command program, const recipe::Registry& registry) {
   convert_command.add("--feature", &flags->feature, "name of the one feature to convert, of areas and lines");
   convert_command.add("--layer", &flags->layer, "layer to convert of a file of areas and lines that has several");
   convert_command.add("--crs", &flags->crs,
-                      "coordinate system of areas and lines whose file says none or a wrong one: EPSG:32627, local");
+                      "coordinate system of a file that says none or a wrong one: EPSG:32627, local");
+  convert_command.add("--unit", &flags->unit, "unit of a terrain's heights, such as feet, where the file does not say");
+  convert_command.add("--coding", &flags->coding, "heights held in colours: terrarium or mapbox");
+  convert_command.add("--byte-order", &flags->byte_order, "of a raw 16-bit file: little (default) or big");
+  convert_command.add("--band", &flags->band, "band of a raster with several").between(1, 1000);
   convert_command.add("--size", &flags->size, "samples a side, for engines");
   convert_command.add("--cell", &flags->cell_m, "cell size in metres, where the file does not say").finite();
   convert_command.add("--low", &flags->low_m, "height of the lowest code of an 8- or 16-bit image, in metres").finite();
@@ -175,6 +215,9 @@ void add_chore_commands(Command program, const recipe::Registry& registry) {
       .required();
   join_command.add("--out", &flags->out, "file to write; its extension is the format").required();
   join_command.add("--as", &flags->as, "output format, where the extension does not say: unreal, unity, mesh, ...");
+  join_command.add("--crs", &flags->crs, "coordinate system, where the files say none or a wrong one");
+  join_command.add("--unit", &flags->unit, "unit of the heights, where the files do not say");
+  join_command.add("--coding", &flags->coding, "heights held in colours: terrarium or mapbox");
   join_command.add("--set", &flags->sets, "a parameter of the output format: NAME=VALUE");
   add_run_flags(join_command, *flags);
   join_command.does([=] { join(*flags); });
