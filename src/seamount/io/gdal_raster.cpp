@@ -199,10 +199,19 @@ Grid<float> read_coded(GDALDataset& dataset, ElevationCoding coding, Flips flips
   return red;
 }
 
+constexpr const char* kOurs = "SEAMOUNT_CRS";  ///< the metadata item that all our files have
+
+bool is_ours(GDALDataset& dataset) { return dataset.GetMetadataItem(kOurs) != nullptr; }
+
+bool is_local(GDALDataset& dataset) {
+  const char* text = dataset.GetMetadataItem(kOurs);
+  return text != nullptr && std::string_view(text) == "local";
+}
+
 /// Our own text of the system, if it still says what the file's system says.
 std::string kept_crs(GDALDataset& dataset, const OGRSpatialReference& system) {
   constexpr size_t kLongest = 10'000;
-  const char* text = dataset.GetMetadataItem("SEAMOUNT_CRS");
+  const char* text = dataset.GetMetadataItem(kOurs);
   if (text != nullptr && std::strlen(text) < kLongest) {
     try {
       const auto ours = parse_crs(text);
@@ -233,14 +242,13 @@ Stored read_gdal(const std::string& place, const std::string& name, const ReadOp
       format_name(*dataset), type_name(type)};
   const bool no_unit = options.unit.empty() && std::strlen(band.GetUnitType()) == 0 && band.GetScale() == 1.0;
   if (!coded && (type == GDT_Byte || type == GDT_UInt16) && no_unit) stored.code_max = type == GDT_Byte ? 255 : 65535;
-  if (type != GDT_Byte) take_out_void_codes(stored.values, name, options.run);
+  stored.ours = is_ours(*dataset);
+  if (type != GDT_Byte && !stored.ours) take_out_void_codes(stored.values, name, heights, options.run);
   if (!coded) apply_scale(stored.values, band, heights ? height_unit(*dataset, band, options, call) : 1.0);
   if (placement) stored.crs = kept_crs(*dataset, placement->system);
   stored.placement = std::move(placement);
   stored.metres = heights;
-  const char* ours = dataset->GetMetadataItem("SEAMOUNT_CRS");
-  stored.ours = ours != nullptr;
-  stored.local = stored.ours && std::string_view(ours) == "local";
+  stored.local = is_local(*dataset);
   return stored;
 }
 
@@ -269,8 +277,11 @@ RasterInfo gdal_info(const std::string& path) {
   Grid<float> values = read_band(band, flips, call, {});
   ReadOptions options;
   options.run.note = [&info](const std::string& line) { info.notes.push_back(line); };
-  if (band.GetRasterDataType() != GDT_Byte) take_out_void_codes(values, path, options.run);
-  apply_scale(values, band, height_unit(*dataset, band, options, call));
+  if (band.GetRasterDataType() != GDT_Byte && !is_ours(*dataset)) take_out_void_codes(values, path, true, options.run);
+  const std::string spelled = band.GetUnitType();
+  const bool length = spelled.empty() || metres_in_unit(spelled);
+  if (!length) info.notes.push_back("values in " + spelled);
+  apply_scale(values, band, length ? height_unit(*dataset, band, options, call) : 1.0);
   const char* ours = dataset->GetMetadataItem("SEAMOUNT_CRS");
   if (placement && (ours == nullptr || std::string_view(ours) != "local") &&
       must_be_degrees(*placement, values, true)) {

@@ -6,6 +6,7 @@
 
 #include "seamount/base/error.h"
 #include "seamount/io/raster_files.h"
+#include "seamount/model/sample_known.h"
 
 namespace seamount::io {
 namespace {
@@ -16,6 +17,7 @@ struct Sheet {
   std::string path;
   Loaded loaded;
   Placement place;
+  bool finished = false;  ///< it is in metres already: its side-car said all
 
   const Grid<float>& values() const { return loaded.stored.values; }
 };
@@ -36,6 +38,7 @@ Sheet load_sheet(const std::string& path, const ReadOptions& options) {
     sheet.loaded = {Stored{std::move(placed), 0.0, "", ""}, std::nullopt};
     sheet.loaded.stored.crs = crs_text(&sheet.place.system);
     sheet.loaded.stored.placement = sheet.place;
+    sheet.finished = true;
     return sheet;
   }
   if (!stored.placement) throw IoError(path, "does not say where it lies, so it cannot be joined to others");
@@ -153,7 +156,9 @@ HeightField read_joined_heights(const std::vector<std::string>& paths, const Rea
   joined.crs = first.crs;
   for (size_t i = 0; i < sheets.size(); ++i) {
     const Sheet& sheet = sheets[i];
-    if ((sheet.loaded.stored.code_max > 0) != (first.code_max > 0) && options.range)
+    const bool alike =
+        (sheet.loaded.stored.code_max > 0) == (first.code_max > 0) && sheet.finished == sheets.front().finished;
+    if (!alike && options.range)
       throw IoError(sheet.path, "holds other numbers than '" + paths[0] + "': codes and heights cannot be joined");
     const Box& box = boxes[i];
     if (on_lattice(sheet, sheets.front(), box))
@@ -165,6 +170,7 @@ HeightField read_joined_heights(const std::vector<std::string>& paths, const Rea
   }
   ReadOptions rest = options;
   rest.crs.clear();  // was heeded for each of them
+  if (sheets.front().finished) rest.range.reset();
   rest.run = options.run.part(0.5, 1.0);
   return finish_raster({std::move(joined), std::nullopt}, paths[0] + " and the files joined to it", rest,
                        Meaning::heights);

@@ -57,8 +57,4 @@ class CellFinder {
   Line upper_, lower_;
 };
 
-/// Bilinear over the cells that have a value; NaN where they are less than half of the weight, and outside of the
-/// raster.
-float sample_known(const Grid<float>& grid, double column, double row);
-
 }  // namespace seamount::io

@@ -66,6 +66,11 @@ std::string metric_crs(const std::string& crs) {
   return crs_text(system.get());
 }
 
+double length_error(const GridFrame& frame) {
+  const GdalCall call("crs");
+  return scale_error(placement_of(frame), frame.width, frame.height);
+}
+
 std::string crs_name(const std::string& crs) {
   const GdalCall call("crs");
   const auto system = parse_crs(crs);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "seamount/model/drawn.h"
+#include "seamount/model/grid.h"
 
 namespace seamount::io {
 
@@ -22,6 +23,10 @@ std::vector<Vec2> from_lonlat(const std::vector<Vec2>& degrees, const std::strin
 /// The text of a system in metres as it is kept everywhere: "EPSG:32604", or WKT; empty for empty text. Throws
 /// InvalidArgument{"crs"} for text that is no system, or one that is not in metres.
 std::string metric_crs(const std::string& crs);
+
+/// The largest error of lengths in a frame's system that are taken for metres, as a share; 0 without a system. Throws
+/// InvalidArgument{"crs"}.
+double length_error(const GridFrame& frame);
 
 /// A name for people: "WGS 84 / UTM zone 4N".
 std::string crs_name(const std::string& crs);

@@ -12,6 +12,7 @@
 #include "seamount/io/gdal_call.h"
 #include "seamount/io/image_file.h"
 #include "seamount/io/png_codec.h"
+#include "seamount/io/projection.h"
 #include "seamount/io/raster_files.h"
 #include "seamount/io/vertical_unit.h"
 #include "seamount/io/void_codes.h"
@@ -27,6 +28,21 @@ bool is_gdal_format(const std::string& extension) {
 [[noreturn]] void refuse_extension(const std::string& path, const std::vector<std::string>& known) {
   const std::string extension = extension_of(path);
   throw IoError(path, "'" + extension + "' is not a raster format" + suggestion(extension, known));
+}
+
+/// What a format cannot heed is an error, not ignored.
+void refuse_options(const std::string& name, const ReadOptions& options) {
+  const std::string extension = extension_of(name);
+  const bool gdal = is_gdal_format(extension), png = extension == ".png";
+  const auto refuse = [&](const char* option, bool given, const char* what) {
+    if (given) throw InvalidArgument(option, std::string("is for ") + what + ", not for '" + name + "'");
+  };
+  refuse("coding", options.coding != ElevationCoding::numbers && !gdal && !png, "GeoTIFF and PNG");
+  refuse("band", options.band.value_or(1) != 1 && !gdal && !png, "GeoTIFF and PNG");
+  refuse("byte_order", options.byte_order == ByteOrder::big && extension != ".r16" && extension != ".raw",
+         "raw files of 16 bits");
+  refuse("unit", !options.unit.empty() && options.coding != ElevationCoding::numbers,
+         "heights that are no colours, which are metres");
 }
 
 Stored decode(std::span<const uint8_t> bytes, const std::string& name, const ReadOptions& options,
@@ -58,16 +74,15 @@ int64_t voids_of(const Grid<float>& grid) {
 
 void warp(Stored& stored, const std::string& name, const Settlement& settlement, const GdalCall& call,
           const ReadOptions& options) {
-  const bool all_known = voids_of(stored.values) == 0;
   const bool fits = options.lattice && options.lattice->crs == settlement.crs;
-  stored.values = warp_to_metres(stored.values, *stored.placement, settlement,
+  Warped warped = warp_to_metres(stored.values, *stored.placement, settlement,
                                  {options.cover, fits ? &*options.lattice : nullptr, options.max_cells}, call,
                                  options.run.part(0.5, 0.9));
-  const int64_t beyond = options.cover || !all_known ? 0 : voids_of(stored.values);
-  if (beyond > 0)
-    options.run.say(name + ": is turned against north; " + std::to_string(beyond) + " of " +
-                    std::to_string(stored.values.size()) +
-                    " cells of the upright raster lie beyond it, without a value");
+  stored.values = std::move(warped.raster);
+  if (warped.turned)
+    options.run.say(name + ": is turned against north; the corners of the upright raster lie beyond it, " +
+                    std::to_string(voids_of(stored.values)) + " of " + std::to_string(stored.values.size()) +
+                    " cells have no value");
 }
 
 /// A stored raster with a placement on square cells in metres.
@@ -93,7 +108,9 @@ void place(Stored& stored, const std::string& name, const ReadOptions& options, 
       throw IoError(name, "is " + std::to_string(grid.width()) + " x " + std::to_string(grid.height()) +
                               ", its side-car '" + sidecar_path(name) + "' says " +
                               std::to_string(sidecar->frame.width) + " x " + std::to_string(sidecar->frame.height));
-    grid.set_frame(sidecar->frame);
+    GridFrame frame = sidecar->frame;
+    if (!options.crs.empty()) frame.crs = options.crs == "local" ? "" : metric_crs(options.crs);
+    grid.set_frame(frame);
     if (sidecar->south_first) flip_rows(grid);
   } else if (stored.placement) {
     settle_stored(stored, name, options, meaning);
@@ -145,10 +162,16 @@ void treat_voids(Grid<float>& grid, const std::string& name, const ReadOptions& 
 
 /// What can be done before the place is known.
 void prepare(Stored& stored, const std::string& name, const ReadOptions& options, Meaning meaning) {
-  if (stored.code_max > 0) return;
+  if (stored.code_max > 0) {
+    if (!options.unit.empty())
+      throw InvalidArgument("unit", "'" + name + "' holds codes; low_m and high_m say which metres they stand for");
+    return;
+  }
   const bool heights = meaning == Meaning::heights;
   Grid<float>& values = stored.values;
-  take_out_void_codes(values, name, options.run);
+  if (!stored.ours) take_out_void_codes(values, name, heights, options.run);
+  for (float& z : values.cells())
+    if (std::isinf(z)) z = std::numeric_limits<float>::quiet_NaN();
   if (stored.metres || !heights || options.unit.empty()) return;
   const auto unit = metres_in_unit(options.unit);
   if (!unit) throw InvalidArgument("unit", "'" + options.unit + "' is no unit of length that is known");
@@ -225,8 +248,9 @@ bool must_be_degrees(const Placement& p, const Grid<float>& values, bool heights
   count_values(values, info);
   const double relief = info.max - info.min;
   constexpr double kSurelyDegrees = 0.05;
+  constexpr double kSteeperThanAnything = 5.0;  // relief over extent; a cliff is 1, degrees give 10 and more
   if (!heights || !(relief > 0)) return p.cell_x < kSurelyDegrees;
-  return relief > 0.5 * std::max(width, height);
+  return relief > kSteeperThanAnything * std::max(width, height);
 }
 
 void choose_system(Stored& stored, const std::string& name, const ReadOptions& options, Meaning meaning) {
@@ -244,18 +268,20 @@ void choose_system(Stored& stored, const std::string& name, const ReadOptions& o
 
 Loaded load_raster(const std::string& path, const ReadOptions& options, Meaning meaning) {
   check_readable(path);
+  refuse_options(path, options);
   if (is_gdal_format(extension_of(path)))
     return {read_gdal(path, path, options, meaning == Meaning::heights), std::nullopt};
   const std::vector<uint8_t> bytes = read_file(path);
   std::optional<Sidecar> sidecar = read_sidecar(path, bytes);
   Stored stored = decode(bytes, path, options, sidecar, meaning);
+  stored.ours = sidecar && sidecar->ours;
   prepare(stored, path, options, meaning);
   return {std::move(stored), std::move(sidecar)};
 }
 
 Grid<float> finish_raster(Loaded loaded, const std::string& name, const ReadOptions& options, Meaning meaning) {
   Stored& stored = loaded.stored;
-  const bool heights = meaning == Meaning::heights && !stored.ours && !loaded.sidecar;
+  const bool heights = meaning == Meaning::heights && !stored.ours;
   const bool metres = heights && stored.code_max == 0 && !options.range;
   if (metres) take_out_impossible_heights(stored.values, name, options.run);
   treat_voids(stored.values, name, options);

@@ -89,7 +89,11 @@ Stored decode_png_heights(std::span<const uint8_t> file, const std::string& name
   const bool deep = samples.bits == 16;
   if (coded && (samples.channels < 3 || deep))
     throw IoError(name, "is not a colour picture of 8 bits a channel, which heights coded in colours are");
-  if (!coded && !all_grey(samples))
+  const int band = options.band.value_or(1);
+  if (band < 1 || band > samples.channels)
+    throw IoError(
+        name, "has " + std::to_string(samples.channels) + " channels, band " + std::to_string(band) + " was asked for");
+  if (!coded && !options.band && !all_grey(samples))
     throw IoError(name,
                   "is a colour picture; a height image is grey, 8 or 16 bit, unless the coding of heights in its "
                   "colours is named: terrarium or mapbox");
@@ -103,7 +107,8 @@ Stored decode_png_heights(std::span<const uint8_t> file, const std::string& name
   const auto value = [&](size_t i) -> float { return deep ? samples.words16[i] : samples.bytes8[i]; };
   for (size_t i = 0; i < to.size(); ++i) {
     const size_t at = i * channels;
-    to[i] = coded ? coded_height(options.coding, value(at), value(at + 1), value(at + 2)) : value(at);
+    to[i] = coded ? coded_height(options.coding, value(at), value(at + 1), value(at + 2))
+                  : value(at + static_cast<size_t>(band - 1));
     if (channels % 2 == 0 && value(at + channels - 1) == 0) to[i] = std::numeric_limits<float>::quiet_NaN();
   }
   if (coded) stored.placement = slippy_placement(name, samples.width);

@@ -204,6 +204,56 @@ TEST(RealFiles, PicturesAreNoHeightsUnlessTheyCodeThem) {
               -10000 + (2 * 65536 + 2 * 256 + 2) * 0.1, 1e-2);
 }
 
+TEST(RealFiles, OptionsWithoutAPartAreRefused) {
+  const TestFolder folder;
+  std::vector<uint8_t> rgba;
+  for (int i = 0; i < 64; ++i) rgba.insert(rgba.end(), {10, static_cast<uint8_t>(20 + i), 30, 255});
+  write_bytes(folder("c.png"), encode_png8(rgba, 8, 8, 4));
+  ReadOptions options{.cell_m = 10.0, .range = HeightRange{0, 255}};
+  EXPECT_THAT(error_of([&] { read(folder("c.png"), options); }), HasSubstr("is a colour picture"));
+  options.band = 2;
+  EXPECT_NEAR(read(folder("c.png"), options).heights(3, 1), 31, 1e-3);
+  options.band = 5;
+  EXPECT_THAT(error_of([&] { read(folder("c.png"), options); }), HasSubstr("has 4 channels"));
+  options.band = 2;
+  options.unit = "feet";
+  EXPECT_THAT(error_of([&] { read(folder("c.png"), options); }), HasSubstr("holds codes"));
+  const std::string tiff = make_tiff(folder("h.tif"), {});
+  EXPECT_THAT(error_of([&] { read(tiff, {.byte_order = ByteOrder::big}); }), HasSubstr("byte_order: is for raw files"));
+  write_heights(read(tiff).heights, folder("h.npy"));
+  EXPECT_THAT(error_of([&] { read(folder("h.npy"), {.band = 2}); }), HasSubstr("band: is for"));
+  EXPECT_THAT(error_of([&] { read(folder("h.npy"), {.coding = ElevationCoding::mapbox}); }),
+              HasSubstr("coding: is for"));
+  EXPECT_EQ(read(folder("h.npy"), {.crs = "EPSG:32634"}).heights.frame().crs, "EPSG:32634");
+}
+
+/// A count that happens to be a code is no void of a field, nor is anything in a file of ours; a band in other units
+/// than lengths can be looked at.
+TEST(RealFiles, FieldsKeepTheirNumbers) {
+  const TestFolder folder;
+  Made made{.unit = "Celsius"};
+  made.value = [](int x, int y) { return x == 3 && y == 4 ? 32767.0 : 20.0 + x; };
+  const std::string path = make_tiff(folder("count.tif"), made);
+  EXPECT_EQ(read_field(path)(3, 4), 32767.0F);
+  EXPECT_THAT(raster_info(path).notes, testing::Contains(HasSubstr("Celsius")));
+  ScalarField ours(GridFrame::centred(4, 4, 10.0), 1.0F);
+  ours(1, 1) = -9999.0F;
+  for (const char* name : {"ours.tif", "ours.npy"}) {
+    write_field(ours, folder(name));
+    EXPECT_EQ(read_field(folder(name)), ours) << name;
+  }
+}
+
+/// A quarry as a drone sees it, in metres of its own: steep, but no degrees.
+TEST(RealFiles, SteepModelsInLocalMetresAreNoDegrees) {
+  const TestFolder folder;
+  Made made{.transform = {0, 0.1, 0, 5, 0, -0.1}, .crs = ""};
+  made.value = [](int x, int) { return x < 30 ? 0.0 : 12.0; };
+  const Read quarry = read(make_tiff(folder("quarry.tif"), made));
+  EXPECT_THAT(quarry.notes, IsEmpty());
+  EXPECT_NEAR(quarry.heights.cell_m(), 0.1, 1e-9);
+}
+
 /// The same ground in tiles of the web, joined by their names, and as one raster of Web Mercator.
 TEST(RealFiles, SlippyTilesLieWhereTheirNamesSay) {
   const TestFolder folder;

@@ -8,6 +8,7 @@
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
 #include "seamount/io/placement.h"
+#include "seamount/model/sample_known.h"
 
 namespace seamount::io {
 namespace {
@@ -48,20 +49,25 @@ class Way {
   TransformPtr way_;
 };
 
-/// The upright frame of the same cells around another.
-GridFrame moved_frame(const GridFrame& frame, const Way& way, const std::string& crs) {
+Extent moved_extent(const Extent& extent, const Way& way, const std::string& crs) {
   constexpr int kSteps = 32;
   std::vector<Vec2> rim;
   for (int i = 0; i <= kSteps; ++i) {
-    const double x = frame.west_m + frame.width_m() * i / kSteps, y = frame.south_m() + frame.height_m() * i / kSteps;
-    rim.insert(rim.end(), {{x, frame.north_m}, {x, frame.south_m()}, {frame.west_m, y}, {frame.east_m(), y}});
+    const double share = static_cast<double>(i) / kSteps;
+    const double x = extent.west + share * (extent.east - extent.west);
+    const double y = extent.south + share * (extent.north - extent.south);
+    rim.insert(rim.end(), {{x, extent.north}, {x, extent.south}, {extent.west, y}, {extent.east, y}});
   }
   way.move(rim);
-  Vec2 low = rim[0], high = rim[0];
-  for (const Vec2& p : rim) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  Extent moved{crs, rim[0].x, rim[0].y, rim[0].x, rim[0].y};
+  for (const Vec2& p : rim) moved.include({crs, p.x, p.y, p.x, p.y});
+  return moved;
+}
+
+/// The upright frame of the same cells around another.
+GridFrame moved_frame(const GridFrame& frame, const Way& way, const std::string& crs) {
+  const Extent around = moved_extent(Extent::of(frame), way, crs);
+  const Vec2 low{around.west, around.south}, high{around.east, around.north};
   constexpr double kRounding = 1e-6, kMostASide = 65536;
   const double columns = std::ceil((high.x - low.x) / frame.cell_m - kRounding);
   const double rows = std::ceil((high.y - low.y) / frame.cell_m - kRounding);
@@ -126,6 +132,10 @@ double on_lattice(double position) {
 }
 
 }  // namespace
+
+Extent in_system(const Extent& extent, const std::string& crs) {
+  return extent.crs == crs ? extent : moved_extent(extent, Way(extent.crs, crs), crs);
+}
 
 Drawing in_system(Drawing drawing, const std::string& crs) {
   if (drawing.crs == crs) return drawing;

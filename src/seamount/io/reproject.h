@@ -8,6 +8,7 @@
 #include "seamount/base/run_context.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/contour_set.h"
+#include "seamount/model/extent.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
 #include "seamount/model/tin.h"
@@ -19,6 +20,9 @@ namespace seamount::io {
 Drawing in_system(Drawing drawing, const std::string& crs);
 ContourSet in_system(ContourSet contours, const std::string& crs);
 Tin in_system(Tin tin, const std::string& crs);
+
+/// The upright rectangle around an extent in the other system. Throws as above.
+Extent in_system(const Extent& extent, const std::string& crs);
 
 /// The raster on upright cells of the other system, of the same size, that cover all of it; NaN, or abyss, beyond its
 /// own edge. Bilinear, categories by the nearest cell. Throws as above, and for more than 2^30 cells. Serial.

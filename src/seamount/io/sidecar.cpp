@@ -64,6 +64,7 @@ Sidecar sidecar_from(const Json& json, const std::string& file) {
   if (!json.is_object()) throw IoError(file, "is not a JSON object");
   const Member member(json, file);
   Sidecar sidecar;
+  sidecar.ours = member.has("seamount");
   sidecar.frame = frame_from(member, file);
   sidecar.heights = member.text("quantity") != "field";
   // Those of fields bear no unit; earlier versions gave them metres too.

@@ -30,6 +30,7 @@ struct Sidecar {
   GridFrame frame;                   ///< size, cell, place and CRS of the samples, row 0 north
   double min_m = 0.0, max_m = 0.0;   ///< of the heights themselves, or of a field in its own unit
   std::optional<HeightRange> range;  ///< integer formats only
+  bool ours = false;                 ///< read: it was written by us, not by hand for a file of another program
   bool south_first = false;          ///< the first row of the file is the southern one
   bool heights = true;               ///< metres above sea level; else any other scalar, and so are the values below
   int ground_width = 0;              ///< of a padded tile: samples in the north-west that are ground, the others repeat

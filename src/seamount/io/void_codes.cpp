@@ -24,7 +24,7 @@ std::string cells_text(int64_t count) { return std::to_string(count) + (count ==
 
 }  // namespace
 
-void take_out_void_codes(Grid<float>& stored, const std::string& name, const RunContext& run) {
+void take_out_void_codes(Grid<float>& stored, const std::string& name, bool heights, const RunContext& run) {
   constexpr float kNear = 500.0F;
   std::array<Code, 9> codes{{{-9999}, {-32768}, {-32767}, {32767}, {-99999}, {9999}, {99999}, {-999999}, {999999}}};
   int64_t huge = 0;
@@ -47,7 +47,7 @@ void take_out_void_codes(Grid<float>& stored, const std::string& name, const Run
     // -32768 and -32767 are near each other and both codes.
     if (code.value == -32768) code.near -= codes[2].cells;
     if (code.value == -32767) code.near -= codes[1].cells;
-    if (code.near > 0) code.cells = 0;
+    if (code.near > 0 || (code.value > 0 && !heights)) code.cells = 0;
     any |= code.cells > 0;
   }
   if (!any) return;

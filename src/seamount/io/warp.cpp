@@ -7,6 +7,7 @@
 
 #include "seamount/base/text.h"
 #include "seamount/io/projection.h"
+#include "seamount/model/sample_known.h"
 
 namespace seamount::io {
 namespace {
@@ -97,14 +98,14 @@ void check_count(double columns, double rows, const Layout& layout, const GdalCa
 }
 
 GridFrame target_frame(const Placement& p, int width, int height, const std::string& crs,
-                       OGRCoordinateTransformation* way, const Layout& layout, const GdalCall& call) {
+                       OGRCoordinateTransformation* way, const Layout& layout, const GdalCall& call, bool& turned) {
   constexpr double kMostLost = 0.4, kAlike = 1.5;
   bool cover = layout.cover;
   Rectangle r = rectangle_of(p, width, height, way, cover, call);
   const double middle = middle_cell(p, width, height, way, call);
   // Near the poles north is anywhere: of a raster that comes out turned, what is upright inside is little or nothing.
   if (!cover && r.area() < (1 - kMostLost) * middle * middle * width * height) {
-    cover = true;
+    cover = turned = true;
     r = rectangle_of(p, width, height, way, true, call);
   }
   if (!(r.area() > 0)) call.fail("has no area in metres");
@@ -160,20 +161,22 @@ Settlement settle(const Placement& p, int width, int height, const GdalCall& cal
   const auto rounded = [](double degrees) { return std::round(degrees * 1e4) / 1e4; };
   Settlement settlement{false, local_crs(rounded(around(x[0])), rounded(y[0])), {}};
   if (metric)
-    settlement.note = "lengths in its coordinate system are off by up to " + percent +
-                      ": brought to a local transverse Mercator, true to scale";
+    settlement.note =
+        "lengths in its coordinate system are off by up to " + percent + ": brought to a system that is true to scale";
   return settlement;
 }
 
-Grid<float> warp_to_metres(const Grid<float>& stored, const Placement& p, const Settlement& settlement,
-                           const Layout& layout, const GdalCall& call, const RunContext& run) {
+Warped warp_to_metres(const Grid<float>& stored, const Placement& p, const Settlement& settlement, const Layout& layout,
+                      const GdalCall& call, const RunContext& run) {
   const auto metres = parse_crs(settlement.crs);
   TransformPtr way;
   if (metres && metres->IsSame(&p.system) == 0) {
     way.reset(OGRCreateCoordinateTransformation(&p.system, metres.get()));
     if (!way) call.fail("its coordinate reference system cannot be used");
   }
-  const GridFrame frame = target_frame(p, stored.width(), stored.height(), settlement.crs, way.get(), layout, call);
+  bool turned = false;
+  const GridFrame frame =
+      target_frame(p, stored.width(), stored.height(), settlement.crs, way.get(), layout, call, turned);
   Grid<float> warped(frame);
   const Placement target = placement_of(frame);
   CellFinder finder(target, frame.width, p, stored.width(), call);
@@ -185,7 +188,7 @@ Grid<float> warp_to_metres(const Grid<float>& stored, const Placement& p, const 
     const std::span<float> out = warped.row(y);
     for (size_t x = 0; x < out.size(); ++x) out[x] = sample_known(stored, columns[x], rows[x]);
   }
-  return warped;
+  return {std::move(warped), turned};
 }
 
 }  // namespace seamount::io

@@ -29,12 +29,17 @@ struct Settlement {
 /// than 20 degrees of longitude across that cannot be kept.
 Settlement settle(const Placement& placement, int width, int height, const GdalCall& call);
 
+struct Warped {
+  Grid<float> raster;
+  bool turned = false;  ///< against north, so far that all of it is covered though the layout did not ask for it
+};
+
 /// The raster on square cells in metres, on the largest upright rectangle that lies inside it or, as the layout says
 /// and where it comes out turned so far that this would lose much, all of it with NaN beyond; the cell keeps the number
 /// of cells about the same. Bilinear; a target is NaN where less than half of the weight has a value. Throws IoError
 /// through `call` for more than max_cells; Cancelled. Serial, about 100 ns per cell.
-Grid<float> warp_to_metres(const Grid<float>& stored, const Placement& placement, const Settlement& settlement,
-                           const Layout& layout, const GdalCall& call, const RunContext& run);
+Warped warp_to_metres(const Grid<float>& stored, const Placement& placement, const Settlement& settlement,
+                      const Layout& layout, const GdalCall& call, const RunContext& run);
 
 /// True if the system's unit is the metre (or there is no system).
 bool is_metric(const OGRSpatialReference& system);

@@ -34,7 +34,7 @@ struct DomainParams {
 };
 
 /// The frame of a domain. Throws InvalidArgument for more than 65536 cells a side or 2^30 in all, and for a system that
-/// is unknown or not in metres.
+/// is unknown, not in metres, or off by more than 1 % in length there.
 GridFrame domain_frame(const DomainParams& params);
 
 /// Applies --set, --seed and --size to a document. Throws InvalidArgument{"--set"} for a path that leads nowhere.

@@ -60,14 +60,13 @@ class Meeting {
     const bool both = !extent->crs.empty() && !frame_.crs.empty();
     const bool onto_cells = port.placing == Placing::cells && reference_ != nullptr && raster_ && is_raster(value);
     if (both && (onto_cells ? *value.frame() != frame_ : extent->crs != frame_.crs)) {
-      const Value moved = value.brought({frame_, false, run_});
-      check_meets(port, *moved.extent());
-      value = onto_cells ? value.brought({frame_, true, run_}) : moved;
+      check_meets(port, io::in_system(*extent, frame_.crs));
+      value = value.brought({frame_, onto_cells, run_});
       return;
     }
     if (onto_cells && !both) return;  // without a place only the size counts, which operators check
     check_meets(port, *extent);
-    if (extent->crs.empty() != frame_.crs.empty() && port.placing != Placing::system)
+    if (extent->crs.empty() != frame_.crs.empty() && (reference_ != nullptr || !frame_.crs.empty()))
       run_.say(port.name + ": " + (extent->crs.empty() ? "it" : whose_) +
                " says nothing of its coordinate system; their numbers are taken for the same metres");
   }

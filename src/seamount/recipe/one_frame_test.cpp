@@ -154,6 +154,9 @@ TEST_F(OneFrame, ADomainWithASystemIsWhereThingsAreBrought) {
   }
   EXPECT_THAT(io::error_of([&] { run("terrain.noise", "{}", "{}", "terrain", R"({"crs": "EPSG:4326"})"); }),
               HasSubstr("'EPSG:4326' is not in metres"));
+  EXPECT_THAT(
+      io::error_of([&] { run("terrain.noise", "{}", "{}", "terrain", R"({"crs": "EPSG:3857", "y_m": 8800000})"); }),
+      HasSubstr("lengths in 'EPSG:3857' are off by up to 111"));
 }
 
 TEST_F(OneFrame, AnIslandLiesWhereItsCoastDoes) {

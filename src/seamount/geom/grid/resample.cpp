@@ -11,6 +11,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
 #include "seamount/geom/grid/voids.h"
+#include "seamount/model/sample_known.h"
 
 namespace seamount::geom {
 namespace {

@@ -15,7 +15,25 @@ namespace {
 struct Hole {
   std::vector<int64_t> cells;
   int x0, x1, y0, y1;  ///< both ends included
+
+  int64_t window() const { return int64_t{x1 - x0 + 3} * (y1 - y0 + 3); }
+  void add(const Hole& other) {
+    cells.insert(cells.end(), other.cells.begin(), other.cells.end());
+    x0 = std::min(x0, other.x0), x1 = std::max(x1, other.x1);
+    y0 = std::min(y0, other.y0), y1 = std::max(y1, other.y1);
+  }
 };
+
+/// Holes one by one; all as one where their windows together are much more than the grid, as those of long slanting
+/// gaps between swaths are.
+std::vector<Hole> solved_together(std::vector<Hole> holes, int64_t grid_cells) {
+  int64_t windows = 0;
+  for (const Hole& hole : holes) windows += hole.window();
+  if (windows <= 2 * grid_cells) return holes;
+  Hole all = std::move(holes.front());
+  for (size_t i = 1; i < holes.size(); ++i) all.add(holes[i]);
+  return {std::move(all)};
+}
 
 /// The hole of an unseen cell, whose cells are then seen.
 Hole gather(const Grid<float>& grid, Grid<uint8_t>& seen, int64_t start) {
@@ -77,12 +95,15 @@ int64_t fill_voids(Grid<float>& grid, const RunContext& run) {
   if (voids == static_cast<int64_t>(grid.size()))
     throw IncompatibleInputs("none of the " + std::to_string(voids) + " cells has a value");
   Grid<uint8_t> seen(grid.frame(), 0);
-  int64_t filled = 0;
-  const RunContext quiet{run.threads, {}, run.cancelled, {}};
+  std::vector<Hole> holes;
   for (int64_t cell = 0; cell < static_cast<int64_t>(grid.size()); ++cell) {
     if (seen.data()[cell] != 0 || !std::isnan(grid.data()[cell])) continue;
     run.check_cancelled();
-    const Hole hole = gather(grid, seen, cell);
+    holes.push_back(gather(grid, seen, cell));
+  }
+  int64_t filled = 0;
+  const RunContext quiet{run.threads, {}, run.cancelled, {}};
+  for (const Hole& hole : solved_together(std::move(holes), grid.frame().cells())) {
     fill(grid, hole, quiet);
     filled += static_cast<int64_t>(hole.cells.size());
     run.report(static_cast<double>(filled) / static_cast<double>(voids));

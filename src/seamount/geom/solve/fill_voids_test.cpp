@@ -8,6 +8,7 @@
 #include "seamount/base/error.h"
 #include "seamount/base/rng.h"
 #include "seamount/geom/grid/voids.h"
+#include "seamount/model/sample_known.h"
 
 namespace seamount::geom {
 namespace {
@@ -50,6 +51,17 @@ TEST(FillVoids, IsThePlaneThroughItsRim) {
     fill_voids(again, two);
     EXPECT_EQ(again, filled);
   }
+}
+
+/// Gaps between swaths: long, slanting, many; their windows are the whole grid each.
+TEST(FillVoids, OfManySlantingGapsIsThePlaneToo) {
+  const Grid<float> whole = plane(120, 100);
+  Grid<float> gaps = whole;
+  for (int y = 1; y < 99; ++y)
+    for (int x = 1; x < 119; ++x)
+      if ((x + y / 2) % 10 < 3) gaps(x, y) = kNone;
+  fill_voids(gaps, {});
+  for (size_t i = 0; i < whole.size(); ++i) ASSERT_NEAR(gaps.cells()[i], whole.cells()[i], 0.1) << i;
 }
 
 TEST(FillVoids, StaysWithinItsRimAndReachesTheEdge) {

@@ -49,6 +49,22 @@ Grid<uint8_t> flat_sea(const HeightField& terrain, const RunContext& run) {
   return sea;
 }
 
+Grid<uint8_t> flat_sea_to_coast(const HeightField& terrain, const RunContext& run) {
+  const Grid<uint8_t> sea = flat_sea(terrain, run);
+  if (sea.empty()) return sea;
+  Grid<uint8_t> wide(sea.frame());
+  parallel_rows(run, terrain.width(), terrain.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < terrain.width(); ++x) {
+        bool touches = sea(x, y) != 0;
+        for (int k = 0; !touches && k < 9; ++k) touches = sea.clamped(x + k % 3 - 1, y + k / 3 - 1) != 0;
+        wide(x, y) = touches && terrain(x, y) == 0.0F ? 1 : 0;
+      }
+    }
+  });
+  return wide;
+}
+
 void sink_flat_sea(HeightField& terrain, const Grid<uint8_t>& sea, const RunContext& run) {
   Grid<uint8_t> coast(sea.frame());
   for (size_t i = 0; i < sea.size(); ++i) coast.cells()[i] = sea.cells()[i] == 0 ? 1 : 0;

@@ -184,7 +184,7 @@ Reefed coral(const HeightField& terrain, const LabelMap& labels, const ScalarFie
                        noise.islet_threshold,
                        static_cast<float>(params.section.crest_start),
                        static_cast<float>(params.section.crest_end)};
-  const Grid<uint8_t> no_floor = geom::flat_sea(terrain, run);
+  const Grid<uint8_t> no_floor = geom::flat_sea_to_coast(terrain, run);
   if (!no_floor.empty())
     run.say(
         "the sea of this terrain is 0 m everywhere, as elevation models of land give it: where it has no floor there "
@@ -218,7 +218,7 @@ Reefed coral(const HeightField& terrain, const LabelMap& labels, const ScalarFie
         const bool behind_crest = across[static_cast<size_t>(i)] < shape.crest_start;
         if (!no_floor.empty() && no_floor(i, y) != 0) {
           out.terrain(i, y) = 0.0F;
-          out.labels(i, y) = Region::abyss;
+          out.labels(i, y) = params.relabel ? Region::abyss : labels(i, y);
           continue;
         }
         out.labels(i, y) =

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 
 #include <cmath>
 
@@ -144,6 +145,32 @@ TEST(Coral, RefusesRastersOfDifferentSize) {
   const HeightField terrain(GridFrame::centred(8, 8, 10), 0.0F);
   EXPECT_THROW(coral(terrain, LabelMap(GridFrame::centred(8, 9, 10), Region::reef), nullptr, {}, {}, {}),
                IncompatibleInputs);
+}
+
+/// Elevation models of land give the sea as 0 m: it has no floor, so no reef grows, and none of it becomes land.
+TEST(Coral, ASeaWithoutAFloorStaysAsItIs) {
+  for (const double subsidence : {0.0, 0.3, 0.8}) {
+    HeightField terrain(GridFrame::centred(96, 96, 40.0));
+    LabelMap labels(terrain.frame(), Region::abyss);
+    for (int y = 0; y < 96; ++y) {
+      for (int x = 0; x < 96; ++x) {
+        const double r = std::hypot(x - 48, y - 48);
+        terrain(x, y) = r < 20 ? static_cast<float>(20 * (20 - r)) : 0.0F;
+        labels(x, y) = r < 18   ? Region::mountain
+                       : r < 20 ? Region::beach
+                       : r < 26 ? Region::lagoon
+                       : r < 30 ? Region::reef
+                                : Region::abyss;
+      }
+    }
+    std::string said;
+    RunContext run;
+    run.note = [&](const std::string& line) { said = line; };
+    const Reefed out = coral(terrain, labels, nullptr, {.subsidence = subsidence}, Seed{3}, run);
+    EXPECT_NE(said.find("terrain.sea_floor"), std::string::npos);
+    for (size_t i = 0; i < terrain.size(); ++i)
+      ASSERT_TRUE(terrain.cells()[i] != 0.0F || out.terrain.cells()[i] == 0.0F) << subsidence << " cell " << i;
+  }
 }
 
 }  // namespace

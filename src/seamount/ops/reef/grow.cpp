@@ -142,7 +142,7 @@ LabelMap label_regions(const Grown& grown, const LabelMap* before, const ScalarF
 
 /// Nothing stands on a sea without a floor.
 void keep_floorless(const HeightField& terrain, Grown& out, const RunContext& run) {
-  const Grid<uint8_t> no_floor = geom::flat_sea(terrain, run);
+  const Grid<uint8_t> no_floor = geom::flat_sea_to_coast(terrain, run);
   if (no_floor.empty()) return;
   run.say(
       "the sea of this terrain is 0 m everywhere, as elevation models of land give it: where it has no floor there "
@@ -196,8 +196,8 @@ Grown grow(const GrowInputs& in, const GrowParams& params, Seed seed, const RunC
     SurfaceRows rows(form, surface, frame, seed);
     for (int y = begin; y < end; ++y) rows.row(y, in.terrain.row(y), out.terrain.row(y), out.aggregate.row(y));
   });
-  keep_floorless(in.terrain, out, run);
   if (params.finish.blur_m > 0) geom::gaussian_blur(out.terrain, params.finish.blur_m, run);
+  keep_floorless(in.terrain, out, run);
   if (params.finish.normalise) stretch(out.terrain, params.finish, run);
   const auto lagoon_top = static_cast<float>(rising ? params.heights.flat_m - kBackReefDepth_m : -1e9);
   const ScalarField to_open_sea = open_sea(form, out.terrain, params.lagoon_gap_m.value_or(2.0 * radius), run);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include <algorithm>
 #include <cmath>
 
@@ -87,6 +89,30 @@ TEST(ReefGrow, IsEquationsOneAndTwoWithThePapersSettings) {
         ASSERT_NEAR(grown.aggregate(x, y), std::min(1.0, n), 1e-3);
       }
     }
+  }
+}
+
+/// Half of the ground is a sea of 0 m without a floor, the other half a shelf: reefs stand on the shelf only.
+TEST(ReefGrow, NothingStandsOnASeaWithoutAFloor) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    HeightField base(GridFrame::centred(200, 200, 20), -30.0F);
+    for (int y = 0; y < 200; ++y)
+      for (int x = 0; x < 100; ++x) base(x, y) = 0.0F;
+    std::string said;
+    RunContext run;
+    run.note = [&](const std::string& line) { said = line; };
+    const Grown grown = grow({base}, GrowParams(), Seed{seed}, run);
+    EXPECT_NE(said.find("terrain.sea_floor"), std::string::npos);
+    double reef = 0;
+    for (int y = 0; y < 200; ++y) {
+      for (int x = 0; x < 200; ++x) {
+        reef += static_cast<double>(grown.aggregate(x, y));
+        if (x >= 100) continue;
+        ASSERT_EQ(grown.terrain(x, y), 0.0F) << seed << " " << x << " " << y;
+        ASSERT_EQ(grown.aggregate(x, y), 0.0F);
+      }
+    }
+    EXPECT_GT(reef, 0) << "there is one on the shelf, " << seed;
   }
 }
 

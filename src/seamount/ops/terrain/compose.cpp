@@ -13,6 +13,7 @@
 #include "seamount/geom/grid/voids.h"
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/model/extent.h"
+#include "seamount/model/sample_known.h"
 
 namespace seamount::terrain {
 namespace {
@@ -128,7 +129,7 @@ class Row {
                               {&own_[from], count});
     const bool holes = geom::any_void({&own_[from], count});
     for (size_t i = from; holes && i < from + count; ++i)
-      if (std::isnan(own_[i])) own_[i] = geom::sample_known(*p.terrain, places_.columns[i], places_.rows[i]);
+      if (std::isnan(own_[i])) own_[i] = sample_known(*p.terrain, places_.columns[i], places_.rows[i]);
     const double feather_cells = params_.feather_m / (own.cell_m * p.at.scale);
     const Fade fade{static_cast<float>(own.width - 1), static_cast<float>(own.height - 1),
                     feather_cells > 0.0 ? static_cast<float>(1.0 / feather_cells) : 0.0F};

@@ -16,23 +16,6 @@ namespace {
 /// Cells a side of the grid on which slopes are spread: they change slowly.
 constexpr int kSpreadSide = 512;
 
-/// 1 where the sea is level, up to the coast.
-Grid<uint8_t> level_sea(const HeightField& terrain, const RunContext& run) {
-  Grid<uint8_t> sea = geom::flat_sea(terrain, run);
-  if (sea.empty()) return sea;
-  Grid<uint8_t> wide = sea;
-  for (int y = 0; y < terrain.height(); ++y) {
-    for (int x = 0; x < terrain.width(); ++x) {
-      if (terrain(x, y) != 0.0F || sea(x, y) != 0) continue;
-      for (int k = 0; k < 9; ++k) {
-        const int nx = x + k % 3 - 1, ny = y + k / 3 - 1;
-        if (sea.contains(nx, ny) && sea(nx, ny) != 0) wide(x, y) = 1;
-      }
-    }
-  }
-  return wide;
-}
-
 /// Rise over run of the land that the nearest coast belongs to, everywhere: given on a strip of land, spread over the
 /// rest.
 ScalarField slope_at_coast(const HeightField& terrain, const ScalarField& from_sea, const SeaFloorParams& params,
@@ -75,7 +58,7 @@ ScalarField slope_at_coast(const HeightField& terrain, const ScalarField& from_s
 
 HeightField sea_floor(const HeightField& terrain, const SeaFloorParams& params, const RunContext& run) {
   check_params(params);
-  const Grid<uint8_t> sea = level_sea(terrain, run.part(0.0, 0.1));
+  const Grid<uint8_t> sea = geom::flat_sea_to_coast(terrain, run.part(0.0, 0.1));
   if (sea.empty()) {
     run.say("less than a hundredth of the terrain is a level sea at 0 m: there is nothing to give a floor");
     return terrain;

@@ -77,6 +77,7 @@ std::tuple<HeightField, LabelMap> archipelago(const island::ArchipelagoParams& p
 void add_island_operators(Registry& registry) {
   registry.add(make_operator<island::BuildParams>(
       {.name = "island.build",
+       .revision = 2,
        .summary = "An island from its outlines (drawn, polar, a real coastline, painted labels, or a random one) and "
                   "its profile",
        .source = "P0 sec. 1.4.1, eq. 1.1-1.2, 1.16",
@@ -100,6 +101,7 @@ void add_island_operators(Registry& registry) {
       wind));
   registry.add(make_operator<island::CoralParams>(
       {.name = "island.coral",
+       .revision = 2,
        .summary = "Sinks an island and grows its reef: fringing reef, barrier reef, atoll",
        .source = "P0 sec. 1.4.2, eq. 1.8-1.15",
        .stochastic = true},
