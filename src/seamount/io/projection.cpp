@@ -6,36 +6,19 @@
 #include "seamount/base/text.h"
 #include "seamount/io/gdal_call.h"
 #include "seamount/io/warp.h"
+#include "seamount/io/way.h"
 
 namespace seamount::io {
 namespace {
 
-std::vector<Vec2> transform(const std::vector<Vec2>& places, const OGRSpatialReference& from,
-                            const OGRSpatialReference& to) {
-  const TransformPtr transform(OGRCreateCoordinateTransformation(&from, &to));
-  if (!transform) throw InvalidArgument("crs", "no way between '" + crs_text(&from) + "' and longitude, latitude");
-  std::vector<double> x(places.size()), y(places.size());
-  for (size_t i = 0; i < places.size(); ++i) x[i] = places[i].x, y[i] = places[i].y;
-  std::vector<int> good(places.size());
-  transform->Transform(static_cast<int>(places.size()), x.data(), y.data(), nullptr, nullptr, good.data());
-  std::vector<Vec2> result(places.size());
-  for (size_t i = 0; i < places.size(); ++i) {
-    if (good[i] == 0 || !std::isfinite(x[i]) || !std::isfinite(y[i]))
-      throw InvalidArgument("crs", "(" + format_number(places[i].x) + ", " + format_number(places[i].y) +
-                                       ") is outside of the coordinate reference system");
-    result[i] = {x[i], y[i]};
-  }
-  return result;
-}
-
-std::unique_ptr<OGRSpatialReference> required_crs(const std::string& crs) {
-  if (crs.empty()) throw InvalidArgument("crs", "is not known");
-  return parse_crs(crs);
-}
+constexpr const char* kLonlat = "OGC:CRS84";  ///< WGS 84, longitude before latitude
 
 }  // namespace
 
 std::string local_crs(double longitude_deg, double latitude_deg) {
+  const auto rounded = [](double degrees) { return std::round(degrees * 1e4) / 1e4; };
+  longitude_deg = rounded(longitude_deg - 360 * std::round(longitude_deg / 360));
+  latitude_deg = rounded(latitude_deg);
   const GdalCall call("crs");
   OGRSpatialReference system;
   const std::string name =
@@ -48,13 +31,15 @@ std::string local_crs(double longitude_deg, double latitude_deg) {
 }
 
 std::vector<Vec2> to_lonlat(const std::vector<Vec2>& places, const std::string& crs) {
-  const GdalCall call("crs");
-  return transform(places, *required_crs(crs), lonlat_system());
+  std::vector<Vec2> degrees = places;
+  Way(crs, kLonlat).move(degrees);
+  return degrees;
 }
 
 std::vector<Vec2> from_lonlat(const std::vector<Vec2>& degrees, const std::string& crs) {
-  const GdalCall call("crs");
-  return transform(degrees, lonlat_system(), *required_crs(crs));
+  std::vector<Vec2> places = degrees;
+  Way(kLonlat, crs).move(places);
+  return places;
 }
 
 std::string metric_crs(const std::string& crs) {

@@ -10,8 +10,12 @@
 namespace seamount::io {
 
 /// A transverse Mercator on WGS 84, in metres, whose origin and place of true scale is the given one. Scale grows to
-/// 1.0012 at 300 km east or west of it.
+/// 1.0012 at 300 km east or west of it. The place is
+/// rounded to a ten thousandth of a degree, the longitude any of its turns.
 std::string local_crs(double longitude_deg, double latitude_deg);
+
+/// Lengths in a system in metres may be off by so much of the true ones; beyond it data are brought to a local_crs().
+inline constexpr double kMostLengthError = 0.01;
 
 /// Places (metres) of a system to longitude, latitude in degrees on WGS 84. Throws InvalidArgument{"crs"} for text that
 /// is not a system or a place outside of it.

@@ -8,46 +8,13 @@
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
 #include "seamount/io/placement.h"
+#include "seamount/io/way.h"
 #include "seamount/model/sample_known.h"
 
 namespace seamount::io {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-
-/// Points from one system to another, in place.
-class Way {
- public:
-  Way(const std::string& from, const std::string& to) : call_("crs"), from_(parse_crs(from)), to_(parse_crs(to)) {
-    if (!from_ || !to_) throw InvalidArgument("crs", "is not known");
-    way_.reset(OGRCreateCoordinateTransformation(from_.get(), to_.get()));
-    if (!way_) throw InvalidArgument("crs", "no way from '" + from + "' to '" + to + "'");
-  }
-
-  void move(std::vector<Vec2>& points) const {
-    constexpr size_t kPiece = 1 << 16;
-    std::vector<double> x, y;
-    std::vector<int> good;
-    for (size_t begin = 0; begin < points.size(); begin += kPiece) {
-      const size_t count = std::min(kPiece, points.size() - begin);
-      x.resize(count), y.resize(count), good.assign(count, 0);
-      for (size_t i = 0; i < count; ++i) x[i] = points[begin + i].x, y[i] = points[begin + i].y;
-      way_->Transform(static_cast<int>(count), x.data(), y.data(), nullptr, nullptr, good.data());
-      for (size_t i = 0; i < count; ++i) {
-        Vec2& p = points[begin + i];
-        if (good[i] == 0 || !std::isfinite(x[i]) || !std::isfinite(y[i]))
-          throw InvalidArgument("crs", "(" + format_number(p.x) + ", " + format_number(p.y) +
-                                           ") has no place in the other coordinate system");
-        p = {x[i], y[i]};
-      }
-    }
-  }
-
- private:
-  GdalCall call_;
-  std::unique_ptr<OGRSpatialReference> from_, to_;
-  TransformPtr way_;
-};
 
 Extent moved_extent(const Extent& extent, const Way& way, const std::string& crs) {
   constexpr int kSteps = 32;

@@ -10,6 +10,7 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
+#include "seamount/io/placement.h"
 #include "seamount/io/projection.h"
 #include "seamount/io/vector_collect.h"
 #include "seamount/io/vector_heights.h"
@@ -18,7 +19,6 @@ namespace seamount::io {
 namespace {
 
 constexpr double kMostDegrees = 20.0;
-constexpr double kMostStretch = 0.01;
 
 struct Box {
   double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
@@ -126,25 +126,15 @@ std::optional<Vec2> degrees_at(Vec2 place, const OGRSpatialReference& system) {
   return std::isfinite(place.x) && std::isfinite(place.y) ? std::optional(place) : std::nullopt;
 }
 
-std::string local_system_at(Vec2 degrees) {
-  const auto rounded = [](double d) { return std::round(d * 1e4) / 1e4; };
-  const double longitude = rounded(degrees.x);
-  return local_crs(longitude > 180 ? longitude - 360 : longitude, rounded(degrees.y));
-}
-
-/// The largest share by which a length of the system is off at a place, along x and along y.
-double stretch_at(Vec2 place, Vec2 degrees, const OGRSpatialReference& system) {
-  constexpr double kStep = 50.0;
-  const auto metres = parse_crs(local_system_at(degrees));
-  const TransformPtr transform(OGRCreateCoordinateTransformation(&system, metres.get()));
-  if (!transform) return 0.0;
-  double worst = 0.0;
-  for (const Vec2 step : {Vec2{kStep, 0}, Vec2{0, kStep}}) {
-    Vec2 a = place - step, b = place + step;
-    if (transform->Transform(1, &a.x, &a.y) == FALSE || transform->Transform(1, &b.x, &b.y) == FALSE) continue;
-    worst = std::max(worst, std::abs(std::hypot(b.x - a.x, b.y - a.y) / (2.0 * kStep) - 1.0));
-  }
-  return worst;
+/// The box as a raster of one cell.
+Placement placement_of(const Box& box, const OGRSpatialReference& system) {
+  Placement placement;
+  placement.west = box.x0;
+  placement.north = box.y1;
+  placement.cell_x = box.width();
+  placement.cell_y = box.height();
+  placement.system = system;
+  return placement;
 }
 
 /// Longitude and latitude to a local metric system.
@@ -163,7 +153,7 @@ Ring project_degrees(Drawing& drawing, const OGRSpatialReference& system, const 
               " degrees of longitude; choose one feature by its name, at most " + format_number(kMostDegrees) +
               " degrees wide");
   const bool known = drawing.frame && !drawing.frame->crs.empty();
-  drawing.crs = known ? drawing.frame->crs : local_system_at(box.middle());
+  drawing.crs = known ? drawing.frame->crs : local_crs(box.middle().x, box.middle().y);
   Ring sheet = sheet_of(drawing);
   transform_all(drawing, sheet, system, *parse_crs(drawing.crs), call);
   return sheet;
@@ -172,15 +162,15 @@ Ring project_degrees(Drawing& drawing, const OGRSpatialReference& system, const 
 Ring keep_metres(Drawing& drawing) { return sheet_of(drawing); }
 
 Ring from_projected(Drawing& drawing, const OGRSpatialReference& system, const GdalCall& call) {
-  const Vec2 middle = bounds(drawing).middle();
-  const std::optional<Vec2> degrees = degrees_at(middle, system);
+  const Box box = bounds(drawing);
+  const std::optional<Vec2> degrees = degrees_at(box.middle(), system);
   const bool metric = std::abs(system.GetLinearUnits(nullptr) - 1.0) < 1e-9;
   if (!degrees && !metric) call.fail("its coordinate reference system cannot be used");
-  if (metric && (!degrees || stretch_at(middle, *degrees, system) <= kMostStretch)) {
+  if (metric && (!degrees || scale_error(placement_of(box, system), 1, 1) <= kMostLengthError)) {
     drawing.crs = crs_text(&system);
     return keep_metres(drawing);
   }
-  drawing.crs = local_system_at(*degrees);
+  drawing.crs = local_crs(degrees->x, degrees->y);
   if (drawing.frame && drawing.frame->crs.empty()) drawing.frame.reset();  // it is in the system that is left
   Ring sheet = sheet_of(drawing);
   transform_all(drawing, sheet, system, *parse_crs(drawing.crs), call);

@@ -136,12 +136,12 @@ bool is_metric(const OGRSpatialReference& system) {
 }
 
 Settlement settle(const Placement& p, int width, int height, const GdalCall& call) {
-  constexpr double kMostError = 0.01, kSquare = 1e-9;
+  constexpr double kSquare = 1e-9;
   const bool square = std::abs(p.cell_x - p.cell_y) <= kSquare * p.cell_x;
   const bool metric = is_metric(p.system);
   const double error = metric ? scale_error(p, width, height) : 0.0;
   const std::string own = metric ? crs_text(&p.system) : std::string();
-  if (metric && error <= kMostError) return {square, own, {}};
+  if (metric && error <= kMostLengthError) return {square, own, {}};
   const OGRSpatialReference lonlat = lonlat_system();
   const TransformPtr to_lonlat(OGRCreateCoordinateTransformation(&p.system, &lonlat));
   const double east = p.west + width * p.cell_x, south = p.north - height * p.cell_y;
@@ -158,8 +158,7 @@ Settlement settle(const Placement& p, int width, int height, const GdalCall& cal
   if (across > kMostDegrees)
     call.fail("spans " + format_number(std::round(across * 10) / 10) + " degrees of longitude; cut it to at most " +
               format_number(kMostDegrees));
-  const auto rounded = [](double degrees) { return std::round(degrees * 1e4) / 1e4; };
-  Settlement settlement{false, local_crs(rounded(around(x[0])), rounded(y[0])), {}};
+  Settlement settlement{false, local_crs(x[0], y[0]), {}};
   if (metric)
     settlement.note =
         "lengths in its coordinate system are off by up to " + percent + ": brought to a system that is true to scale";

@@ -81,8 +81,7 @@ GridFrame domain_frame(const DomainParams& params) {
   frame.west_m += params.x_m;
   frame.north_m += params.y_m;
   frame.crs = io::metric_crs(params.crs);
-  constexpr double kMostError = 0.01;  // as for rasters that are read
-  if (const double error = io::length_error(frame); error > kMostError)
+  if (const double error = io::length_error(frame); error > io::kMostLengthError)
     throw InvalidArgument("crs", fmt::format("lengths in '{}' are off by up to {:.1f} % there; state a system that is "
                                              "true to scale at x_m, y_m, such as UTM",
                                              params.crs, 100 * error));
