@@ -151,12 +151,6 @@ void treat_voids(Grid<float>& grid, const std::string& name, const ReadOptions& 
   const auto all = static_cast<int64_t>(grid.size());
   if (count == all) throw IoError(name, "none of its " + std::to_string(all) + " cells has a value");
   const std::string share = std::to_string(count) + " of " + std::to_string(all) + " cells have no value";
-  if (options.voids == Voids::refuse) {
-    const auto first = std::find_if(grid.cells().begin(), grid.cells().end(), [](float z) { return std::isnan(z); });
-    const int64_t at = first - grid.cells().begin();
-    throw IoError(name, share + ", the first is (column " + std::to_string(at % grid.width()) + ", row " +
-                            std::to_string(at / grid.width()) + ")");
-  }
   options.run.say(name + ": " + share);
 }
 

@@ -14,12 +14,6 @@
 
 namespace seamount::io {
 
-/// What to do with cells that have no height.
-enum class Voids {
-  keep,    ///< they are NaN (geom/solve/fill_voids.h fills them)
-  refuse,  ///< an error that says how many and where the first is
-};
-
 /// How a file holds heights.
 enum class ElevationCoding {
   numbers,    ///< one number a cell
@@ -34,7 +28,6 @@ struct ReadOptions {
   std::optional<double> cell_m;      ///< where the file does not say; > 0
   std::optional<HeightRange> range;  ///< heights of the lowest and highest code of an integer image, or of 0 and 1 of
                                      ///< real values; beats a side-car
-  Voids voids = Voids::keep;
   std::optional<int> band;  ///< of a raster with several; absent: the first, and colours are refused as heights
   ElevationCoding coding = ElevationCoding::numbers;
   std::string unit;  ///< of heights ("feet"); empty: as the file says, else metres

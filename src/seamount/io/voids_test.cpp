@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/raster.h"
@@ -41,12 +42,14 @@ std::string asc(const std::string& cells) {
   return "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9999\n" + cells;
 }
 
-TEST(Voids, StayOrAreRefused) {
+TEST(Voids, StayAndAreSaid) {
   const TestFolder folder;
   write_text(folder("holes.asc"), asc("1.5 1.5 1.5\n1.5 -9999 1.5\n"));
-  EXPECT_THAT(error_of([&] { read_heights(folder("holes.asc"), {.voids = Voids::refuse}); }),
-              HasSubstr("1 of 6 cells have no value, the first is (column 1, row 1)"));
-  const HeightField holes = read_heights(folder("holes.asc"));
+  std::vector<std::string> notes;
+  ReadOptions options;
+  options.run.note = [&](const std::string& line) { notes.push_back(line); };
+  const HeightField holes = read_heights(folder("holes.asc"), options);
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("1 of 6 cells have no value")));
   EXPECT_TRUE(std::isnan(holes(1, 1)));
   EXPECT_FLOAT_EQ(holes(0, 1), 1.5F);
   write_text(folder("empty.asc"), asc("-9999 -9999 -9999\n-9999 -9999 -9999\n"));
