@@ -1,0 +1,255 @@
+// See skeleton_index.h.
+#include "seamount/geom/skeleton/skeleton_index.h"
+
+#include <array>
+#include <cmath>
+
+#include "seamount/base/parallel.h"
+
+namespace seamount::geom {
+namespace {
+
+constexpr int64_t kPlacesPerBlock = 2048;
+constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
+/// A distance below this share of the coordinates is rounding.
+constexpr double kOnIt = 1e-14;
+constexpr int32_t kNobody = NearestSkeleton::kNobody;
+
+int32_t excluded_at(std::span<const int32_t> excluded, int64_t i) {
+  if (excluded.empty()) return kNobody;
+  return excluded[excluded.size() == 1 ? 0 : static_cast<size_t>(i)];
+}
+
+/// Signed turn at every vertex over the mean length of the edges beside it.
+std::vector<double> curvatures(const Polyline& points, bool closed) {
+  const size_t n = points.size();
+  std::vector<double> result(n, 0.0);
+  if (n < 3) return result;
+  for (size_t i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i) {
+    const Vec2 in = points[i] - points[(i + n - 1) % n];
+    const Vec2 out = points[(i + 1) % n] - points[i];
+    const double length = 0.5 * (std::hypot(in.x, in.y) + std::hypot(out.x, out.y));
+    if (length > 0.0) result[i] = std::atan2(cross(in, out), dot(in, out)) / length;
+  }
+  if (!closed) {
+    result.front() = result[1];
+    result.back() = result[n - 2];
+  }
+  return result;
+}
+
+double share_nearest(Vec2 a, Vec2 along, double inverse, Vec2 p) {
+  return std::clamp(dot(p - a, along) * inverse, 0.0, 1.0);
+}
+
+double squared_to(Vec2 a, Vec2 along, double inverse, Vec2 p) {
+  const Vec2 off = p - a - share_nearest(a, along, inverse, p) * along;
+  return dot(off, off);
+}
+
+}  // namespace
+
+SkeletonIndex::SkeletonIndex(std::span<const Skeleton> skeletons, std::span<const int32_t> owners) {
+  std::vector<Edge> edges;
+  std::vector<Source> sources;
+  std::vector<int32_t> edge_owners;
+  std::vector<Box> boxes;
+  for (size_t i = 0; i < skeletons.size(); ++i) {
+    const size_t regions = regions_.size();
+    add(skeletons[i], owners[i], edges, sources, edge_owners);
+    if (regions_.size() > regions) boxes.push_back(bounding_box(skeletons[i].points));
+  }
+  region_tree_ = BoxTree(boxes);
+  sort_into_tree(edges, sources, edge_owners);
+}
+
+void SkeletonIndex::add(const Skeleton& skeleton, int32_t owner, std::vector<Edge>& edges, std::vector<Source>& sources,
+                        std::vector<int32_t>& owners) {
+  const Polyline& points = skeleton.points;
+  const size_t n = points.size();
+  const bool closed = skeleton.kind == SkeletonKind::region && n >= 2;
+  int32_t region = -1;
+  if (skeleton.kind == SkeletonKind::region && n >= 3) {
+    region = static_cast<int32_t>(regions_.size());
+    regions_.push_back({RingRows(points), owner});
+  }
+  const auto push = [&](Vec2 a, Vec2 b, double bend_a, double bend_b) {
+    const Vec2 along = b - a;
+    const double squared = dot(along, along);
+    edges.push_back({a, along, squared > 0.0 ? 1.0 / squared : 0.0});
+    sources.push_back(
+        {static_cast<uint32_t>(sources.size()), region, static_cast<float>(bend_a), static_cast<float>(bend_b)});
+    owners.push_back(owner);
+  };
+  if (skeleton.kind == SkeletonKind::point || n == 1) {
+    for (const Vec2 p : points) push(p, p, 0.0, 0.0);
+    return;
+  }
+  const std::vector<double> bends = curvatures(points, closed);
+  for (size_t i = 0; i + 1 < n + (closed ? 1 : 0); ++i) {
+    const size_t j = (i + 1) % n;
+    push(points[i], points[j], bends[i], bends[j]);
+  }
+}
+
+void SkeletonIndex::sort_into_tree(const std::vector<Edge>& edges, const std::vector<Source>& sources,
+                                   const std::vector<int32_t>& owners) {
+  std::vector<Box> boxes(edges.size());
+  for (size_t i = 0; i < edges.size(); ++i) {
+    const Vec2 a = edges[i].a, b = a + edges[i].along;
+    boxes[i] = {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+  }
+  tree_ = BoxTree(boxes);
+  for (const uint32_t i : tree_.order()) {
+    edges_.push_back(edges[i]);
+    sources_.push_back(sources[i]);
+    owners_.push_back(owners[i]);
+  }
+  const auto& nodes = tree_.nodes();
+  node_owners_.assign(nodes.size(), kNobody);
+  node_earliest_.assign(nodes.size(), kNone);
+  for (size_t i = nodes.size(); i-- > 0;) {
+    if (nodes[i].count == 0) {
+      const int32_t owner = node_owners_[i + 1];
+      node_owners_[i] = owner == node_owners_[nodes[i].first] ? owner : kNobody;
+      node_earliest_[i] = std::min(node_earliest_[i + 1], node_earliest_[nodes[i].first]);
+      continue;
+    }
+    node_owners_[i] = owners_[nodes[i].first];
+    for (uint32_t k = nodes[i].first; k < nodes[i].first + nodes[i].count; ++k) {
+      if (owners_[k] != node_owners_[i]) node_owners_[i] = kNobody;
+      node_earliest_[i] = std::min(node_earliest_[i], sources_[k].number);
+    }
+  }
+}
+
+SkeletonIndex::Hit SkeletonIndex::search(Vec2 place, int32_t excluded, double most, bool any) const {
+  // A hair is allowed for, by which rounding may make a box seem further away than what lies in it.
+  constexpr double kHair = 1.0 - 1e-12;
+  Hit best = {most, kNone};
+  uint32_t earliest = kNone;
+  const auto& nodes = tree_.nodes();
+  if (nodes.empty()) return best;
+  struct Waiting {
+    double squared;
+    uint32_t node;
+  };
+  const auto waiting_at = [&](uint32_t node) { return Waiting{squared_distance(nodes[node], place), node}; };
+  const auto comes_first = [&](const Waiting& a, const Waiting& b) {
+    return a.squared < b.squared || (a.squared == b.squared && node_earliest_[a.node] < node_earliest_[b.node]);
+  };
+  std::array<Waiting, BoxTree::kDepth> stack;
+  size_t waiting = 0;
+  stack[waiting++] = waiting_at(0);
+  while (waiting > 0) {
+    const Waiting next = stack[--waiting];
+    if (next.squared * kHair > best.squared) continue;
+    if (next.squared >= best.squared && node_earliest_[next.node] > earliest) continue;
+    if (excluded != kNobody && node_owners_[next.node] == excluded) continue;
+    const BoxTree::Node& node = nodes[next.node];
+    if (node.count == 0) {
+      Waiting near = waiting_at(next.node + 1), far = waiting_at(node.first);
+      if (comes_first(far, near)) std::swap(near, far);
+      stack[waiting++] = far;
+      stack[waiting++] = near;
+      continue;
+    }
+    for (uint32_t k = node.first; k < node.first + node.count; ++k) {
+      if (excluded != kNobody && owners_[k] == excluded) continue;
+      const double squared = squared_to(edges_[k].a, edges_[k].along, edges_[k].inverse, place);
+      if (squared > best.squared || (squared == best.squared && sources_[k].number > earliest)) continue;
+      best = {squared, k};
+      earliest = sources_[k].number;
+      if (any) return best;
+    }
+  }
+  return best;
+}
+
+NearestSkeleton SkeletonIndex::nearest(Vec2 place, int32_t excluded) const {
+  NearestSkeleton result;
+  const Hit hit = search(place, excluded, std::numeric_limits<double>::infinity(), false);
+  if (hit.edge == kNone) return result;
+  const Edge& edge = edges_[hit.edge];
+  const Source& source = sources_[hit.edge];
+  const double share = share_nearest(edge.a, edge.along, edge.inverse, place);
+  result.distance = std::sqrt(hit.squared);
+  result.at = edge.a + share * edge.along;
+  result.curvature =
+      (1.0 - share) * static_cast<double>(source.curvature_a) + share * static_cast<double>(source.curvature_b);
+  result.owner = owners_[hit.edge];
+  if (result.distance > kOnIt * (std::abs(place.x) + std::abs(place.y))) {
+    const Vec2 off = place - result.at;
+    const bool within = source.region >= 0 && regions_[static_cast<size_t>(source.region)].rows.contains(place);
+    result.normal = ((within ? -1.0 : 1.0) / std::hypot(off.x, off.y)) * off;
+  } else {
+    const double scale = std::sqrt(edge.inverse);
+    result.normal = {edge.along.y * scale, -edge.along.x * scale};
+  }
+  result.inside = inside(place, excluded);
+  return result;
+}
+
+bool SkeletonIndex::inside(Vec2 place, int32_t excluded) const {
+  const auto& nodes = region_tree_.nodes();
+  if (nodes.empty()) return false;
+  std::array<uint32_t, BoxTree::kDepth> stack;
+  size_t waiting = 0;
+  stack[waiting++] = 0;
+  while (waiting > 0) {
+    const uint32_t number = stack[--waiting];
+    const BoxTree::Node& node = nodes[number];
+    if (squared_distance(node, place) > 0.0) continue;
+    if (node.count == 0) {
+      stack[waiting++] = node.first;
+      stack[waiting++] = number + 1;
+      continue;
+    }
+    for (uint32_t k = node.first; k < node.first + node.count; ++k) {
+      const Region& region = regions_[region_tree_.order()[k]];
+      if ((excluded == kNobody || region.owner != excluded) && region.rows.contains(place)) return true;
+    }
+  }
+  return false;
+}
+
+void SkeletonIndex::nearest(std::span<const Vec2> places, std::span<const int32_t> excluded,
+                            std::span<NearestSkeleton> results, const RunContext& run) const {
+  parallel_blocks(run, static_cast<int64_t>(places.size()), kPlacesPerBlock, [&](int64_t begin, int64_t end) {
+    for (int64_t i = begin; i < end; ++i) {
+      results[static_cast<size_t>(i)] = nearest(places[static_cast<size_t>(i)], excluded_at(excluded, i));
+    }
+  });
+}
+
+void SkeletonIndex::distances(std::span<const Vec2> places, std::span<const int32_t> excluded,
+                              std::span<double> results, const RunContext& run) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  parallel_blocks(run, static_cast<int64_t>(places.size()), kPlacesPerBlock, [&](int64_t begin, int64_t end) {
+    for (int64_t i = begin; i < end; ++i) {
+      const Hit hit = search(places[static_cast<size_t>(i)], excluded_at(excluded, i), kInfinity, false);
+      results[static_cast<size_t>(i)] = std::sqrt(hit.squared);
+    }
+  });
+}
+
+void SkeletonIndex::inside(std::span<const Vec2> places, std::span<const int32_t> excluded, std::span<uint8_t> results,
+                           const RunContext& run) const {
+  parallel_blocks(run, static_cast<int64_t>(places.size()), kPlacesPerBlock, [&](int64_t begin, int64_t end) {
+    for (int64_t i = begin; i < end; ++i) {
+      results[static_cast<size_t>(i)] = inside(places[static_cast<size_t>(i)], excluded_at(excluded, i)) ? 1 : 0;
+    }
+  });
+}
+
+void SkeletonIndex::any_within(std::span<const Vec2> places, std::span<const int32_t> excluded, double radius_m,
+                               std::span<uint8_t> results, const RunContext& run) const {
+  parallel_blocks(run, static_cast<int64_t>(places.size()), kPlacesPerBlock, [&](int64_t begin, int64_t end) {
+    for (int64_t i = begin; i < end; ++i) {
+      const Hit hit = search(places[static_cast<size_t>(i)], excluded_at(excluded, i), radius_m * radius_m, true);
+      results[static_cast<size_t>(i)] = hit.edge != kNone ? 1 : 0;
+    }
+  });
+}
+
+}  // namespace seamount::geom
