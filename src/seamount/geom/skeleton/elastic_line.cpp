@@ -1,6 +1,7 @@
 // See elastic_line.h.
 #include "seamount/geom/skeleton/elastic_line.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -72,6 +73,34 @@ double chain_length(std::span<const Vec2> points, bool closed) {
     length += std::hypot(edge.x, edge.y);
   }
   return length;
+}
+
+void spread_chain(std::vector<Vec2>& points, std::vector<float>& hold, double spacing_m) {
+  std::vector<Vec2> spread = {points[0]};
+  std::vector<float> spread_hold = {hold[0]};
+  size_t from = 0;
+  const size_t n = points.size();
+  for (size_t to = 1; to < n; ++to) {
+    if (hold[to] == 0.0F && to + 1 < n) continue;
+    const std::span<const Vec2> part = std::span<const Vec2>(points).subspan(from, to - from + 1);
+    const double length = chain_length(part, false);
+    const int edges = std::max(1, static_cast<int>(std::lround(std::min(length / spacing_m, 1e8))));
+    size_t at = 0;
+    double passed = 0.0;
+    const auto edge_length = [&] { return std::hypot(part[at + 1].x - part[at].x, part[at + 1].y - part[at].y); };
+    for (int k = 1; k < edges; ++k) {
+      const double wanted = length * k / edges;
+      for (; at + 2 < part.size() && passed + edge_length() < wanted; ++at) passed += edge_length();
+      const double share = std::clamp((wanted - passed) / std::max(edge_length(), 1e-300), 0.0, 1.0);
+      spread.push_back(part[at] + share * (part[at + 1] - part[at]));
+      spread_hold.push_back(0.0F);
+    }
+    spread.push_back(points[to]);
+    spread_hold.push_back(hold[to]);
+    from = to;
+  }
+  points.swap(spread);
+  hold.swap(spread_hold);
 }
 
 double elastic_energy(const ElasticLine& line, std::span<const Vec2> points) {

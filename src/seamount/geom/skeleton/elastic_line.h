@@ -31,6 +31,10 @@ void add_elastic_slope(const ElasticLine& line, std::span<const Vec2> points, st
 
 double chain_length(std::span<const Vec2> points, bool closed);
 
+/// Puts vertices about spacing_m apart along a chain; its ends and those with a hold above 0 stay. REQUIRES: at least
+/// two points, as many holds, spacing_m > 0.
+void spread_chain(std::vector<Vec2>& points, std::vector<float>& hold, double spacing_m);
+
 /// One squared measure that a step must not run against: the energy has a part about 0.5 * stiffness * (measure)^2.
 struct StiffMeasure {
   double stiffness = 0.0;            ///< >= 0

@@ -194,7 +194,7 @@ void Snakes::relax(const std::vector<size_t>& those, int steps, bool grows) {
       return std::span<const Vec2>(*proposals[static_cast<size_t>(&line - lines.data())]);
     });
     for_each(active, [&](size_t k, SnakeLine& line) { line.judge(values_of(k), options_.least_gain); });
-    std::erase_if(active, [&](size_t i) { return lines[i].rests; });
+    std::erase_if(active, [&](size_t i) { return lines[i].rests(); });
   }
 }
 
@@ -241,35 +241,6 @@ void Snakes::fit(std::vector<size_t> those) {
   }
 }
 
-/// Vertices about `spacing` apart along a line, those that are held among them.
-void spread(SnakeLine& line) {
-  std::vector<Vec2> points = {line.points[0]};
-  std::vector<float> hold = {line.hold[0]};
-  size_t from = 0;
-  const size_t n = line.points.size();
-  for (size_t to = 1; to < n; ++to) {
-    if (line.hold[to] == 0.0F && to + 1 < n) continue;
-    const std::span<const Vec2> part = std::span<const Vec2>(line.points).subspan(from, to - from + 1);
-    const double length = chain_length(part, false);
-    const int edges = std::max(1, static_cast<int>(std::lround(length / line.spacing_m())));
-    size_t at = 0;
-    double passed = 0.0;
-    for (int k = 1; k < edges; ++k) {
-      const double wanted = length * k / edges;
-      const auto edge_length = [&] { return std::hypot(part[at + 1].x - part[at].x, part[at + 1].y - part[at].y); };
-      while (at + 2 < part.size() && passed + edge_length() < wanted) passed += edge_length(), ++at;
-      const double share = std::clamp((wanted - passed) / std::max(edge_length(), 1e-300), 0.0, 1.0);
-      points.push_back(part[at] + share * (part[at + 1] - part[at]));
-      hold.push_back(0.0F);
-    }
-    points.push_back(line.points[to]);
-    hold.push_back(line.hold[to]);
-    from = to;
-  }
-  line.points.swap(points);
-  line.hold.swap(hold);
-}
-
 std::vector<SnakeFit> results_of(std::vector<SnakeLine>& lines) {
   std::vector<SnakeFit> results(lines.size());
   for (size_t i = 0; i < lines.size(); ++i) {
@@ -278,7 +249,7 @@ std::vector<SnakeFit> results_of(std::vector<SnakeLine>& lines) {
     fit.skeleton.kind = SkeletonKind::curve;
     fit.length_m = line.points.empty() ? 0.0 : line.length();
     fit.mean_field = line.mean_field();
-    fit.rests = line.rests;
+    fit.rests = line.rests();
     if (std::any_of(line.hold.begin(), line.hold.end(), [](float h) { return h != 0.0F; })) {
       fit.skeleton.hold = std::move(line.hold);
     }
@@ -354,7 +325,8 @@ std::vector<SnakeFit> fit_snakes(std::span<const SnakeCurve> curves, const Snake
     if (length > 0.0 && find_tangles(line.points, false).empty()) sound.push_back(i);
   }
   for (const size_t i : sound) {
-    if (curves[i].length_m > 0.0) spread(snakes.lines[i]);
+    if (curves[i].length_m > 0.0)
+      spread_chain(snakes.lines[i].points, snakes.lines[i].hold, snakes.lines[i].spacing_m());
   }
   snakes.measure_units();
   snakes.fit(std::move(sound));

@@ -15,13 +15,10 @@ namespace {
 
 /// Share of the target by which a length may miss it for an energy of 1.
 constexpr double kTolerance = 0.05;
-/// Damping beyond this many times the least one finds no step any more.
-constexpr double kMostDamping = 1e12;
 /// A growing curve is drawn out by this much, so that no step costs it length.
 constexpr double kGrowingAim = 1.02;
 /// No vertex goes further than this share of u in a step, or a spacing.
 constexpr double kReach = 1.0 / 64.0;
-constexpr int kSmallGains = 3;
 constexpr double kFanAngle = std::numbers::pi / 2.4;
 /// A new end keeps this many spacings from the rest of its curve.
 constexpr double kClearance = 1.5;
@@ -102,11 +99,8 @@ void SnakeLine::start(std::span<const double> stencils, bool grows) {
   read(stencils, field_, slope_, fit_);
   if (energies.empty()) energies.push_back(energy(points, field_));
   const double r = std::max(elastic_.bend_m, elastic_.spacing_m);
-  least_damping_ = 1e-5 * (std::abs(external_) + std::abs(gradient_) + elastic_.weight + 1e-6) * elastic_.spacing_m /
-                   (elastic_.unit_m * r * r);
-  damping_ = 1e4 * least_damping_;
-  small_gains_ = 0;
-  rests = false;
+  care_.start((std::abs(external_) + std::abs(gradient_) + elastic_.weight + 1e-6) * elastic_.spacing_m /
+              (elastic_.unit_m * r * r));
   aim_m_ = grows ? std::min(length_m_, kGrowingAim * length()) : length_m_;
 }
 
@@ -164,7 +158,7 @@ const std::vector<Vec2>& SnakeLine::propose() {
   std::vector<double> free(points.size());
   for (size_t i = 0; i < free.size(); ++i) free[i] = 1.0 - std::clamp(static_cast<double>(hold[i]), 0.0, 1.0);
   const double stiffness = has_target() ? 2.0 * shape_ / (kTolerance * kTolerance * aim_m_ * aim_m_) : 0.0;
-  const auto [step, per_metre] = elastic_step(elastic_, slope, free, damping_, {stiffness, slope_of_length});
+  const auto [step, per_metre] = elastic_step(elastic_, slope, free, care_.damping, {stiffness, slope_of_length});
   const double reach = std::max(elastic_.spacing_m, kReach * elastic_.unit_m);
   double longest = 0.0;
   for (const Vec2 s : step) longest = std::max(longest, std::hypot(s.x, s.y));
@@ -204,13 +198,10 @@ void SnakeLine::judge(std::span<const double> stencils, double least_gain) {
   const double now = simple ? energy(proposal_, field) : std::numeric_limits<double>::infinity();
   const bool lower = now < energies.back() && energy(proposal_, field, aim_m_) < energy(points, field_, aim_m_);
   if (!lower) {
-    damping_ *= 8.0;
-    rests = damping_ > kMostDamping * least_damping_;
+    care_.refuse();
     return;
   }
-  small_gains_ = energies.back() - now < least_gain ? small_gains_ + 1 : 0;
-  rests = small_gains_ >= kSmallGains;
-  damping_ = std::max(0.25 * damping_, least_damping_);
+  care_.accept(energies.back() - now, least_gain);
   points.swap(proposal_);
   field_.swap(field);
   slope_.swap(slope);

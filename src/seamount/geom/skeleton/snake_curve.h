@@ -8,6 +8,7 @@
 
 #include "seamount/geom/skeleton/elastic_line.h"
 #include "seamount/geom/skeleton/snake.h"
+#include "seamount/geom/skeleton/step_care.h"
 
 namespace seamount::geom {
 
@@ -29,7 +30,7 @@ class SnakeLine {
   double spacing_m() const { return elastic_.spacing_m; }
   double field_unit = 1.0;
   std::vector<double> energies;
-  bool rests = false;
+  bool rests() const { return care_.rests; }
 
   bool has_target() const { return length_m_ > 0.0; }
   double length() const { return chain_length(points, false); }
@@ -99,8 +100,7 @@ class SnakeLine {
   std::vector<Vec2> slope_;    ///< of Gamma
   std::vector<char> fit_;
   double floor_ = 0.0;
-  double damping_ = 0.0, least_damping_ = 0.0;
-  int small_gains_ = 0;
+  StepCare care_;
   std::vector<Vec2> proposal_;
 };
 
