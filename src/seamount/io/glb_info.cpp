@@ -6,47 +6,12 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
+#include "seamount/io/glb_node.h"
 
 namespace seamount::io {
 namespace {
 
 using Json = nlohmann::json;
-using Matrix = std::array<double, 16>;  // columns, as glTF has them
-
-constexpr Matrix kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c{};
-  for (size_t column = 0; column < 4; ++column)
-    for (size_t row = 0; row < 4; ++row)
-      for (size_t k = 0; k < 4; ++k) c[4 * column + row] += a[4 * k + row] * b[4 * column + k];
-  return c;
-}
-
-/// A node's matrix, or that of its translation, rotation and scale.
-Matrix matrix_of(const Json& node) {
-  if (node.contains("matrix")) return node.at("matrix").get<Matrix>();
-  const auto t = node.value("translation", std::array<double, 3>{0, 0, 0});
-  const auto [x, y, z, w] = node.value("rotation", std::array<double, 4>{0, 0, 0, 1});
-  const auto s = node.value("scale", std::array<double, 3>{1, 1, 1});
-  return {(1 - 2 * (y * y + z * z)) * s[0],
-          2 * (x * y + z * w) * s[0],
-          2 * (x * z - y * w) * s[0],
-          0,
-          2 * (x * y - z * w) * s[1],
-          (1 - 2 * (x * x + z * z)) * s[1],
-          2 * (y * z + x * w) * s[1],
-          0,
-          2 * (x * z + y * w) * s[2],
-          2 * (y * z - x * w) * s[2],
-          (1 - 2 * (x * x + y * y)) * s[2],
-          0,
-          t[0],
-          t[1],
-          t[2],
-          1};
-}
-
 Json description_of(std::span<const uint8_t> bytes, const std::string& name) {
   constexpr uint32_t kMagic = 0x46546C67, kJson = 0x4E4F534A;
   std::array<uint32_t, 5> header{};
@@ -63,19 +28,19 @@ class Reader {
 
   MeshSummary summary() {
     const Json& scene = json_.at("scenes").at(json_.value("scene", size_t{0}));
-    for (const Json& node : scene.value("nodes", Json::array())) visit(node.get<size_t>(), kIdentity, 0);
+    for (const Json& node : scene.value("nodes", Json::array())) visit(node.get<size_t>(), kIdentityMatrix, 0);
     if (const Json asset = json_.value("asset", Json::object()); asset.contains("generator"))
       mesh_.said.emplace_back("made by", asset.at("generator").get<std::string>());
     return mesh_;
   }
 
  private:
-  void visit(size_t index, const Matrix& outer, int depth) {
+  void visit(size_t index, const Matrix4& outer, int depth) {
     constexpr int kDeepest = 64;  // nodes are a tree; a damaged file may have them in circles
     constexpr int kMostNodes = 1 << 20;
     if (depth > kDeepest || ++visited_ > kMostNodes) throw std::invalid_argument("its nodes have no end");
     const Json& node = json_.at("nodes").at(index);
-    const Matrix matrix = product(outer, matrix_of(node));
+    const Matrix4 matrix = product(outer, matrix_of(node));
     if (node.contains("mesh")) {
       for (const Json& primitive : json_.at("meshes").at(node.at("mesh").get<size_t>()).at("primitives"))
         add(primitive, matrix);
@@ -84,7 +49,7 @@ class Reader {
     for (const Json& child : node.value("children", Json::array())) visit(child.get<size_t>(), matrix, depth + 1);
   }
 
-  void add(const Json& primitive, const Matrix& matrix) {
+  void add(const Json& primitive, const Matrix4& matrix) {
     const Json& places = json_.at("accessors").at(primitive.at("attributes").at("POSITION").get<size_t>());
     const auto vertices = places.at("count").get<size_t>();
     size_t corners = vertices;

@@ -1,0 +1,43 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "seamount/geom/things/makers.h"
+#include "seamount/geom/things/thing_builder.h"
+
+namespace seamount::geom {
+
+ThingMesh make_arch(const ThingMaking& m) {
+  constexpr double kPi = std::numbers::pi;
+  Rng rng(m.seed.derive("form"));
+  const Seed grain = m.seed.derive("grain");
+  const int steps = m.by_level(38, 16, 5), sides = m.by_level(18, 9, 4);
+  const double thick = rng.uniform(0.16, 0.23), skew = rng.uniform(-0.16, 0.16), crown = rng.uniform(0.8, 1.15);
+  const double bend = rng.uniform(-0.10, 0.10), other_leg = rng.uniform(0.85, 1.35), bedding = rng.uniform(7.0, 11.0);
+  const Tone main = m.main(0x9C8468), dark = mix(main, tone(0x6B5746), 0.75);
+  const auto beds = [&](double z) { return noise3(grain, {0.0, 0.0, bedding * z}); };
+  std::vector<Ring3> rings;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps, angle = kPi * (1.0 - t);
+    const double flare = std::pow(std::abs(2.0 * t - 1.0), 1.8);
+    const Point3 centre{0.78 * std::cos(angle) + skew * std::sin(angle), bend * std::sin(2.0 * angle),
+                        std::pow(std::sin(angle), 0.72) * 0.82};
+    const double leg = t < 0.5 ? 1.0 : other_leg;
+    const double radius = thick * (crown + flare * leg * 1.1) * (1.0 + 0.12 * noise3(grain, 4.0 * centre));
+    const double contact = 0.68 + 0.32 * std::clamp(centre.z / 0.25, 0.0, 1.0);
+    const double stripe = std::clamp(0.5 + 0.9 * beds(centre.z), 0.0, 1.0);
+    rings.push_back({centre, radius, contact * mix(dark, main, 0.35 + 0.65 * stripe)});
+  }
+  ThingBuilder builder;
+  builder.tube(rings, sides, [&](size_t i, double angle) {
+    const Point3 at = rings[i].centre + 0.4 * Point3{std::cos(angle), std::sin(angle), 0.3 * std::cos(angle)};
+    const double blocky =
+        std::pow(std::pow(std::abs(std::cos(angle)), 5.0) + std::pow(std::abs(std::sin(angle)), 5.0), -0.2);
+    const double z = rings[i].centre.z + 0.2 * rings[i].radius * std::sin(angle);
+    return blocky * (0.88 + 0.20 * noise3(grain, 2.6 * at) + 0.13 * noise3(grain, 6.0 * at) + 0.13 * beds(z));
+  });
+  return builder.finish(m.height_m, m.width_m);
+}
+
+}  // namespace seamount::geom
