@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -28,6 +29,25 @@ class BoxTree {
 
   /// In preorder; empty without boxes.
   const std::vector<Node>& nodes() const { return nodes_; }
+  /// Calls visit(number) for the boxes of all leaves that hold a place: those that do, and a few neighbours.
+  template <class Visit>
+  void for_each_at(Vec2 place, Visit&& visit) const {
+    if (nodes_.empty()) return;
+    std::array<uint32_t, kDepth> stack;
+    size_t waiting = 0;
+    stack[waiting++] = 0;
+    while (waiting > 0) {
+      const uint32_t number = stack[--waiting];
+      const Node& node = nodes_[number];
+      if (place.x < node.low.x || place.y < node.low.y || place.x > node.high.x || place.y > node.high.y) continue;
+      if (node.count == 0) {
+        stack[waiting++] = node.first;
+        stack[waiting++] = number + 1;
+      } else {
+        for (uint32_t k = node.first; k < node.first + node.count; ++k) visit(order_[k]);
+      }
+    }
+  }
   /// Numbers of boxes, leaf by leaf.
   const std::vector<uint32_t>& order() const { return order_; }
 

@@ -38,19 +38,10 @@ std::vector<double> curvatures(const Polyline& points, bool closed) {
   return result;
 }
 
-double share_nearest(Vec2 a, Vec2 along, double inverse, Vec2 p) {
-  return std::clamp(dot(p - a, along) * inverse, 0.0, 1.0);
-}
-
-double squared_to(Vec2 a, Vec2 along, double inverse, Vec2 p) {
-  const Vec2 off = p - a - share_nearest(a, along, inverse, p) * along;
-  return dot(off, off);
-}
-
 }  // namespace
 
 SkeletonIndex::SkeletonIndex(std::span<const Skeleton> skeletons, std::span<const int32_t> owners) {
-  std::vector<Edge> edges;
+  std::vector<PointEdge> edges;
   std::vector<Source> sources;
   std::vector<int32_t> edge_owners;
   std::vector<Box> boxes;
@@ -63,8 +54,8 @@ SkeletonIndex::SkeletonIndex(std::span<const Skeleton> skeletons, std::span<cons
   sort_into_tree(edges, sources, edge_owners);
 }
 
-void SkeletonIndex::add(const Skeleton& skeleton, int32_t owner, std::vector<Edge>& edges, std::vector<Source>& sources,
-                        std::vector<int32_t>& owners) {
+void SkeletonIndex::add(const Skeleton& skeleton, int32_t owner, std::vector<PointEdge>& edges,
+                        std::vector<Source>& sources, std::vector<int32_t>& owners) {
   const Polyline& points = skeleton.points;
   const size_t n = points.size();
   const bool closed = skeleton.kind == SkeletonKind::region && n >= 2;
@@ -74,9 +65,7 @@ void SkeletonIndex::add(const Skeleton& skeleton, int32_t owner, std::vector<Edg
     regions_.push_back({RingRows(points), owner});
   }
   const auto push = [&](Vec2 a, Vec2 b, double bend_a, double bend_b) {
-    const Vec2 along = b - a;
-    const double squared = dot(along, along);
-    edges.push_back({a, along, squared > 0.0 ? 1.0 / squared : 0.0});
+    edges.push_back(PointEdge::between(a, b));
     sources.push_back(
         {static_cast<uint32_t>(sources.size()), region, static_cast<float>(bend_a), static_cast<float>(bend_b)});
     owners.push_back(owner);
@@ -92,7 +81,7 @@ void SkeletonIndex::add(const Skeleton& skeleton, int32_t owner, std::vector<Edg
   }
 }
 
-void SkeletonIndex::sort_into_tree(const std::vector<Edge>& edges, const std::vector<Source>& sources,
+void SkeletonIndex::sort_into_tree(const std::vector<PointEdge>& edges, const std::vector<Source>& sources,
                                    const std::vector<int32_t>& owners) {
   std::vector<Box> boxes(edges.size());
   for (size_t i = 0; i < edges.size(); ++i) {
@@ -156,7 +145,7 @@ SkeletonIndex::Hit SkeletonIndex::search(Vec2 place, int32_t excluded, double mo
     }
     for (uint32_t k = node.first; k < node.first + node.count; ++k) {
       if (excluded != kNobody && owners_[k] == excluded) continue;
-      const double squared = squared_to(edges_[k].a, edges_[k].along, edges_[k].inverse, place);
+      const double squared = edges_[k].squared_distance(place);
       if (squared > best.squared || (squared == best.squared && sources_[k].number > earliest)) continue;
       best = {squared, k};
       earliest = sources_[k].number;
@@ -170,9 +159,9 @@ NearestSkeleton SkeletonIndex::nearest(Vec2 place, int32_t excluded) const {
   NearestSkeleton result;
   const Hit hit = search(place, excluded, std::numeric_limits<double>::infinity(), false);
   if (hit.edge == kNone) return result;
-  const Edge& edge = edges_[hit.edge];
+  const PointEdge& edge = edges_[hit.edge];
   const Source& source = sources_[hit.edge];
-  const double share = share_nearest(edge.a, edge.along, edge.inverse, place);
+  const double share = edge.share_nearest(place);
   result.distance = std::sqrt(hit.squared);
   result.at = edge.a + share * edge.along;
   result.curvature =

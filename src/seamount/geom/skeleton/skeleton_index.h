@@ -12,6 +12,7 @@
 
 #include "seamount/base/run_context.h"
 #include "seamount/geom/skeleton/box_tree.h"
+#include "seamount/geom/skeleton/point_edge.h"
 #include "seamount/geom/skeleton/ring_rows.h"
 #include "seamount/model/skeleton.h"
 
@@ -63,10 +64,6 @@ class SkeletonIndex {
   bool inside(Vec2 place, int32_t excluded = NearestSkeleton::kNobody) const;
 
  private:
-  struct Edge {
-    Vec2 a, along;
-    double inverse;  ///< 1 / |along|^2, 0 for a point
-  };
   struct Source {
     uint32_t number;  ///< in the order given
     int32_t region;   ///< in regions_, -1 for none
@@ -81,15 +78,15 @@ class SkeletonIndex {
     uint32_t edge;
   };
 
-  void add(const Skeleton& skeleton, int32_t owner, std::vector<Edge>& edges, std::vector<Source>& sources,
+  void add(const Skeleton& skeleton, int32_t owner, std::vector<PointEdge>& edges, std::vector<Source>& sources,
            std::vector<int32_t>& owners);
-  void sort_into_tree(const std::vector<Edge>& edges, const std::vector<Source>& sources,
+  void sort_into_tree(const std::vector<PointEdge>& edges, const std::vector<Source>& sources,
                       const std::vector<int32_t>& owners);
   /// The nearest edge nearer than sqrt(most), which is returned unless there is one; any such one if `any`.
   Hit search(Vec2 place, int32_t excluded, double most, bool any) const;
 
   BoxTree tree_, region_tree_;
-  std::vector<Edge> edges_;  ///< in the order of the tree's leaves, as what follows
+  std::vector<PointEdge> edges_;  ///< in the order of the tree's leaves, as what follows
   std::vector<int32_t> owners_;
   std::vector<Source> sources_;
   std::vector<int32_t> node_owners_;     ///< the one owner of all edges below a node, or kNobody
