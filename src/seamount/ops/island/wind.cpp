@@ -6,11 +6,12 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
+#include "seamount/geom/current/stroke_field.h"
 #include "seamount/geom/grid/sample_rows.h"
 #include "seamount/geom/scalar/curve.h"
 #include "seamount/model/same_size.h"
 #include "seamount/ops/island/coordinate.h"
-#include "seamount/ops/island/stroke_field.h"
+#include "seamount/ops/island/radial_strokes.h"
 
 namespace seamount::island {
 namespace {
@@ -31,11 +32,11 @@ SEAMOUNT_VECTORISED void give_way(const float* withheld, float per_cell, float* 
   }
 }
 
-CellDisplacement resisted(const StrokeField& strokes, const GridFrame& frame, const ScalarField* coordinate,
+CellDisplacement resisted(const geom::StrokeField& strokes, const GridFrame& frame, const ScalarField* coordinate,
                           const geom::CurveTable& resistance, const RunContext& run) {
   CellDisplacement out{ScalarField(frame), ScalarField(frame)};
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
-    StrokeField::Rows rows(strokes);
+    geom::StrokeField::Rows rows(strokes);
     std::vector<float> withheld(static_cast<size_t>(frame.width), 0.0F);
     for (int y = begin; y < end; ++y) {
       rows.read(frame.x(0), frame.cell_m, frame.y(y), out.columns.row(y), out.rows.row(y));
@@ -138,7 +139,7 @@ Warped wind(const HeightField& terrain, const LabelMap* labels, const ScalarFiel
     derived = coordinate_from_labels(*labels, run);
     coordinate = &derived;
   }
-  const StrokeField strokes(all_strokes(params, frame, seed), frame, run.part(0.0, 0.2));
+  const geom::StrokeField strokes(all_strokes(params, frame, seed), frame, run.part(0.0, 0.2));
   if (strokes.empty()) {
     return {terrain, labels == nullptr ? LabelMap() : *labels, coordinate == nullptr ? ScalarField() : *coordinate};
   }

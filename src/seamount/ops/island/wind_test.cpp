@@ -5,8 +5,9 @@
 
 #include <cmath>
 
+#include "seamount/geom/current/stroke_field.h"
 #include "seamount/ops/island/build.h"
-#include "seamount/ops/island/stroke_field.h"
+#include "seamount/ops/island/radial_strokes.h"
 
 namespace seamount::island {
 namespace {
@@ -15,7 +16,7 @@ Stroke straight(double strength, double width = 800) { return {{{-6000, 0}, {600
 
 TEST(Displacement, IsEquation1_3WithAnUnnormalisedFalloff) {
   const GridFrame frame = GridFrame::centred(200, 200, 40);
-  const StrokeField field({straight(300)}, frame, {});
+  const geom::StrokeField field({straight(300)}, frame, {});
   for (const double d : {0.0, 400.0, 800.0, 1600.0, 2400.0}) {
     const Vec2 phi = field.at(100, d);
     EXPECT_NEAR(phi.x, 300 * std::exp(-d * d / (2 * 800.0 * 800.0)), 0.8) << d;  // along the stroke
@@ -27,19 +28,19 @@ TEST(Displacement, IsEquation1_3WithAnUnnormalisedFalloff) {
 TEST(Displacement, APointFarAwayCostsNothingAndLeadsThere) {
   const GridFrame frame = GridFrame::centred(25, 25, 80);
   const auto from = [](double x) { return Stroke{{{x, 0}, {0, 100}, {500, 300}}, 150, 90}; };
-  const StrokeField far({from(-2147483649.0)}, frame, {}), near({from(-30000.0)}, frame, {});
+  const geom::StrokeField far({from(-2147483649.0)}, frame, {}), near({from(-30000.0)}, frame, {});
   for (const Vec2 p : {Vec2{-900, 0}, {-400, 100}, {0, 0}, {0, 100}, {450, 250}, {800, -700}}) {
     EXPECT_NEAR(far.at(p.x, p.y).x, near.at(p.x, p.y).x, 3.0);
     EXPECT_NEAR(far.at(p.x, p.y).y, near.at(p.x, p.y).y, 3.0);
   }
-  const StrokeField nowhere({Stroke{{{1e9, 1e9}, {2e9, 1e9}}, 150, 90}}, frame, {});
+  const geom::StrokeField nowhere({Stroke{{{1e9, 1e9}, {2e9, 1e9}}, 150, 90}}, frame, {});
   EXPECT_EQ(nowhere.at(0, 0), Vec2{});
 }
 
 TEST(Displacement, IsTheSumOverStrokes) {
   const GridFrame frame = GridFrame::centred(150, 150, 50);
   const Stroke other{{{0, -3000}, {0, 3000}}, 600, -150};
-  const StrokeField both({straight(300), other}, frame, {});
+  const geom::StrokeField both({straight(300), other}, frame, {});
   const Vec2 phi = both.at(250, 350);
   EXPECT_NEAR(phi.x, 300 * std::exp(-350.0 * 350 / (2 * 800.0 * 800)), 0.8);
   EXPECT_NEAR(phi.y, -150 * std::exp(-250.0 * 250 / (2 * 600.0 * 600)), 0.8);

@@ -1,19 +1,21 @@
-#include "seamount/ops/island/stroke_field.h"
+#include "seamount/geom/current/stroke_field.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
+#include <string>
 
+#include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
+#include "seamount/base/text.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/geom/scalar/spline.h"
 
-namespace seamount::island {
+namespace seamount::geom {
 namespace {
 
 constexpr double kReach = 4.0;          // widths after which a stroke is nothing: exp(-8) = 0.0003
@@ -31,9 +33,9 @@ struct Path {
 Path make_path(const Stroke& stroke, double lattice_cell) {
   Path path;
   path.reach = kReach * stroke.width_m;
-  const Polyline fine = geom::sample_catmull_rom(stroke.points, std::max(0.25 * stroke.width_m, 0.5 * lattice_cell));
+  const Polyline fine = sample_catmull_rom(stroke.points, std::max(0.25 * stroke.width_m, 0.5 * lattice_cell));
   // Long straight pieces cost less; pieces longer than the reach would offer themselves to places far away.
-  for (const Vec2 p : geom::simplify_line(fine, 0.005 * stroke.width_m)) {
+  for (const Vec2 p : simplify_line(fine, 0.005 * stroke.width_m)) {
     if (!path.points.empty()) {
       const Vec2 from = path.points.back();
       const int pieces = std::max(1, static_cast<int>(std::ceil(std::hypot(p.x - from.x, p.y - from.y) / path.reach)));
@@ -59,7 +61,7 @@ Path make_path(const Stroke& stroke, double lattice_cell) {
 }
 
 /// The parts of a polyline inside a box (Liang and Barsky 1984): the line itself where no point lies outside.
-std::vector<Polyline> clipped(const Polyline& line, const geom::Box& box) {
+std::vector<Polyline> clipped(const Polyline& line, const Box& box) {
   std::vector<Polyline> parts(1, Polyline());
   for (size_t i = 0; i + 1 < line.size(); ++i) {
     const Vec2 a = line[i], d = line[i + 1] - a;
@@ -228,7 +230,7 @@ StrokeField::StrokeField(const std::vector<Stroke>& strokes, const GridFrame& fr
   for (size_t i = 0; i < strokes.size(); ++i)
     classes[static_cast<int>(std::floor(std::log2(strokes[i].width_m)))].push_back(i);
   for (const auto& [octave, members] : classes) {
-    const GridFrame lattice = geom::coarser_frame(frame, std::ldexp(1.0, octave) / kNodesPerWidth);
+    const GridFrame lattice = coarser_frame(frame, std::ldexp(1.0, octave) / kNodesPerWidth);
     Layer layer{ScalarField(lattice, 0.0F), ScalarField(lattice, 0.0F)};
     std::vector<std::pair<Stroke, Path>> paths;
     for (const size_t i : members) {
@@ -250,7 +252,7 @@ Vec2 StrokeField::at(double x, double y) const {
   for (const Layer& layer : layers_) {
     const double column = layer.east.frame().column(x);
     const double row = layer.east.frame().row(y);
-    sum = sum + Vec2{geom::sample_bicubic(layer.east, column, row), geom::sample_bicubic(layer.north, column, row)};
+    sum = sum + Vec2{sample_bicubic(layer.east, column, row), sample_bicubic(layer.north, column, row)};
   }
   return sum;
 }
@@ -274,23 +276,30 @@ void StrokeField::Rows::read(double x0, double dx, double y, std::span<float> ea
   }
 }
 
-std::vector<Stroke> radial_strokes(int count, double width_m, double strength_m, Vec2 centre, double reach_m,
-                                   Seed seed) {
-  std::vector<Stroke> strokes;
-  for (int i = 0; i < count; ++i) {
-    Rng rng(seed.derive("island.radial", static_cast<uint64_t>(i)));
-    const double angle = 2.0 * std::numbers::pi * (i + rng.uniform(-0.35, 0.35)) / count;
-    const double bend = rng.uniform(-0.12, 0.12);
-    Stroke stroke;
-    for (const double share : {0.08, 0.35, 0.7, 1.0}) {
-      const double a = angle + bend * std::sin(3.0 * share);
-      stroke.points.push_back(centre + (share * reach_m) * Vec2{std::cos(a), std::sin(a)});
-    }
-    stroke.width_m = width_m * rng.uniform(0.7, 1.3);
-    stroke.strength_m = (i % 2 == 0 ? 1.0 : -1.0) * strength_m * rng.uniform(0.7, 1.3);
-    strokes.push_back(std::move(stroke));
+void add_strokes(const std::vector<Stroke>& strokes, VectorField& current, const RunContext& run) {
+  const GridFrame& frame = current.frame();
+  for (size_t i = 0; i < strokes.size(); ++i) {
+    const std::string name = "strokes[" + std::to_string(i) + "]";
+    if (!(strokes[i].width_m > 0.0) || !std::isfinite(strokes[i].width_m))
+      throw InvalidArgument(name, "width " + format_number(strokes[i].width_m) + " is not above 0");
+    if (!std::isfinite(strokes[i].strength_m)) throw InvalidArgument(name, "its speed is no number");
+    for (const Vec2 p : strokes[i].points)
+      if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw InvalidArgument(name, "has a point that is no number");
+    if (strokes[i].points.size() < 2) throw InvalidArgument(name, "has fewer than two points");
   }
-  return strokes;
+  if (strokes.empty() || current.empty()) return;
+  const StrokeField field(strokes, frame, run.part(0.0, 0.7));
+  parallel_rows(run.part(0.7, 1.0), frame.width, frame.height, [&](int begin, int end) {
+    StrokeField::Rows rows(field);
+    std::vector<float> east(static_cast<size_t>(frame.width)), north(east);
+    for (int y = begin; y < end; ++y) {
+      rows.read(frame.x(0), frame.cell_m, frame.y(y), east, north);
+      for (int x = 0; x < frame.width; ++x) {
+        current.x(x, y) += east[static_cast<size_t>(x)];
+        current.y(x, y) += north[static_cast<size_t>(x)];
+      }
+    }
+  });
 }
 
-}  // namespace seamount::island
+}  // namespace seamount::geom
