@@ -10,6 +10,7 @@
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/gazebo_sdf.h"
+#include "seamount/io/gazebo_things.h"
 #include "seamount/io/image_file.h"
 #include "seamount/io/info.h"
 #include "seamount/io/mesh_file.h"
@@ -62,6 +63,7 @@ void write_world(const sdf::Ground& ground, const GridFrame& frame, double low_m
   world.place = place_of(frame);
   world.sea = options.water && low_m < 0;
   world.buoyancy = options.buoyancy;
+  if (options.things != nullptr) world.things = write_gazebo_things(*options.things, frame, path, options, run);
   write_text(path, sdf::world_file(world, ground));
   tell_origin(frame, world.place, run);
 }
@@ -107,12 +109,13 @@ const std::vector<int>& gazebo_sizes() {
   return kSizes;
 }
 
-std::vector<std::string> gazebo_files(const std::string& path, bool mesh, bool texture) {
+std::vector<std::string> gazebo_files(const std::string& path, bool mesh, bool texture, bool things) {
   std::vector<std::string> files = {path, in_folder(path, "model.config"), in_folder(path, "model.sdf")};
   const auto add = [&](const char* name) { files.push_back(in_folder(path, name)); };
   if (mesh) {
     add("ground.obj"), add("ground.mtl");
     if (texture) add("ground.png");
+    if (things) add("shape_*_lod*.obj"), add("shape_*_lod*.mtl");
     return files;
   }
   add("height.png"), add("height.png.json");

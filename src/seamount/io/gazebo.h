@@ -19,6 +19,7 @@
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
 #include "seamount/model/mesh.h"
+#include "seamount/model/things.h"
 
 namespace seamount::io {
 
@@ -27,6 +28,8 @@ struct GazeboOptions {
   int bits = 16;                   ///< of a height map: 16 or 8
   bool water = true;               ///< a translucent sheet at sea level if any of the terrain is below it
   bool buoyancy = false;           ///< gz-sim's systems, with sea water below 0 m and air above
+  const Things* things = nullptr;  ///< what stands on a mesh: static models; each shape in use is a mesh of the folder
+  int max_collisions = 2000;       ///< so many of the largest things can be bumped into, as boxes; the others are seen
   Provenance provenance;
 };
 
@@ -34,7 +37,7 @@ struct GazeboOptions {
 const std::vector<int>& gazebo_sizes();
 
 /// All files of a world with a height map or a mesh, the world first.
-std::vector<std::string> gazebo_files(const std::string& path, bool mesh, bool texture);
+std::vector<std::string> gazebo_files(const std::string& path, bool mesh, bool texture, bool things = false);
 
 /// A world whose ground is a height map: heights come back within half of their range / 65535, or 255. Says where the
 /// origin is, and the step of 8 bits. Throws InvalidArgument{"size"} unless the grid is a square of a known size,
@@ -42,7 +45,8 @@ std::vector<std::string> gazebo_files(const std::string& path, bool mesh, bool t
 void write_gazebo(const HeightField& heights, const std::string& path, const GazeboOptions& options = {},
                   const RunContext& run = {});
 
-/// A world whose ground is a mesh (OBJ): its first part, which lies in `frame` relative to the middle.
+/// A world whose ground is a mesh (OBJ): its first part, which lies in `frame` relative to the middle. Things are said
+/// to be left out of collisions where there are more than max_collisions.
 void write_gazebo(const Mesh& mesh, const GridFrame& frame, const std::string& path, const GazeboOptions& options = {},
                   const RunContext& run = {});
 

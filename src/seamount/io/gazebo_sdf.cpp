@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "seamount/base/text.h"
@@ -144,7 +145,37 @@ std::string world_file(const World& world, const Ground& ground) {
          "    </scene>\n" +
          (world.place ? globe_place(*world.place) : "") + kSun +
          ground_model(ground, "ground", xml_escaped(ground.folder) + "/") +
-         (world.sea ? sea_model(ground.size_m) : "") + "  </world>\n</sdf>\n";
+         (world.sea ? sea_model(ground.size_m) : "") + world.things + "  </world>\n</sdf>\n";
+}
+
+std::string thing_model(const ThingModel& thing) {
+  const double x = thing.rotation[0], y = thing.rotation[1], z = thing.rotation[2], w = thing.rotation[3];
+  const double roll = std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
+               pitch = std::asin(std::clamp(2 * (w * y - z * x), -1.0, 1.0)),
+               yaw = std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+  const std::string scale = metres(thing.scale);
+  std::string text = fmt::format(
+      "    <model name=\"{0}\">\n"
+      "      <static>true</static>\n"
+      "      <pose>{1} {2} {3} {4:.6f} {5:.6f} {6:.6f}</pose>\n"
+      "      <link name=\"body\">\n"
+      "        <visual name=\"visual\">\n"
+      "          <geometry>\n"
+      "            <mesh><uri>{7}</uri><scale>{8} {8} {8}</scale></mesh>\n"
+      "          </geometry>\n"
+      "        </visual>\n",
+      xml_escaped(thing.name), metres(thing.place[0]), metres(thing.place[1]), metres(thing.place[2]), roll + 0.0,
+      pitch + 0.0, yaw + 0.0, xml_escaped(thing.mesh), scale);
+  if (thing.collides)
+    text += fmt::format(
+        "        <collision name=\"collision\">\n"
+        "          <pose>0 0 {} 0 0 0</pose>\n"
+        "          <geometry>\n"
+        "            <box><size>{} {} {}</size></box>\n"
+        "          </geometry>\n"
+        "        </collision>\n",
+        metres(0.5 * thing.box[2]), metres(thing.box[0]), metres(thing.box[1]), metres(thing.box[2]));
+  return text + "      </link>\n    </model>\n";
 }
 
 std::string model_file(const Ground& ground, const std::string& name) {

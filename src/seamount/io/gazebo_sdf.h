@@ -1,6 +1,7 @@
 // The text of Gazebo's files (SDF 1.7). Not part of the public interface; gazebo.h puts them together.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -26,7 +27,19 @@ struct World {
   std::optional<GlobePlace> place;  ///< of the origin
   bool sea = false;                 ///< a sheet at z = 0, as large as the ground
   bool buoyancy = false;
+  std::string things;  ///< their models, as text
 };
+
+/// A thing as a static model.
+struct ThingModel {
+  std::string name, mesh;  ///< the mesh as the world file names it, z up
+  std::array<double, 3> place{};
+  std::array<float, 4> rotation = {0.F, 0.F, 0.F, 1.F};
+  double scale = 1.0;
+  bool collides = false;
+  std::array<double, 3> box{};  ///< of a collision, its size and, upright over the foot, its place
+};
+std::string thing_model(const ThingModel& thing);
 
 /// What stands in <size> and <pos> of a height map.
 std::string heightmap_size(const Ground& ground);

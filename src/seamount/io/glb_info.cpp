@@ -29,6 +29,7 @@ class Reader {
   MeshSummary summary() {
     const Json& scene = json_.at("scenes").at(json_.value("scene", size_t{0}));
     for (const Json& node : scene.value("nodes", Json::array())) visit(node.get<size_t>(), kIdentityMatrix, 0);
+    if (scene.contains("extras")) tell_things(scene.at("extras"));
     if (const Json asset = json_.value("asset", Json::object()); asset.contains("generator"))
       mesh_.said.emplace_back("made by", asset.at("generator").get<std::string>());
     return mesh_;
@@ -42,11 +43,47 @@ class Reader {
     const Json& node = json_.at("nodes").at(index);
     const Matrix4 matrix = product(outer, matrix_of(node));
     if (node.contains("mesh")) {
-      for (const Json& primitive : json_.at("meshes").at(node.at("mesh").get<size_t>()).at("primitives"))
-        add(primitive, matrix);
+      const Json& primitives = json_.at("meshes").at(node.at("mesh").get<size_t>()).at("primitives");
+      if (const Json* instancing = instancing_of(node)) {
+        add_instances(primitives, instancing->at("attributes"), matrix);
+      } else {
+        for (const Json& primitive : primitives) add(primitive, matrix);
+      }
     }
     if (node.contains("extras") && mesh_.said.empty()) tell(node.at("extras"));
     for (const Json& child : node.value("children", Json::array())) visit(child.get<size_t>(), matrix, depth + 1);
+  }
+
+  static const Json* instancing_of(const Json& node) {
+    if (!node.contains("extensions")) return nullptr;
+    const auto found = node.at("extensions").find("EXT_mesh_gpu_instancing");
+    return found == node.at("extensions").end() ? nullptr : &*found;
+  }
+
+  /// Each instance counts; where they lie is known from the least and largest translation and scale, if the file says.
+  void add_instances(const Json& primitives, const Json& attributes, const Matrix4& matrix) {
+    const Json none;
+    const auto accessor = [&](const char* name) -> const Json& {
+      return attributes.contains(name) ? json_.at("accessors").at(attributes.at(name).get<size_t>()) : none;
+    };
+    const Json &places = accessor("TRANSLATION"), &scales = accessor("SCALE");
+    const Json& any = places.is_null() ? json_.at("accessors").at(attributes.begin()->get<size_t>()) : places;
+    const auto count = any.at("count").get<size_t>();
+    constexpr size_t kMost = size_t{1} << 32;
+    if (count > kMost) throw std::invalid_argument("has more instances than there can be");
+    mesh_.instances += count;
+    const size_t triangles = mesh_.triangles, vertices = mesh_.vertices;
+    const std::array<double, 3> zero{}, one{1, 1, 1};
+    const auto low = places.is_object() ? places.value("min", zero) : zero,
+               high = places.is_object() ? places.value("max", zero) : zero,
+               largest = scales.is_object() ? scales.value("max", one) : one;
+    for (const auto& end : {low, high}) {
+      mesh_.triangles = triangles;
+      mesh_.vertices = vertices;
+      for (const Json& primitive : primitives) add(primitive, product(matrix, matrix_of(end, {0, 0, 0, 1}, largest)));
+    }
+    mesh_.parts -= primitives.size();  // both ends were counted
+    mesh_.triangles = triangles + (mesh_.triangles - triangles) * count;
   }
 
   void add(const Json& primitive, const Matrix4& matrix) {
@@ -71,6 +108,13 @@ class Reader {
       }
       mesh_.add_box({p[0], -p[2], p[1]}, {p[0], -p[2], p[1]});
     }
+  }
+
+  /// What write_things_glb() says of them.
+  void tell_things(const Json& extras) {
+    for (const char* key : {"things", "shapes"})
+      if (extras.is_object() && extras.contains(key) && extras.at(key).is_number())
+        mesh_.said.emplace_back(key, format_number(extras.at(key).get<double>()));
   }
 
   /// What write_glb() says of a terrain.

@@ -16,6 +16,7 @@ struct MeshSummary {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
   std::string format;
   size_t triangles = 0, vertices = 0, parts = 0;
+  size_t instances = 0;  ///< of EXT_mesh_gpu_instancing; they count in the triangles
   std::array<double, 3> low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
   FileInfo said;  ///< what else the file says
 

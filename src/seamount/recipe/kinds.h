@@ -10,6 +10,7 @@
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
 #include "seamount/model/report.h"
+#include "seamount/model/things.h"
 #include "seamount/model/tin.h"
 #include "seamount/recipe/kind.h"
 
@@ -30,9 +31,10 @@ struct Drawing  { using Type = seamount::Drawing; static const Kind& kind(); sta
 struct Tin      { using Type = seamount::Tin;     static const Kind& kind(); static void add_formats(Registry&); };
 struct Contours { using Type = ContourSet;        static const Kind& kind(); static void add_formats(Registry&); };
 struct Report   { using Type = seamount::Report;  static const Kind& kind(); static void add_formats(Registry&); };
+struct Things   { using Type = seamount::Things;  static const Kind& kind(); static void add_formats(Registry&); };
 // clang-format on
 
-using All = std::tuple<Terrain, Labels, Field, Image, Drawing, Tin, Contours, Report>;
+using All = std::tuple<Terrain, Labels, Field, Image, Things, Drawing, Tin, Contours, Report>;
 
 }  // namespace kinds
 }  // namespace seamount::recipe

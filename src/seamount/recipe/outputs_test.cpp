@@ -33,16 +33,20 @@ Json document(Json outputs) {
             {{"id", "lines"}, {"op", "island.outlines"}, {"in", {{"labels", "isle.labels"}}}},
             {{"id", "levels"}, {"op", "contour.extract"}, {"in", {{"terrain", "isle.terrain"}}}},
             {{"id", "grown"}, {"op", "contour.grow"}, {"params", {{"particles", 400}}}},
+            {{"id", "grove"},
+             {"op", "ecosystem.scatter"},
+             {"in", {{"terrain", "isle.terrain"}}},
+             {"params", {{"spacing_m", 900}, {"min_height_m", 2}}}},
             {{"id", "told"}, {"op", "hydrology.describe"}, {"in", {{"terrain", "isle.terrain"}}}},
             {{"id", "seen"}, {"op", "render.relief"}, {"in", {{"terrain", "isle.terrain"}}}}}},
           {"outputs", std::move(outputs)}};
 }
 
 std::string source_of(const Kind& kind) {
-  const std::map<std::string, std::string> sources = {{"terrain", "isle.terrain"},     {"labels", "isle.labels"},
-                                                      {"field", "isle.coordinate"},    {"image", "seen.image"},
-                                                      {"drawing", "lines.outlines"},   {"tin", "grown.tin"},
-                                                      {"contours", "levels.contours"}, {"report", "told.report"}};
+  const std::map<std::string, std::string> sources = {
+      {"terrain", "isle.terrain"},     {"labels", "isle.labels"},     {"field", "isle.coordinate"},
+      {"image", "seen.image"},         {"drawing", "lines.outlines"}, {"tin", "grown.tin"},
+      {"contours", "levels.contours"}, {"report", "told.report"},     {"things", "grove.things"}};
   return sources.at(kind.name);
 }
 
@@ -73,9 +77,10 @@ class Outputs : public ::testing::Test {
 
 TEST_F(Outputs, WriteTheFilesThatTheySay) {
   const std::map<std::string, Json> small = {
-      {"mesh", {{"texture_px", 32}}}, {"gazebo", {{"texture_px", 32}}},
-      {"tiles", {{"tile_size", 33}}}, {"perspective", {{"width_px", 96}, {"height_px", 64}}},
-      {"map", {{"width_px", 128}}},   {"texture", {{"size_px", 64}}}};
+      {"mesh", {{"texture_px", 32}}},   {"gazebo", {{"texture_px", 32}}},
+      {"tiles", {{"tile_size", 33}}},   {"perspective", {{"width_px", 96}, {"height_px", 64}}},
+      {"map", {{"width_px", 128}}},     {"texture", {{"size_px", 64}}},
+      {"things", {{"texture_px", 32}}}, {"thing_world", {{"texture_px", 32}}}};
   for (const auto& format : standard_registry().formats()) {
     for (const Kind* kind : format->accepts) {
       for (const std::string& extension : format->extensions) {
@@ -144,7 +149,7 @@ TEST_F(Outputs, MeshesShowTheSeaOnce) {
 TEST_F(Outputs, OfPicturesAreThoseOfTheirOperators) {
   const Recipe made = recipe(Json::array({{{"from", "isle.terrain"}, {"path", "relief.png"}, {"as", "relief"}},
                                           {{"from", "seen.image"}, {"path", "seen.png"}}}));
-  EXPECT_EQ(made.steps.size(), 6U);  // the step `seen` makes the same picture: none is added
+  EXPECT_EQ(made.steps.size(), 7U);  // the step `seen` makes the same picture: none is added
   execute(made, {folder_, ""}, {});
   EXPECT_EQ(io::read_file(folder_ + "/relief.png"), io::read_file(folder_ + "/seen.png"));
 }
@@ -153,10 +158,10 @@ TEST_F(Outputs, ShareWhatTheyNeed) {
   const Recipe made = recipe(Json::array({{{"from", "isle.terrain"}, {"path", "a.glb"}},
                                           {{"from", "isle.terrain"}, {"path", "b.obj"}},
                                           {{"from", "isle.terrain"}, {"path", "c.stl"}}}));
-  EXPECT_EQ(made.steps.size(), 7U);
-  EXPECT_EQ(made.steps[6].output, "a.glb");
-  EXPECT_EQ(made.steps[6].op->name, "render.texture");
-  EXPECT_EQ(made.steps[6].in.size(), 2U) << "the labels of the same step come along";
+  EXPECT_EQ(made.steps.size(), 8U);
+  EXPECT_EQ(made.steps[7].output, "a.glb");
+  EXPECT_EQ(made.steps[7].op->name, "render.texture");
+  EXPECT_EQ(made.steps[7].in.size(), 2U) << "the labels of the same step come along";
   EXPECT_EQ(made.outputs[0].prepared, made.outputs[1].prepared);
   EXPECT_THAT(made.outputs[2].prepared, IsEmpty());
 }

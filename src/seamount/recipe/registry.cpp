@@ -81,6 +81,7 @@ const Registry& standard_registry() {
     add_erosion_operators(all);
     add_sketch_operators(all);
     add_classify_operators(all);
+    add_thing_operators(all);
     add_render_operators(all);
     return all;
   }();

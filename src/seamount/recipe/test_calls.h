@@ -46,18 +46,20 @@ inline Values make_example_values(const Extent& extent) {
        {{{"id", "isle"}, {"op", "island.build"}},
         {{"id", "lines"}, {"op", "island.outlines"}, {"in", {{"labels", "isle.labels"}}}},
         {{"id", "grown"}, {"op", "contour.grow"}, {"params", {{"particles", extent.particles}}}},
+        {{"id", "grove"},
+         {"op", "ecosystem.scatter"},
+         {"in", {{"terrain", "isle.terrain"}}},
+         {"params", {{"spacing_m", 500}}}},
         {{"id", "network"}, {"op", "contour.heights"}, {"in", {{"tin", "grown.tin"}}}}}}};
-  const std::vector<Source> wanted = {{"isle", "terrain", ""},
-                                      {"isle", "labels", ""},
-                                      {"isle", "coordinate", ""},
-                                      {"lines", "outlines", ""},
-                                      {"network", "tin", ""}};
+  const std::vector<Source> wanted = {{"isle", "terrain", ""},   {"isle", "labels", ""}, {"isle", "coordinate", ""},
+                                      {"lines", "outlines", ""}, {"network", "tin", ""}, {"grove", "things", ""}};
   const std::vector<Value> made = evaluate(parse_recipe(recipe.dump(), "example", ""), wanted, {"", ""}, {});
   return Values{{"terrain", made[0]},
                 {"labels", made[1]},
                 {"field", made[2]},
                 {"drawing", made[3]},
                 {"tin", made[4]},
+                {"things", made[5]},
                 {"image", Value::of<kinds::Image>(Image(8, 8))},
                 {"contours", Value::of<kinds::Contours>(example_contours(frame))}};
 }

@@ -49,7 +49,34 @@ struct Rig {
   }
 };
 
+void look(Camera& camera, Vec3 toward, double pitch) {
+  const auto c = static_cast<float>(std::cos(pitch)), s = static_cast<float>(std::sin(pitch));
+  camera.forward = {c * toward.x, c * toward.y, -s};
+  camera.up = {s * toward.x, s * toward.y, c};
+  camera.right = {toward.y, -toward.x, 0.0F};
+}
+
 }  // namespace
+
+Camera aim_camera(const View& view, Vec3 target, double distance) {
+  const Rig rig{
+      view, target, {static_cast<float>(-std::sin(view.azimuth)), static_cast<float>(-std::cos(view.azimuth)), 0.0F}};
+  Camera camera;
+  camera.position = rig.position(distance);
+  look(camera, rig.toward, view.elevation);
+  camera.tan_half_height = static_cast<float>(std::tan(0.5 * view.field_of_view));
+  camera.width_px = static_cast<float>(view.width_px);
+  camera.height_px = static_cast<float>(view.height_px);
+  return camera;
+}
+
+Camera turn_camera(Camera camera, Vec3 target) {
+  const Vec3 way = target - camera.position;
+  const float flat = std::sqrt(way.x * way.x + way.y * way.y);
+  if (flat <= 0.0F) return camera;
+  look(camera, {way.x / flat, way.y / flat, 0.0F}, std::atan2(-static_cast<double>(way.z), static_cast<double>(flat)));
+  return camera;
+}
 
 Camera fit_camera(const View& view, Vec3 target, const std::vector<Vec3>& points) {
   const double half_height = 0.5 * view.field_of_view;
@@ -91,10 +118,7 @@ Camera fit_camera(const View& view, Vec3 target, const std::vector<Vec3>& points
   }
   Camera camera;
   camera.position = rig.position(distance * view.distance);
-  const auto c = static_cast<float>(std::cos(pitch)), s = static_cast<float>(std::sin(pitch));
-  camera.forward = {c * rig.toward.x, c * rig.toward.y, -s};
-  camera.up = {s * rig.toward.x, s * rig.toward.y, c};
-  camera.right = {rig.toward.y, -rig.toward.x, 0.0F};
+  look(camera, rig.toward, pitch);
   camera.tan_half_height = static_cast<float>(tan_height);
   camera.width_px = static_cast<float>(view.width_px);
   camera.height_px = static_cast<float>(view.height_px);

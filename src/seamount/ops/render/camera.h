@@ -36,4 +36,9 @@ struct View {
 /// with a small margin, times view.distance. REQUIRES: points not empty.
 Camera fit_camera(const View& view, Vec3 target, const std::vector<Vec3>& points);
 
+/// A camera at a distance from a target that it looks at, from the view's side and height. REQUIRES: distance > 0.
+Camera aim_camera(const View& view, Vec3 target, double distance);
+/// The camera where it is, turned to a target, which is not straight above or below it.
+Camera turn_camera(Camera camera, Vec3 target);
+
 }  // namespace seamount::render

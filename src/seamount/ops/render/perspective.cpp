@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
+#include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
+#include "seamount/base/rng.h"
 #include "seamount/ops/render/camera.h"
 #include "seamount/ops/render/scene.h"
 
@@ -13,7 +16,8 @@ namespace seamount::render {
 namespace {
 
 constexpr int kTile = 32;
-constexpr int kFinePerSide = 3;  // rays of an uneven pixel, squared
+constexpr int kFinePerSide = 3;   // rays of an uneven pixel, squared
+constexpr int kThingPerSide = 3;  // and of one that sees things or lies beside them
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
@@ -67,6 +71,24 @@ Vec3 middle(const std::vector<Vec3>& places) {
   return {0.5F * (low.x + high.x), 0.5F * (low.y + high.y), low.z + 0.3F * (high.z - low.z)};
 }
 
+/// A camera so many metres from a place on the ground, that it looks at. Over ground, in water or over it.
+Camera near_camera(const PerspectiveParams& params, const View& view, const Ground& ground, Vec3 target, bool sea,
+                   float base) {
+  const float fine = 1e-3F * ground.cell_m();
+  target.z = ground.form(target.x, target.y, fine).height + static_cast<float>(params.camera.target_height_m);
+  Camera camera = aim_camera(view, target, *params.camera.distance_m);
+  const float floor = std::max(ground.form(camera.position.x, camera.position.y, fine).height, sea ? -1e9F : base);
+  const auto clear = static_cast<float>(std::clamp(0.04 * *params.camera.distance_m, 0.05, 2.0));
+  if (camera.position.z < floor + clear) {
+    camera.position.z = floor + clear;
+    camera = turn_camera(camera, target);
+  }
+  constexpr float kOfSurface = 0.02F;  // neither in nor out of the water is no place for an eye
+  if (params.water && std::abs(camera.position.z) < kOfSurface)
+    camera.position.z = camera.position.z < 0.0F ? -kOfSurface : kOfSurface;
+  return camera;
+}
+
 Camera place_camera(const PerspectiveParams& params, const GridFrame& frame, const Ground& ground, bool sea,
                     float base) {
   View view;
@@ -84,6 +106,7 @@ Camera place_camera(const PerspectiveParams& params, const GridFrame& frame, con
     target.x = static_cast<float>(*params.camera.target_x_m - (frame.west_m + 0.5 * frame.width_m()));
   if (params.camera.target_y_m)
     target.y = static_cast<float>(*params.camera.target_y_m - (frame.north_m - 0.5 * frame.height_m()));
+  if (params.camera.distance_m) return near_camera(params, view, ground, target, sea, base);
   Camera camera = fit_camera(view, fitted, places);
   camera.position = camera.position + (target - fitted);
   // Never under ground or water.
@@ -101,6 +124,7 @@ class Painter {
 
   void tile(int x0, int y0) const {
     const int x1 = std::min(x0 + kTile, image_.width), y1 = std::min(y0 + kTile, image_.height);
+    if (scene_.things() != nullptr) return tile_of_things(x0, y0, x1, y1);
     std::vector<Hit> corners(static_cast<size_t>((kTile + 1) * (kTile + 1)));
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
@@ -120,6 +144,73 @@ class Painter {
  private:
   static size_t corner(int x, int y) { return static_cast<size_t>(y * (kTile + 1) + x); }
 
+  /// What a pixel's corner sees, as far as it tells whether one look is enough.
+  struct Glance {
+    Hit hit;
+    bool busy = false;    ///< things are near
+    bool shaded = false;  ///< by a thing
+  };
+
+  Glance glance(float x, float y) const {
+    const ThingScene& things = *scene_.things();
+    const Vec3 direction = camera_.direction(x, y);
+    Glance seen{scene_.hit(camera_.position, direction)};
+    constexpr float kSee = 3e4F;  // metres
+    const float depth = seen.hit.t > 0.0F ? std::min(seen.hit.t, kSee) : kSee;
+    // Under water things show through the surface, a little aside of the straight way.
+    const bool water = seen.hit.surface == Surface::sea;
+    const float far = water ? seen.hit.t + 60.0F : seen.hit.surface == Surface::sky ? kSee : 1.05F * seen.hit.t;
+    seen.busy = seen.hit.surface == Surface::thing ||
+                things.near(camera_.position, direction, far,
+                            0.15F * things.reach() + depth * camera_.pixel_angle() + (water ? 4.0F : 0.0F));
+    if (!seen.busy && (seen.hit.surface == Surface::land || water))
+      seen.shaded = scene_.shaded(camera_.position + seen.hit.t * direction);
+    return seen;
+  }
+
+  void tile_of_things(int x0, int y0, int x1, int y1) const {
+    std::vector<Glance> corners(static_cast<size_t>((kTile + 1) * (kTile + 1)));
+    for (int y = y0; y <= y1; ++y)
+      for (int x = x0; x <= x1; ++x)
+        corners[corner(x - x0, y - y0)] = glance(static_cast<float>(x), static_cast<float>(y));
+    for (int y = y0; y < y1; ++y) {
+      for (int x = x0; x < x1; ++x) {
+        const std::array<const Glance*, 4> seen = {
+            &corners[corner(x - x0, y - y0)], &corners[corner(x - x0 + 1, y - y0)],
+            &corners[corner(x - x0, y - y0 + 1)], &corners[corner(x - x0 + 1, y - y0 + 1)]};
+        std::array<Hit, 4> hits;
+        bool busy = false, mixed = false;
+        for (size_t k = 0; k < 4; ++k) {
+          hits[k] = seen[k]->hit;
+          busy = busy || seen[k]->busy;
+          mixed = mixed || seen[k]->shaded != seen[0]->shaded;
+        }
+        const bool one_look = !busy && !mixed && even(hits);
+        write_dithered(image_.pixel(x, y), x, y, one_look ? whole(x, y, hits) : close(x, y));
+      }
+    }
+  }
+
+  /// Rays of a pixel in strata, each with its own dice, stratified too and turned from pixel to pixel.
+  Rgb close(int x, int y) const {
+    Rgb sum;
+    const uint64_t key = mix_bits(static_cast<uint64_t>(y) << 32 | static_cast<uint64_t>(x));
+    const float turn_u = static_cast<float>(key & 0xffffU) / 65536.0F,
+                turn_v = static_cast<float>(key >> 48) / 65536.0F;
+    const auto turned = [](float a, float b) { return a + b >= 1.0F ? a + b - 1.0F : a + b; };
+    constexpr float kStep = 1.0F / kThingPerSide;
+    for (int j = 0; j < kThingPerSide; ++j) {
+      for (int i = 0; i < kThingPerSide; ++i) {
+        const float u = (static_cast<float>(i) + 0.5F) * kStep, v = (static_cast<float>(j) + 0.5F) * kStep;
+        const Vec3 direction = camera_.direction(static_cast<float>(x) + u, static_cast<float>(y) + v);
+        const Hit hit = scene_.hit(camera_.position, direction);
+        const Dice dice{turned(v, turn_v), turned(u, turn_u), turned(u, turn_v), turned(v, turn_u)};
+        sum += tone_curve(exposure_ * scene_.light(camera_.position, direction, hit, camera_.pixel_angle(), dice));
+      }
+    }
+    return (kStep * kStep) * sum;
+  }
+
   /// Whether the corners see one surface without a step in depth.
   bool even(const std::array<Hit, 4>& seen) const {
     float low = seen[0].t, high = low;
@@ -131,6 +222,7 @@ class Painter {
     if (seen[0].surface == Surface::sky) return true;
     if (seen[0].surface == Surface::wall || seen[0].surface == Surface::water_wall) return false;  // may hold a corner
     if (seen[0].surface == Surface::sea || seen[0].surface == Surface::table) return true;
+    if (seen[0].surface == Surface::deep || seen[0].surface == Surface::underside) return true;
     return high - low < 7.0F * low * camera_.pixel_angle();
   }
 
@@ -138,7 +230,8 @@ class Painter {
     const Vec3 direction = camera_.direction(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
     Hit hit = seen[0];
     hit.t = 0.25F * (seen[0].t + seen[1].t + seen[2].t + seen[3].t);
-    if (hit.surface == Surface::sea || hit.surface == Surface::table) hit = scene_.hit(camera_.position, direction);
+    if (hit.surface == Surface::sea || hit.surface == Surface::table || hit.surface == Surface::underside)
+      hit = scene_.hit(camera_.position, direction);
     return tone_curve(exposure_ * scene_.light(camera_.position, direction, hit, camera_.pixel_angle()));
   }
 
@@ -165,7 +258,15 @@ class Painter {
 
 Image perspective(const HeightField& terrain, const LabelMap* labels, const PerspectiveParams& params,
                   const RunContext& run) {
+  return perspective(terrain, labels, nullptr, params, run);
+}
+
+Image perspective(const HeightField& terrain, const LabelMap* labels, const Things* things,
+                  const PerspectiveParams& params, const RunContext& run) {
   check_params(params);
+  if (!params.camera.distance_m && params.camera.elevation_deg < 1.0)
+    throw InvalidArgument("camera.elevation_deg", format_number(params.camera.elevation_deg) +
+                                                      " is outside [1, 89], unless camera.distance_m is given");
   const SunDirection sun{radians(params.sun.azimuth_deg), radians(params.sun.elevation_deg)};
   const Ground ground(terrain, labels,
                       {.water_level_m = params.water_level_m,
@@ -184,8 +285,16 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Pers
   options.haze = static_cast<float>(params.haze);
   options.rules = {static_cast<float>(params.tree_line_m), static_cast<float>(params.snow_line_m), params.style};
   const RunContext quiet{run.threads, {}, run.cancelled};
-  const Scene scene(ground, sky, options, quiet);
+  Scene scene(ground, sky, options, quiet);
   const Camera camera = place_camera(params, terrain.frame(), ground, sea, scene.base());
+  std::optional<ThingScene> standing;
+  if (things != nullptr && !things->things.empty()) {
+    standing.emplace(
+        *things, terrain, ground,
+        ThingView{camera.position, camera.pixel_angle(), params.water_level_m, params.vertical_exaggeration}, quiet);
+    scene.add_things(&*standing);
+  }
+  if (params.water && camera.position.z < 0.0F && params.camera.distance_m) scene.submerge();
 
   Image image(params.width_px, params.height_px);
   const Painter painter(scene, camera, static_cast<float>(params.exposure), image);

@@ -21,6 +21,8 @@ struct CameraParams {
   double distance = 1.0;
   std::optional<double> target_x_m;
   std::optional<double> target_y_m;
+  std::optional<double> distance_m;
+  double target_height_m = 0.0;
   double field_of_view_deg = 35.0;
 
   static constexpr auto fields() {
@@ -28,12 +30,17 @@ struct CameraParams {
     return std::tuple(
         field(&P::azimuth_deg, "azimuth_deg", "deg", between(-360, 360),
               "bearing of the camera from the target, clockwise from north"),
-        field(&P::elevation_deg, "elevation_deg", "deg", between(1, 89),
+        field(&P::elevation_deg, "elevation_deg", "deg", between(-60, 89),
               "height of the camera above the horizon as seen from the target"),
         field(&P::distance, "distance", "", between(0.02, 10),
               "distance from the target; 1 shows the whole terrain, 0.5 is half as far"),
         field(&P::target_x_m, "target_x_m", "m", {}, "where to look, east; by default the middle of the land"),
         field(&P::target_y_m, "target_y_m", "m", {}, "where to look, north; by default the middle of the land"),
+        field(&P::distance_m, "distance_m", "m", between(0.05, 1e6),
+              "metres from the target, which is then a place on the ground; under water the camera stays there; by "
+              "default distance counts"),
+        field(&P::target_height_m, "target_height_m", "m", between(-100, 9000),
+              "with distance_m: height of the target over the ground"),
         field(&P::field_of_view_deg, "field_of_view_deg", "deg", between(5, 100), "angle of view from top to bottom"));
   }
 };

@@ -46,6 +46,14 @@ LatticeRay Scene::lattice_ray(Vec3 from, Vec3 direction, float start) const {
 }
 
 Hit Scene::hit(Vec3 from, Vec3 direction) const {
+  Hit met = submerged_ ? submerged_hit(from, direction) : ground_hit(from, direction);
+  if (things_ == nullptr) return met;
+  if (const auto thing = things_->hit(from, direction, 0.0F, met.t > 0.0F ? met.t : kFar))
+    met = {Surface::thing, thing->t, *thing};
+  return met;
+}
+
+Hit Scene::ground_hit(Vec3 from, Vec3 direction) const {
   float end = kFar;
   Surface last = Surface::sky;
   if (options_.sea && options_.water && direction.z < 0.0F) {
@@ -73,50 +81,62 @@ Hit Scene::hit(Vec3 from, Vec3 direction) const {
   return {last, end};
 }
 
-Rgb Scene::light(Vec3 from, Vec3 direction, Hit hit, float pixel_angle) const {
+Rgb Scene::light(Vec3 from, Vec3 direction, Hit hit, float pixel_angle, Dice dice) const {
+  if (submerged_) return submerged_light(from, direction, hit, pixel_angle, dice);
   if (hit.surface == Surface::sky) {
     return options_.sea || direction.z > 0.0F ? sky_.radiance(direction) : sky_.haze(direction);
   }
-  const Rgb near = surface_light(from, direction, hit, pixel_angle);
+  const Rgb near = surface_light(from, direction, hit, pixel_angle, dice);
   const Rgb through = haze_.transmittance(hit.t);
   return through * near + (Rgb{1.0F, 1.0F, 1.0F} - through) * sky_.haze(direction);
 }
 
-Rgb Scene::surface_light(Vec3 from, Vec3 direction, Hit hit, float pixel_angle) const {
+Rgb Scene::surface_light(Vec3 from, Vec3 direction, Hit hit, float pixel_angle, Dice dice) const {
   const Vec3 place = from + hit.t * direction;
   const float width = hit.t * pixel_angle;
   const float grazing = std::max(0.08F, -direction.z);
   const float footprint = width / std::sqrt(grazing);  // between the pixel's width and its length on level ground
   switch (hit.surface) {
     case Surface::land:
-      return land_light(place, direction, width * 1.15F);
+      return land_light(place, direction, width * 1.15F, dice);
     case Surface::sea:
-      return sea_light(place, direction, footprint);
+      return sea_light(place, direction, footprint, dice);
     case Surface::wall:
       return wall_light(place, width);
     case Surface::water_wall:
       return water_wall_light(place, direction, width);
     case Surface::table:
       return table_light(place);
+    case Surface::thing:
+      return thing_light(place, direction, hit.thing, width, dice);
     case Surface::sky:
+    case Surface::underside:
+    case Surface::deep:
       break;
   }
   return sky_.radiance(direction);
 }
 
-Rgb Scene::land_light(Vec3 place, Vec3 direction, float footprint) const {
+Rgb Scene::land_light(Vec3 place, Vec3 direction, float footprint, Dice dice) const {
   const GroundSample s = ground_.sample(place.x, place.y, footprint);
   SurfacePoint point = s.point;
   if (!options_.water) point.z = std::max(point.z, 5.0F);
   const Material material = ground_material(point, options_.rules);
   const Vec3 normal = ground_.normal(s, material.bump);
-  const Vec3 sun = sky_.to_sun();
-  const float facing = std::max(0.0F, dot(normal, sun)) * s.form.sun;
+  const Lamp lamp = this->lamp(place);
+  const Vec3 sun = lamp.to_sun;
+  float facing = std::max(0.0F, dot(normal, sun)) * s.form.sun;
   // Open sky over the slope; what hides the rest sends some sunlight of its own colour.
-  const float open = s.cover.sky * (0.55F + 0.45F * normal.z);
-  const Rgb sky = open * (0.85F + 0.15F * dot(normal, sun)) * sky_.sky_light();
+  float open = s.cover.sky * (0.55F + 0.45F * normal.z);
+  if (things_ != nullptr) {
+    const Vec3 start = place + beside_surface(place) * normal;
+    if (facing > 0.0F) facing *= sun_past_things(start, sun, dice);
+    open *= sky_past_things(start, normal, dice);
+  }
+  if (submerged_) facing *= caustics(place, footprint);
+  const Rgb sky = open * (0.85F + 0.15F * dot(normal, sun)) * lamp.sky;
   const float bounce = 0.35F * (1.0F - open) * (0.3F + 0.7F * sun.z);
-  const Rgb light = facing * sky_.sun_light() + sky + bounce * (material.albedo * sky_.sun_light());
+  const Rgb light = facing * lamp.sun + sky + bounce * (material.albedo * lamp.sun);
   // Rough ground is a little brighter towards the sun's side (Oren and Nayar), which also fills grazing views.
   const float back = 1.0F + 0.12F * std::max(0.0F, -dot(direction, sun));
   return back * (material.albedo * light) + material.glow;
@@ -149,7 +169,7 @@ float Scene::foam(Vec3 place, float footprint, float depth) const {
   return foam_share(place.x, place.y, footprint, depth, open * drop, open);
 }
 
-Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint) const {
+Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint, Dice dice) const {
   const float out = beyond(place.x, place.y);
   WaterPoint water;
   water.to_eye = -1.0F * direction;
@@ -167,6 +187,10 @@ Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint) const {
   water.sky = mix(1.0F, s.cover.sky, fade);
   water.floor = floor_material(s.point, options_.rules).albedo;
   if (out <= 0.0F) water.foam = foam(place, footprint, water.depth);
+  if (things_ != nullptr && out <= 0.0F) {
+    see_things_below(place, floor, water.depth, water.floor, dice);
+    water.sun *= sun_past_things(place, sky_.to_sun(), dice);
+  }
   return water_light(water, sky_, options_.clarity);
 }
 

@@ -3,16 +3,39 @@
 
 #include "seamount/ops/render/ground.h"
 #include "seamount/ops/render/sky.h"
+#include "seamount/ops/render/thing_scene.h"
 #include "seamount/ops/render/tracer.h"
 
 namespace seamount::render {
 
 /// What a ray meets first.
-enum class Surface : unsigned char { sky, land, sea, wall, water_wall, table };
+enum class Surface : unsigned char {
+  sky,
+  land,
+  sea,
+  wall,
+  water_wall,
+  table,
+  thing,
+  underside,  ///< of the water's surface
+  deep,       ///< water without end
+};
 
 struct Hit {
   Surface surface = Surface::sky;
   float t = 0.0F;  ///< metres along the ray
+  ThingHit thing = {};
+};
+
+/// Light at a place: of the air, or what comes down through the water.
+struct Lamp {
+  Vec3 to_sun;
+  Rgb sun, sky;
+};
+
+/// Numbers in [0, 1) for a ray's own soft shadows.
+struct Dice {
+  float sun_u = 0.5F, sun_v = 0.5F, sky_u = 0.5F, sky_v = 0.5F;
 };
 
 struct SceneOptions {
@@ -28,16 +51,41 @@ class Scene {
   /// Keeps a reference to the ground.
   Scene(const Ground& ground, const Sky& sky, const SceneOptions& options, const RunContext& run);
 
+  /// What stands on the ground too, and must stay. Before anything is drawn.
+  void add_things(const ThingScene* things) { things_ = things; }
+  const ThingScene* things() const { return things_; }
+  /// The eye is under water: rays from there meet the floor, the surface from below, or water without end.
+  void submerge() { submerged_ = true; }
+
   Hit hit(Vec3 from, Vec3 direction) const;
   /// Scene light towards the eye. `pixel_angle` in radians is what the ray stands for.
-  Rgb light(Vec3 from, Vec3 direction, Hit hit, float pixel_angle) const;
+  Rgb light(Vec3 from, Vec3 direction, Hit hit, float pixel_angle, Dice dice = {}) const;
+  /// Whether a thing keeps the middle of the sun from a place.
+  bool shaded(Vec3 place) const;
   /// Height of the table under a block.
   float base() const { return base_; }
 
  private:
-  Rgb surface_light(Vec3 from, Vec3 direction, Hit hit, float pixel_angle) const;
-  Rgb land_light(Vec3 place, Vec3 direction, float footprint) const;
-  Rgb sea_light(Vec3 place, Vec3 direction, float footprint) const;
+  Hit ground_hit(Vec3 from, Vec3 direction) const;
+  Hit submerged_hit(Vec3 from, Vec3 direction) const;
+  Rgb submerged_light(Vec3 from, Vec3 direction, const Hit& hit, float pixel_angle, Dice dice) const;
+  /// What water sends towards the eye along a ray of that length, of its own.
+  Rgb water_glow(Vec3 from, Vec3 direction, float length) const;
+  /// The water's surface from below: the sky in Snell's window, else the mirrored floor.
+  Rgb underside_light(Vec3 place, Vec3 direction, float footprint) const;
+  Lamp lamp(Vec3 place) const;
+  float caustics(Vec3 place, float footprint) const;
+  Rgb surface_light(Vec3 from, Vec3 direction, Hit hit, float pixel_angle, Dice dice) const;
+  Rgb land_light(Vec3 place, Vec3 direction, float footprint, Dice dice) const;
+  Rgb thing_light(Vec3 place, Vec3 direction, const ThingHit& hit, float footprint, Dice dice) const;
+  /// Shares of the sun and of the sky that things leave to a place with that normal.
+  float sun_past_things(Vec3 place, Vec3 to_sun, Dice dice) const;
+  float sky_past_things(Vec3 place, Vec3 normal, Dice dice) const;
+  float sun_past_ground(Vec3 place, Vec3 to_sun) const;
+  float beside_surface(Vec3 place) const;
+  Rgb sea_light(Vec3 place, Vec3 direction, float footprint, Dice dice) const;
+  /// What things under water change of a view down through the surface: the floor that is seen, its depth.
+  void see_things_below(Vec3 surface, Vec3 floor, float& depth, Rgb& albedo, Dice dice) const;
   /// Share of the water's surface that is foam.
   float foam(Vec3 place, float footprint, float depth) const;
   Rgb wall_light(Vec3 place, float footprint) const;
@@ -57,6 +105,8 @@ class Scene {
   Tracer tracer_;
   Haze haze_;
   float base_ = 0.0F;
+  const ThingScene* things_ = nullptr;
+  bool submerged_ = false;
 };
 
 }  // namespace seamount::render

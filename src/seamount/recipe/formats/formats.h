@@ -14,6 +14,7 @@ void add_gazebo_format(Registry& registry);
 void add_mesh_format(Registry& registry);
 void add_splat_format(Registry& registry);
 void add_picture_formats(Registry& registry);
+void add_things_formats(Registry& registry);
 
 /// Heights of the lowest and the highest code of 16-bit files. Throws InvalidArgument{"low_m"} unless both or none are
 /// given, in their order.

@@ -38,9 +38,11 @@ void add_views(Registry& registry) {
       }));
   registry.add(make_operator<render::PerspectiveParams>(
       {.name = "render.perspective", .summary = "A picture from a point of view, with sun, shadows, sky and water"},
-      inputs(terrain_in(), labels_in()), picture_out(),
-      [](const render::PerspectiveParams& params, const Call& call, const HeightField& terrain,
-         const LabelMap* labels) { return render::perspective(terrain, labels, params, call.run); }));
+      inputs(terrain_in(), labels_in(),
+             optional_in<kinds::Things>("things", "what stands on it, drawn from its models")),
+      picture_out(),
+      [](const render::PerspectiveParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
+         const Things* things) { return render::perspective(terrain, labels, things, params, call.run); }));
   registry.add(make_operator<render::TextureParams>(
       {.name = "render.texture", .summary = "The ground from above, as a texture for meshes"},
       inputs(terrain_in(), labels_in()), picture_out(),
