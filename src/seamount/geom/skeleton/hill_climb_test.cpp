@@ -21,6 +21,7 @@ FieldAtPlaces each(Function function) {
 std::vector<Vec2> scattered(Seed seed, int count, double side) {
   Rng rng(seed);
   std::vector<Vec2> points;
+  points.reserve(static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) points.push_back({rng.uniform(0.0, side), rng.uniform(0.0, side)});
   return points;
 }

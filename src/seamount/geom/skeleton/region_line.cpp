@@ -29,7 +29,8 @@ double shoelace(std::span<const Vec2> ring) {
 
 }  // namespace
 
-RegionLine::RegionLine(const RegionOptions& options, double area_m2, double unit_m2, Vec2 middle, double least_raster_m)
+RegionLine::RegionLine(const RegionOptions& options, double area_m2, double unit_m2, Vec2 middle, double least_raster_m,
+                       double least_spacing_m)
     : inside_(options.inside),
       border_(options.border),
       shape_(options.shape),
@@ -42,7 +43,8 @@ RegionLine::RegionLine(const RegionOptions& options, double area_m2, double unit
   elastic_.unit_m = unit;
   elastic_.bend_m = options.bend_m > 0.0 ? options.bend_m : unit / 60.0;
   elastic_.keeps_length = area_m2 > 0.0;
-  spacing_m_ = options.spacing_m > 0.0 ? std::min(options.spacing_m, unit / 8.0) : unit / 96.0;
+  spacing_m_ = options.spacing_m > 0.0 ? std::clamp(options.spacing_m, unit / 10000.0, unit / 8.0) : unit / 96.0;
+  spacing_m_ = std::max(spacing_m_, least_spacing_m);
   elastic_.spacing_m = spacing_m_;
   raster = FieldRaster(middle, options.raster_m > 0.0 ? options.raster_m : std::max(unit / 128.0, least_raster_m));
   quadrature_ = std::clamp(static_cast<int>(std::ceil(spacing_m_ / raster.cell_m())), 1, kMostPieces);

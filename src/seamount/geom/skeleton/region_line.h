@@ -12,8 +12,10 @@ namespace seamount::geom {
 
 class RegionLine {
  public:
-  /// area_m2: the target, 0 for none; unit_m2: A of region_snake.h. least_raster_m: of the raster unless it is given.
-  RegionLine(const RegionOptions& options, double area_m2, double unit_m2, Vec2 middle, double least_raster_m);
+  /// area_m2: the target, 0 for none; unit_m2: A of region_snake.h. least_raster_m: of the raster unless it is
+  /// given; vertices are no nearer than least_spacing_m.
+  RegionLine(const RegionOptions& options, double area_m2, double unit_m2, Vec2 middle, double least_raster_m,
+             double least_spacing_m);
 
   std::vector<Vec2> points;
   std::vector<float> hold;  ///< as many as points

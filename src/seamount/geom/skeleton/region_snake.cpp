@@ -22,6 +22,9 @@ constexpr double kGrowth = 1.25;
 /// Steps after which vertices are looked over.
 constexpr int kStepsBetween = 25;
 /// A raster first reaches this many radii, and is widened by this share of its outline's extent.
+/// An outline this much longer than its target is across is taken up more coarsely.
+constexpr double kMostTargets = 100.0;
+constexpr double kMostVertices = 2048.0;
 constexpr double kMostAcross = 512.0;
 constexpr double kMostSamples = 4e6;
 constexpr double kReach = 1.5;
@@ -194,7 +197,7 @@ std::vector<RegionFit> grow_regions(std::span<const RegionSeed> seeds, const Reg
     if (!(seeds[i].area_m2 > 0.0) || !std::isfinite(seeds[i].area_m2)) {
       throw InvalidArgument("seed " + std::to_string(i + 1), "needs an area above 0");
     }
-    regions.lines.emplace_back(options, seeds[i].area_m2, seeds[i].area_m2, seeds[i].at, 0.0);
+    regions.lines.emplace_back(options, seeds[i].area_m2, seeds[i].area_m2, seeds[i].at, 0.0, 0.0);
     regions.lines.back().points = {seeds[i].at};
     all.push_back(i);
   }
@@ -229,8 +232,11 @@ std::vector<RegionFit> fit_regions(std::span<const RegionOutlineToFit> outlines,
     const double area = signed_area(skeleton.points);
     const double unit = outlines[i].area_m2 > 0.0 ? outlines[i].area_m2 : area;
     const Box box = bounding_box(skeleton.points);
+    const double length = ring_length(skeleton.points);
+    const bool is_long = length * length > kMostTargets * kMostTargets * unit;
     regions.lines.emplace_back(options, outlines[i].area_m2, unit > 0.0 ? unit : 1.0, 0.5 * (box.low + box.high),
-                               std::max(box.high.x - box.low.x, box.high.y - box.low.y) / kMostAcross);
+                               std::max(box.high.x - box.low.x, box.high.y - box.low.y) / kMostAcross,
+                               is_long ? length / kMostVertices : 0.0);
     regions.lines.back().points = std::move(skeleton.points);
     regions.lines.back().hold = std::move(skeleton.hold);
     if (area > 0.0 && find_tangles(regions.lines.back().points, true).empty()) sound.push_back(i);

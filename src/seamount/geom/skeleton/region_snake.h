@@ -24,15 +24,17 @@
 namespace seamount::geom {
 
 struct RegionOptions {
-  double internal = 1.0;     ///< alpha_i, >= 0
-  double inside = 1.0;       ///< lambda_1, any sign
-  double border = 0.0;       ///< lambda_2, any sign
-  double shape = 1.0;        ///< alpha_s, >= 0
-  double bend_m = 0.0;       ///< radius below which bends are dear, >= 0; 0: u / 60
-  double spacing_m = 0.0;    ///< distance of vertices, >= 0; 0: u / 96
-  double raster_m = 0.0;     ///< cell of the raster, >= 0; 0: u / 128. What is finer in Gamma is not seen;
-                             ///< no raster grows beyond 4 million samples, nor its region then
-  double field_unit = 0.0;   ///< g, >= 0; 0: twice Gamma's deviation over the raster as it is first sampled
+  double internal = 1.0;   ///< alpha_i, >= 0
+  double inside = 1.0;     ///< lambda_1, any sign
+  double border = 0.0;     ///< lambda_2, any sign
+  double shape = 1.0;      ///< alpha_s, >= 0
+  double bend_m = 0.0;     ///< radius below which bends are dear, >= 0; 0: u / 60
+  double spacing_m = 0.0;  ///< distance of vertices, >= 0, taken between u / 10 000 and u / 8; 0: u / 96
+  double raster_m = 0.0;   ///< cell of the raster, >= 0; 0: u / 128. What is finer in Gamma is not seen;
+                           ///< no raster grows beyond 4 million samples, nor its region then
+  /// g, >= 0; 0: twice Gamma's deviation over the raster as it is first sampled. Give it where regions are fitted again
+  /// and again.
+  double field_unit = 0.0;
   int steps = 150;           ///< at most, once the area is there; growing takes some more, >= 0
   double least_gain = 1e-4;  ///< a region rests when three steps on end lower its energy by less than this each, >= 0
 };

@@ -171,6 +171,7 @@ TEST(RegionSnake, ManyTogetherAreWhatEachIsAloneAndCostFewCalls) {
     noise(p, v);
   };
   std::vector<RegionSeed> seeds;
+  seeds.reserve(10);
   for (int i = 0; i < 10; ++i) seeds.push_back({{200.0 * i + 30.0, 1000.0}, 5000.0 + 2000.0 * i});
   const RegionOptions options = {.steps = 40};
   const std::vector<RegionFit> together = grow_regions(seeds, options, counted, {});
@@ -194,6 +195,8 @@ TEST(RegionSnake, BadInput) {
   const RegionOptions wild = {.inside = 50.0, .field_unit = 1.0};
   const RegionFit grown = fit_regions(greedy, wild, field_of([](Vec2) { return 1.0; }), {})[0];
   EXPECT_TRUE(find_tangles(grown.skeleton.points, true).empty());
+  const std::vector<RegionOutlineToFit> huge = {{{SkeletonKind::region, circle({50.0, 50.0}, 45.0, 20)}, 1e-9}};
+  EXPECT_LT(fit_regions(huge, {}, field, {})[0].skeleton.points.size(), 5000U);
   const Ring knot = {{10.0, 10.0}, {50.0, 50.0}, {50.0, 10.0}, {10.0, 45.0}};
   const std::vector<RegionOutlineToFit> crossed = {{{SkeletonKind::region, knot}, 10.0}};
   EXPECT_EQ(fit_regions(crossed, {}, field, {})[0].skeleton.points.size(), knot.size());

@@ -22,6 +22,9 @@ constexpr double kGrowth = 1.25;
 constexpr int kRounds = 3;
 constexpr size_t kDirections = 32;
 constexpr size_t kUnitPlaces = 80;
+/// A curve this many times longer than its target is taken up more coarsely.
+constexpr double kMostTargets = 32.0;
+constexpr double kMostVertices = 2048.0;
 
 void check(const SnakeOptions& options) {
   const auto hold = [](bool holds, const char* name, const char* rule) {
@@ -109,7 +112,8 @@ void Snakes::measure_units() {
     middle = (1.0 / static_cast<double>(std::max<size_t>(lines[i].points.size(), 1))) * middle;
     for (size_t k = 0; k < kUnitPlaces; ++k) {
       // Evenly over a quarter of the square without being a lattice (Roberts 2018), mirrored into the others.
-      const double turn = static_cast<double>(k / 4 + 1);
+      const size_t quarter = k / 4;
+      const double turn = static_cast<double>(quarter) + 1.0;
       const auto share = [&](double step) { return 0.5 * (turn * step - std::floor(turn * step)); };
       const Vec2 off = {share(0.7548776662466927), share(0.5698402909980532)};
       places_.push_back(middle + units[i] * Vec2{k % 2 == 0 ? off.x : -off.x, k % 4 < 2 ? off.y : -off.y});
@@ -286,7 +290,7 @@ std::vector<SnakeFit> grow_snakes(std::span<const SnakeSeed> seeds, const SnakeO
     if (!(seed.length_m > 0.0) || !std::isfinite(seed.length_m)) {
       throw InvalidArgument("seed " + std::to_string(i + 1), "needs a length above 0");
     }
-    snakes.lines.emplace_back(options, seed.length_m, seed.length_m);
+    snakes.lines.emplace_back(options, seed.length_m, seed.length_m, 0.0);
     snakes.lines.back().points = {seed.at};
     snakes.units.push_back(seed.length_m);
   }
@@ -315,8 +319,9 @@ std::vector<SnakeFit> fit_snakes(std::span<const SnakeCurve> curves, const Snake
     const double length = chain_length(std::span<const Vec2>(skeleton.points), false);
     const double unit = curves[i].length_m > 0.0 ? curves[i].length_m : length;
     SnakeOptions own = options;
+    const double least = length > kMostTargets * unit ? length / kMostVertices : 0.0;
     if (!(curves[i].length_m > 0.0)) own.spacing_m = length / (static_cast<double>(skeleton.points.size()) - 1.0);
-    snakes.lines.emplace_back(own, curves[i].length_m, unit > 0.0 ? unit : 1.0);
+    snakes.lines.emplace_back(own, curves[i].length_m, unit > 0.0 ? unit : 1.0, least);
     snakes.units.push_back(unit > 0.0 ? unit : 1.0);
     SnakeLine& line = snakes.lines.back();
     line.points = skeleton.points;

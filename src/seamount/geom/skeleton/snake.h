@@ -30,11 +30,12 @@ struct SnakeOptions {
   double external = 1.0;   ///< alpha_e, any sign
   double shape = 1.0;      ///< alpha_s, >= 0
   double gradient = 0.0;   ///< alpha_g, any sign
-  double bend_m = 0.0;     ///< r, >= 0; 0: u / 40
-  double spacing_m = 0.0;  ///< distance of vertices, >= 0; 0: u / 64; a target has at least 4 edges
-  double field_unit =
-      0.0;          ///< g, >= 0; 0: twice Gamma's deviation in a square of side u around each snake, of 80 places
-  int steps = 200;  ///< at most, of a grown or given snake; growing takes some more, >= 0
+  double bend_m = 0.0;     ///< radius below which bends are dear, >= 0; 0: u / 40
+  double spacing_m = 0.0;  ///< distance of vertices, >= 0, taken between u / 10 000 and u / 4; 0: u / 64
+  /// g, >= 0; 0: twice Gamma's deviation in a square of side u around each snake, of 80 places. Give it where curves
+  /// are fitted again and again: what is measured changes with what lies around.
+  double field_unit = 0.0;
+  int steps = 200;           ///< at most, of a grown or given snake; growing takes some more, >= 0
   double least_gain = 1e-4;  ///< a snake rests when three steps on end lower its energy by less than this each, >= 0
 };
 
@@ -52,7 +53,8 @@ struct SnakeCurve {
 };
 
 struct SnakeFit {
-  Skeleton skeleton;  ///< a curve that does not cross itself; without points where a seed stands on an unfit place
+  Skeleton skeleton;  ///< a curve that does not cross itself; without points where a seed or all places one spacing
+                      ///< from it are unfit
   double length_m = 0.0;
   std::vector<double> energies;  ///< at the start and after every step, falling strictly
   double mean_field = 0.0;       ///< mean of Gamma at the vertices

@@ -25,7 +25,7 @@ constexpr double kClearance = 1.5;
 
 }  // namespace
 
-SnakeLine::SnakeLine(const SnakeOptions& options, double length_m, double unit_m)
+SnakeLine::SnakeLine(const SnakeOptions& options, double length_m, double unit_m, double least_spacing_m)
     : external_(options.external),
       shape_(options.shape),
       gradient_(options.gradient),
@@ -34,7 +34,9 @@ SnakeLine::SnakeLine(const SnakeOptions& options, double length_m, double unit_m
   elastic_.weight = options.internal;
   elastic_.unit_m = unit_m;
   elastic_.bend_m = options.bend_m > 0.0 ? options.bend_m : unit_m / 40.0;
-  elastic_.spacing_m = options.spacing_m > 0.0 ? std::min(options.spacing_m, unit_m / 4.0) : unit_m / 64.0;
+  elastic_.spacing_m =
+      options.spacing_m > 0.0 ? std::clamp(options.spacing_m, unit_m / 10000.0, unit_m / 4.0) : unit_m / 64.0;
+  elastic_.spacing_m = std::max(elastic_.spacing_m, least_spacing_m);
   elastic_.keeps_length = length_m > 0.0;
 }
 

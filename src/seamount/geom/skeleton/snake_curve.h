@@ -22,8 +22,8 @@ inline constexpr size_t kSnakeStencil = 5;
 
 class SnakeLine {
  public:
-  /// length_m: the target, 0 for none; unit_m: u of snake.h.
-  SnakeLine(const SnakeOptions& options, double length_m, double unit_m);
+  /// length_m: the target, 0 for none; unit_m: u of snake.h; vertices are no nearer than least_spacing_m.
+  SnakeLine(const SnakeOptions& options, double length_m, double unit_m, double least_spacing_m);
 
   std::vector<Vec2> points;
   std::vector<float> hold;  ///< as many as points

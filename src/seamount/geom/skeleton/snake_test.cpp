@@ -205,6 +205,7 @@ TEST(Snake, ManyTogetherAreWhatEachIsAloneAndCostFewCalls) {
     noise(p, v);
   };
   std::vector<SnakeSeed> seeds;
+  seeds.reserve(20);
   for (int i = 0; i < 20; ++i) seeds.push_back({{100.0 * i + 30.0, 1000.0}, 300.0 + 10.0 * i});
   const std::vector<SnakeFit> together = grow_snakes(seeds, {}, counted, {});
   EXPECT_LT(calls, 700U);
@@ -239,6 +240,8 @@ TEST(Snake, BadInput) {
   EXPECT_THROW(fit_snakes(dot, {}, field, {}), InvalidArgument);
   const Polyline knot = {{10.0, 10.0}, {50.0, 50.0}, {50.0, 10.0}, {10.0, 50.0}};
   EXPECT_EQ(fit_snakes(std::vector<SnakeCurve>{{{SkeletonKind::curve, knot}}}, {}, field, {})[0].skeleton.points, knot);
+  const std::vector<SnakeCurve> long_one = {{{SkeletonKind::curve, {{0.0, 10.0}, {100.0, 10.0}}}, 1e-6}};
+  EXPECT_LT(fit_snakes(long_one, {}, field, {})[0].skeleton.points.size(), 5000U);
   const Polyline nowhere = {{10.0, 10.0}, {10.0, 10.0}};
   EXPECT_EQ(fit_snakes(std::vector<SnakeCurve>{{{SkeletonKind::curve, nowhere}}}, {}, field, {})[0].skeleton.points,
             nowhere);
