@@ -8,6 +8,7 @@
 
 #include "seamount/base/error.h"
 #include "seamount/geom/polygon/polygon.h"
+#include "seamount/geom/scalar/kelvinlet.h"
 #include "seamount/geom/scalar/segment.h"
 #include "seamount/geom/skeleton/tangles.h"
 
@@ -66,11 +67,7 @@ Vec2 displacement(const BendHandle& handle, Vec2 place) {
   const Vec2 r = place - handle.at;
   const double squared = dot(r, r), e = handle.radius_m;
   if (handle.kind == Handle::gaussian) return std::exp(-squared / (2.0 * e * e)) * handle.by;
-  const double b = 0.25 / (1.0 - handle.poisson_ratio);  // of a = 1
-  const double distance = std::sqrt(squared + e * e), cube = distance * distance * distance;
-  const double force = e / (1.5 - b);
-  return (force * ((1.0 - b) / distance + e * e / (2.0 * cube))) * handle.by +
-         (force * b / cube * dot(r, handle.by)) * r;
+  return flow_of({KelvinletKind::grab, handle.at, e, handle.by, handle.poisson_ratio}, place);
 }
 
 Skeleton moved(const Skeleton& skeleton, Vec2 by) {

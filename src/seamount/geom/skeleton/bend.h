@@ -8,10 +8,8 @@ namespace seamount::geom {
 
 /// A hold on the plane that is drawn along. The place `at` moves by exactly `by`, others by less with their distance d:
 ///   gaussian   exp(-d^2 / (2 radius^2)) by, everything in one direction
-///   kelvinlet  the regularised grab of de Goes and James 2017, eq. 6, with epsilon = radius, divided by its value at
-///   0:
-///              [(a - b) / r_e I + b / r_e^3 r r^t + a e^2 / (2 r_e^3) I] F, r_e^2 = d^2 + e^2, b = a / (4 (1 - nu)).
-///              Reaches further (as 1 / d), and what lies beside it follows less than what lies ahead
+///   kelvinlet  the regularised grab of geom/scalar/kelvinlet.h, epsilon = radius, a displacement instead of a speed:
+///              it reaches further (as 1 / d), and what lies beside it follows less than what lies ahead
 struct BendHandle {
   Vec2 at;
   Vec2 by;                  ///< metres
