@@ -14,15 +14,20 @@
 namespace seamount::io {
 namespace {
 
-/// A dataset that looks at a grid's own cells.
-DatasetPtr view_of(void* cells, GDALDataType type, const GridFrame& frame, const WriteOptions& options) {
-  GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
-  DatasetPtr dataset(memory->Create("", frame.width, frame.height, 0, type, nullptr));
+/// Adds a band that looks at cells.
+void add_band(GDALDataset& dataset, void* cells, GDALDataType type) {
   CPLStringList place;
   char text[64];
   text[CPLPrintPointer(text, cells, sizeof(text) - 1)] = '\0';
   place.SetNameValue("DATAPOINTER", text);
-  dataset->AddBand(type, place.List());
+  dataset.AddBand(type, place.List());
+}
+
+/// A dataset that looks at a grid's own cells.
+DatasetPtr view_of(void* cells, GDALDataType type, const GridFrame& frame, const WriteOptions& options) {
+  GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
+  DatasetPtr dataset(memory->Create("", frame.width, frame.height, 0, type, nullptr));
+  add_band(*dataset, cells, type);
   double transform[] = {frame.west_m, frame.cell_m, 0.0, frame.north_m, 0.0, -frame.cell_m};
   dataset->SetGeoTransform(transform);
   if (const auto system = parse_crs(frame.crs)) {
@@ -71,6 +76,20 @@ void write_geotiff(const Grid<float>& grid, const std::string& path, const Write
   }
   const char* predictor = options.cloud_optimised ? "FLOATING_POINT" : "3";
   copy_to_tiff(*view, path, options.cloud_optimised, predictor);
+}
+
+void write_geotiff_current(const VectorField& current, const std::string& path, const WriteOptions& options) {
+  const GdalCall call(path);
+  const DatasetPtr view = view_of(const_cast<float*>(current.x.data()), GDT_Float32, current.frame(), options);
+  add_band(*view, const_cast<float*>(current.y.data()), GDT_Float32);
+  const bool voids = has_voids(current.x) || has_voids(current.y);
+  for (int b = 1; b <= 2; ++b) {
+    GDALRasterBand& band = *view->GetRasterBand(b);
+    band.SetDescription(b == 1 ? "eastward current" : "northward current");
+    band.SetUnitType("m/s");
+    if (voids) band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
+  }
+  copy_to_tiff(*view, path, options.cloud_optimised, options.cloud_optimised ? "FLOATING_POINT" : "3");
 }
 
 void write_geotiff8(const Grid<uint8_t>& grid, const std::string& path, const WriteOptions& options, bool labels) {

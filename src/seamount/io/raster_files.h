@@ -9,6 +9,7 @@
 
 #include "seamount/io/placement.h"
 #include "seamount/io/raster.h"
+#include "seamount/model/vector_field.h"
 
 namespace seamount::io {
 
@@ -71,6 +72,8 @@ Stored decode_png_heights(std::span<const uint8_t> file, const std::string& name
 Stored read_gdal(const std::string& place, const std::string& name, const ReadOptions& options, bool heights);
 RasterInfo gdal_info(const std::string& path);
 void write_geotiff(const Grid<float>& grid, const std::string& path, const WriteOptions& options, bool heights);
+/// Two bands: east and north components in m/s.
+void write_geotiff_current(const VectorField& current, const std::string& path, const WriteOptions& options);
 void write_geotiff8(const Grid<uint8_t>& grid, const std::string& path, const WriteOptions& options, bool labels);
 void write_asc(const Grid<float>& grid, const std::string& path);
 

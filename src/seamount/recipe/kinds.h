@@ -12,6 +12,7 @@
 #include "seamount/model/report.h"
 #include "seamount/model/things.h"
 #include "seamount/model/tin.h"
+#include "seamount/model/vector_field.h"
 #include "seamount/recipe/kind.h"
 
 namespace seamount::recipe {
@@ -26,6 +27,7 @@ namespace kinds {
 struct Terrain  { using Type = HeightField;       static const Kind& kind(); static void add_formats(Registry&); };
 struct Labels   { using Type = LabelMap;          static const Kind& kind(); static void add_formats(Registry&); };
 struct Field    { using Type = ScalarField;       static const Kind& kind(); static void add_formats(Registry&); };
+struct Current  { using Type = VectorField;       static const Kind& kind(); static void add_formats(Registry&); };
 struct Image    { using Type = seamount::Image;   static const Kind& kind(); static void add_formats(Registry&); };
 struct Drawing  { using Type = seamount::Drawing; static const Kind& kind(); static void add_formats(Registry&); };
 struct Tin      { using Type = seamount::Tin;     static const Kind& kind(); static void add_formats(Registry&); };
@@ -34,7 +36,7 @@ struct Report   { using Type = seamount::Report;  static const Kind& kind(); sta
 struct Things   { using Type = seamount::Things;  static const Kind& kind(); static void add_formats(Registry&); };
 // clang-format on
 
-using All = std::tuple<Terrain, Labels, Field, Image, Things, Drawing, Tin, Contours, Report>;
+using All = std::tuple<Terrain, Labels, Field, Current, Image, Things, Drawing, Tin, Contours, Report>;
 
 }  // namespace kinds
 }  // namespace seamount::recipe

@@ -60,6 +60,7 @@ inline Values make_example_values(const Extent& extent) {
                 {"drawing", made[3]},
                 {"tin", made[4]},
                 {"things", made[5]},
+                {"current", Value::of<kinds::Current>({ScalarField(frame, 0.4F), ScalarField(frame, -0.3F)})},
                 {"image", Value::of<kinds::Image>(Image(8, 8))},
                 {"contours", Value::of<kinds::Contours>(example_contours(frame))}};
 }

@@ -8,8 +8,10 @@
 #include "seamount/geom/contour/contour.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/geom/water/flat_sea.h"
+#include "seamount/model/same_size.h"
 #include "seamount/ops/render/canvas.h"
 #include "seamount/ops/render/ground.h"
+#include "seamount/ops/render/map_arrows.h"
 #include "seamount/ops/render/map_furniture.h"
 #include "seamount/ops/render/relief.h"
 #include "seamount/ops/render/shading.h"
@@ -62,16 +64,17 @@ struct Layout {
   Box side;
 };
 
-Layout lay_out(const MapParams& params, const GridFrame& frame) {
+Layout lay_out(const MapParams& params, const GridFrame& frame, bool arrows) {
   Layout layout;
   layout.unit = std::max(6.0, params.width_px / 62.0);
   const auto units = [&](double n) { return static_cast<int>(std::lround(n * layout.unit)); };
   const bool side = params.legend || params.north_arrow;
   const bool styled = params.legend && params.theme == MapTheme::height && params.style != Style::natural;
-  const bool bare = !side && !params.scale_bar && params.title.empty();
+  const bool below = params.scale_bar || (arrows && params.legend);
+  const bool bare = !side && !below && params.title.empty();
   const int margin = bare ? 0 : units(1.5);
   const int top = params.title.empty() ? margin : units(4.2);
-  const int bottom = params.scale_bar ? units(3.6) : margin;
+  const int bottom = below ? units(3.6) : margin;
   const int column = side ? units(styled ? 11.5 : 7.2) : 0;
   layout.width = params.width_px;
   layout.map = {margin, top, std::max(1, params.width_px - 2 * margin - column), 1};
@@ -184,7 +187,7 @@ std::vector<Swatch> region_swatches() {
 }
 
 void draw_furniture(Image& image, const Layout& layout, const MapParams& params, const TintScale& scale,
-                    const StyleTints* styled, double pixel_m) {
+                    const StyleTints* styled, const ArrowScale* arrows, double pixel_m) {
   if (params.title.empty() && !params.legend && !params.scale_bar && !params.north_arrow) return;
   const Font font;
   const double unit = layout.unit;
@@ -206,6 +209,8 @@ void draw_furniture(Image& image, const Layout& layout, const MapParams& params,
   if (params.scale_bar) {
     draw_scale_bar(image, font, map.x + 0.4 * unit, map.y + map.height + 0.9 * unit, 0.32 * map.width, unit, pixel_m);
   }
+  if (arrows != nullptr && params.legend)
+    draw_arrow_key(image, font, map.x + map.width, map.y + map.height + 1.5 * unit, *arrows, unit);
 }
 
 }  // namespace
@@ -217,7 +222,8 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings&
   if (params.theme == MapTheme::regions && labels == nullptr) {
     throw IncompatibleInputs("labels: missing; the theme 'regions' colours a label map");
   }
-  const Layout layout = lay_out(params, terrain.frame());
+  if (drawings.current != nullptr) check_same_size("current", drawings.current->frame(), terrain.frame());
+  const Layout layout = lay_out(params, terrain.frame(), drawings.current != nullptr);
   const Sheet sheet = make_sheet(terrain, layout.map.width, run.part(0.0, 0.6));
   const HeightField& ground = sheet.ground;
   const TintScale scale(sheet.low, sheet.high);
@@ -245,7 +251,12 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings&
   }
   blank_unknown(image, layout, sheet.unknown);
   draw_drawings(image, layout.map, ground.frame(), drawings, layout.unit, run);
-  draw_furniture(image, layout, params, scale, tints, ground.cell_m());
+  std::optional<ArrowScale> arrows;
+  if (drawings.current != nullptr) {
+    arrows = arrow_scale(*drawings.current, params.arrow_spacing_px.value_or(layout.map.width / 40.0));
+    draw_arrows(image, layout.map, *drawings.current, *arrows, layout.unit, run);
+  }
+  draw_furniture(image, layout, params, scale, tints, arrows ? &*arrows : nullptr, ground.cell_m());
   run.report(1.0);
   return image;
 }

@@ -1,9 +1,10 @@
-// What is drawn over a map: lakes, rivers by their order, ridges, peaks with their heights.
+// What is drawn over a map: lakes, rivers by their order, ridges, peaks with their heights, currents as arrows.
 #pragma once
 
 #include "seamount/base/run_context.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/image.h"
+#include "seamount/model/vector_field.h"
 #include "seamount/ops/render/map_furniture.h"
 
 namespace seamount::render {
@@ -16,10 +17,12 @@ struct MapDrawings {
   const Drawing* rivers = nullptr;
   const Drawing* ridges = nullptr;
   const Drawing* peaks = nullptr;
+  const VectorField* current = nullptr;  ///< on the terrain's cells, without unknown ones
 };
 
-/// Draws them into the box of the picture that `frame` is shown in; `unit` in pixels is the size of text. Throws
-/// IncompatibleInputs for a drawing in another coordinate system than the frame, where both have one.
+/// Draws the drawings, not the current (map_arrows.h), into the box of the picture that `frame` is shown in; `unit` in
+/// pixels is the size of text. Throws IncompatibleInputs for a drawing in another coordinate system than the frame,
+/// where both have one.
 void draw_drawings(Image& image, const Box& box, const GridFrame& frame, const MapDrawings& drawings, double unit,
                    const RunContext& run);
 

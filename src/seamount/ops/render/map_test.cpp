@@ -1,5 +1,7 @@
 #include "seamount/ops/render/map.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "seamount/base/error.h"
@@ -66,6 +68,33 @@ TEST(Map, DrawsLakesRiversRidgesAndPeaksWhereTheyAre) {
   placed.set_frame(there);
   rivers.crs = "EPSG:32606";
   EXPECT_THROW(map(placed, nullptr, {.rivers = &rivers}, params, {}), IncompatibleInputs);
+}
+
+TEST(Map, DrawsCurrentsAsArrowsAsLongAsTheyAreFast) {
+  const HeightField terrain(GridFrame::centred(100, 100, 10.0), -50.0F);
+  VectorField current{ScalarField(terrain.frame(), 1.0F), ScalarField(terrain.frame(), 0.0F)};
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 100; ++x)
+      if (x >= 50) current.x(x, y) = x < 75 ? 0.5F : 0.0F;
+  MapParams params = bare(400);
+  params.arrow_spacing_px = 40.0;
+  const Image none = map(terrain, nullptr, params, {}),
+              image = map(terrain, nullptr, {.current = &current}, params, {});
+  const auto changed = [&](int from, int to) {  // pixels of a row through the middles of arrows
+    int count = 0;
+    for (int x = from; x < to; ++x)
+      count += std::equal(image.pixel(x, 20), image.pixel(x, 20) + 3, none.pixel(x, 20)) ? 0 : 1;
+    return count;
+  };
+  EXPECT_GT(changed(0, 160), 130);  // four arrows, almost without a gap
+  EXPECT_GT(changed(200, 280), 30);
+  EXPECT_LT(changed(200, 280), 60);  // half as long
+  EXPECT_EQ(changed(330, 400), 0);   // still water
+  params.legend = true;
+  EXPECT_GT(map(terrain, nullptr, {.current = &current}, params, {}).height, map(terrain, nullptr, params, {}).height);
+  const VectorField other{ScalarField(GridFrame::centred(9, 9, 1.0), 1.0F),
+                          ScalarField(GridFrame::centred(9, 9, 1.0), 1.0F)};
+  EXPECT_THROW(map(terrain, nullptr, {.current = &other}, params, {}), IncompatibleInputs);
 }
 
 TEST(Map, TheCoastHasNoJumpOfColour) {
