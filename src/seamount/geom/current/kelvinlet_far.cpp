@@ -61,38 +61,37 @@ ComplexPlane spread(std::span<const Source> sources, const Mesh& mesh, bool grab
   return plane;
 }
 
-/// What one node does to the others: the flow's parts, in the words of Source.
-struct Kernels {
-  double reach_m, eps;
+using KernelRow = void (*)(const FarKernel& kernel, int first, float y, int count, float* re, float* im);
 
-  /// falloff and near field of a squared distance.
-  double far_share(double squared) const { return 1.0 - near_share(squared / (reach_m * reach_m)); }
+/// A convolution on one mesh.
+struct Convolution {
+  const Mesh& mesh;
+  double reach_m;
+  ComplexPlane& scratch;
+  const RunContext& run;
 
-  template <class Value>
-  ComplexPlane fill(const Mesh& mesh, const RunContext& run, Value value) const {
+  /// The spectrum of what one node does to the others.
+  ComplexPlane kernel(double eps, KernelRow row) const {
     ComplexPlane plane(mesh.n);
     const int half = mesh.n / 2;
+    const FarKernel far{static_cast<float>(mesh.step_m), static_cast<float>(1.0 / reach_m), static_cast<float>(eps)};
     parallel_rows(run, mesh.n, mesh.n, [&](int begin, int end) {
-      for (int row = begin; row < end; ++row) {
-        const double y = -(row < half ? row : row - mesh.n) * mesh.step_m;
-        for (int column = 0; column < mesh.n; ++column) {
-          const double x = (column < half ? column : column - mesh.n) * mesh.step_m;
-          const double squared = x * x + y * y, share = far_share(squared);
-          if (share <= 0.0) continue;
-          const double inverse = 1.0 / std::sqrt(squared + eps * eps);
-          const auto [re, im] = value(x, y, inverse);
-          plane.re[plane.at(column, row)] = static_cast<float>(share * re);
-          plane.im[plane.at(column, row)] = static_cast<float>(share * im);
-        }
+      for (int y = begin; y < end; ++y) {
+        const auto north = static_cast<float>(-(y < half ? y : y - mesh.n) * mesh.step_m);
+        float *re = &plane.re[plane.at(0, y)], *im = &plane.im[plane.at(0, y)];
+        row(far, 0, north, half, re, im);
+        row(far, -half, north, half, re + half, im + half);
       }
     });
-    transform(plane, run);
+    transform(plane, scratch, run);
     return plane;
   }
-};
 
-struct Complex {
-  double re, im;
+  ComplexPlane strengths(std::span<const Source> sources, bool grab, bool pressed) const {
+    ComplexPlane plane = spread(sources, mesh, grab, pressed);
+    transform(plane, scratch, run);
+    return plane;
+  }
 };
 
 void add_product(const ComplexPlane& a, const ComplexPlane& b, ComplexPlane& sum, const RunContext& run) {
@@ -102,22 +101,6 @@ void add_product(const ComplexPlane& a, const ComplexPlane& b, ComplexPlane& sum
       sum.im[i] += a.re[i] * b.im[i] + a.im[i] * b.re[i];
     }
   });
-}
-
-/// Scale and twist: m falloff z.
-void add_round(std::span<const Source> sources, const Mesh& mesh, const Kernels& kernels, ComplexPlane& sum,
-               const RunContext& run) {
-  ComplexPlane strengths = spread(sources, mesh, false, false);
-  transform(strengths, run);
-  const double eps2 = kernels.eps * kernels.eps;
-  add_product(strengths,
-              kernels.fill(mesh, run,
-                           [eps2](double x, double y, double inverse) {
-                             const double cube = inverse * inverse * inverse,
-                                          falloff = cube + 1.5 * eps2 * cube * inverse * inverse;
-                             return Complex{falloff * x, falloff * y};
-                           }),
-              sum, run);
 }
 
 /// b of all grabs, if it is one.
@@ -134,28 +117,20 @@ std::optional<float> common_b(std::span<const Source> sources) {
 /// Grabs: (1/r_eps + eps^2 / (2 r_eps^3)) F + (r^2 / (2 r_eps^3) - 1/r_eps) b F + z^2 / (2 r_eps^3) conj(b F). The
 /// first two kernels are real and even, so that one transform makes both: their spectra are its real and imaginary
 /// parts.
-void add_grabs(std::span<const Source> sources, const Mesh& mesh, const Kernels& kernels, ComplexPlane& sum,
-               const RunContext& run) {
-  ComplexPlane force = spread(sources, mesh, true, false);
-  transform(force, run);
-  ComplexPlane pressed = force;
+void add_grabs(std::span<const Source> sources, double eps, const Convolution& convolution, ComplexPlane& sum) {
+  const ComplexPlane force = convolution.strengths(sources, true, false);
+  ComplexPlane pressed(0);
   if (const std::optional<float> b = common_b(sources)) {
+    pressed = force;
     for (std::vector<float>* part : {&pressed.re, &pressed.im})
       for (float& v : *part) v *= *b;
   } else {
-    pressed = spread(sources, mesh, true, true);
-    transform(pressed, run);
+    pressed = convolution.strengths(sources, true, true);
   }
-  const double eps2 = kernels.eps * kernels.eps;
-  const ComplexPlane straight = kernels.fill(mesh, run, [eps2](double x, double y, double inverse) {
-    const double cube = inverse * inverse * inverse;
-    return Complex{inverse + 0.5 * eps2 * cube, 0.5 * (x * x + y * y) * cube - inverse};
-  });
-  const ComplexPlane turned = kernels.fill(mesh, run, [](double x, double y, double inverse) {
-    const double cube = inverse * inverse * inverse;
-    return Complex{0.5 * (x * x - y * y) * cube, x * y * cube};
-  });
-  parallel_rows(run, mesh.n, mesh.n, [&](int begin, int end) {
+  const ComplexPlane straight = convolution.kernel(eps, far_straight_row);
+  const ComplexPlane turned = convolution.kernel(eps, far_turned_row);
+  const Mesh& mesh = convolution.mesh;
+  parallel_rows(convolution.run, mesh.n, mesh.n, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       for (int column = 0; column < mesh.n; ++column) {
         const size_t i = sum.at(column, row), opposite = sum.at((mesh.n - column) % mesh.n, (mesh.n - row) % mesh.n);
@@ -186,12 +161,15 @@ double mean_radius(std::span<const Source> sources, bool grab) {
 void add_far(std::span<const Source> sources, double reach_m, FlowLattice& lattice, const RunContext& run) {
   if (sources.empty()) return;
   const Mesh mesh = make_mesh(sources, lattice);
-  ComplexPlane sum(mesh.n);
+  ComplexPlane sum(mesh.n), scratch(mesh.n);
+  const Convolution convolution{mesh, reach_m, scratch, run};
   const auto grabs = std::count_if(sources.begin(), sources.end(), [](const Source& s) { return s.grab; });
-  if (grabs < static_cast<std::ptrdiff_t>(sources.size()))
-    add_round(sources, mesh, {reach_m, mean_radius(sources, false)}, sum, run);
-  if (grabs > 0) add_grabs(sources, mesh, {reach_m, mean_radius(sources, true)}, sum, run);
-  transform_back(sum, mesh.n / 2, run);
+  if (grabs < static_cast<std::ptrdiff_t>(sources.size())) {
+    const ComplexPlane strengths = convolution.strengths(sources, false, false);
+    add_product(strengths, convolution.kernel(mean_radius(sources, false), far_round_row), sum, run);
+  }
+  if (grabs > 0) add_grabs(sources, mean_radius(sources, true), convolution, sum);
+  transform_back(sum, scratch, mesh.n / 2, run);
   add_picture({sum.re.data(), sum.im.data(), mesh.n, mesh.x_m, mesh.y_m, mesh.step_m}, lattice, run);
 }
 

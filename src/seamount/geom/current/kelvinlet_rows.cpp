@@ -14,6 +14,17 @@ SEAMOUNT_INLINE Real edge(Real squared_share) {
   return Real(1) - s * s * s * (s * (s * Real(6) - Real(15)) + Real(10));
 }
 
+/// A place's squared distance, 1 / r_eps and the far field's share there. Nothing where that is 0, so the centre of a
+/// kernel without radius is none.
+struct Far {
+  float x, squared, inverse, share;
+};
+SEAMOUNT_INLINE Far far_at(const FarKernel& kernel, float x, float y) {
+  const float squared = x * x + y * y;
+  const float share = 1.0F - edge(squared * kernel.inverse_reach * kernel.inverse_reach);
+  return {x, squared, std::sqrt(1.0F / (squared + kernel.eps * kernel.eps)), share};
+}
+
 }  // namespace
 
 double near_share(double squared) { return edge(squared); }
@@ -47,6 +58,40 @@ SEAMOUNT_VECTORISED void add_grab_row(const Source& source, float x0, float y, f
     const float radial = fade * b * cube * (re * x + im * y);
     u[i] += along * re + radial * x;
     v[i] += along * im + radial * y;
+  }
+}
+
+SEAMOUNT_VECTORISED void far_round_row(const FarKernel& given, int first, float y, int count, float* __restrict re,
+                                       float* __restrict im) {
+  const FarKernel kernel = given;
+  for (int i = 0; i < count; ++i) {
+    const Far far = far_at(kernel, static_cast<float>(first + i) * kernel.step, y);
+    const float cube = far.inverse * far.inverse * far.inverse;
+    const float falloff = far.share * (cube + 1.5F * kernel.eps * kernel.eps * cube * far.inverse * far.inverse);
+    re[i] = falloff * far.x;
+    im[i] = falloff * y;
+  }
+}
+
+SEAMOUNT_VECTORISED void far_straight_row(const FarKernel& given, int first, float y, int count, float* __restrict re,
+                                          float* __restrict im) {
+  const FarKernel kernel = given;
+  for (int i = 0; i < count; ++i) {
+    const Far far = far_at(kernel, static_cast<float>(first + i) * kernel.step, y);
+    const float cube = far.inverse * far.inverse * far.inverse;
+    re[i] = far.share * (far.inverse + 0.5F * kernel.eps * kernel.eps * cube);
+    im[i] = far.share * (0.5F * far.squared * cube - far.inverse);
+  }
+}
+
+SEAMOUNT_VECTORISED void far_turned_row(const FarKernel& given, int first, float y, int count, float* __restrict re,
+                                        float* __restrict im) {
+  const FarKernel kernel = given;
+  for (int i = 0; i < count; ++i) {
+    const Far far = far_at(kernel, static_cast<float>(first + i) * kernel.step, y);
+    const float cube = far.inverse * far.inverse * far.inverse;
+    re[i] = far.share * 0.5F * (far.x * far.x - y * y) * cube;
+    im[i] = far.share * far.x * y * cube;
   }
 }
 

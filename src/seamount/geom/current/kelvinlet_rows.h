@@ -24,4 +24,14 @@ void add_round_row(const Source& source, float x0, float y, float step, float in
 void add_grab_row(const Source& source, float x0, float y, float step, float inverse_reach, int count, float* u,
                   float* v);
 
+/// The three kernels of a far field, 1 - near_share of the whole, at `count` places of a row, `first` places east of
+/// the source and y north of it, as re + i im: falloff z; 1/r_eps + eps^2 / (2 r_eps^3) and r^2 / (2 r_eps^3) -
+/// 1/r_eps; z^2 / (2 r_eps^3).
+struct FarKernel {
+  float step, inverse_reach, eps;
+};
+void far_round_row(const FarKernel& kernel, int first, float y, int count, float* re, float* im);
+void far_straight_row(const FarKernel& kernel, int first, float y, int count, float* re, float* im);
+void far_turned_row(const FarKernel& kernel, int first, float y, int count, float* re, float* im);
+
 }  // namespace seamount::geom::kelvinlets

@@ -70,8 +70,9 @@ class Sum {
       for (const Source& source : sources) radius = std::max(radius, source.eps);
       const double reach = std::clamp(std::ceil(3.0 * static_cast<double>(radius) / flow.step_m), 20.0, 30.0);
       add_near(flow, reach, run);
-      std::vector<Source> wide, narrow;  // the far field of each knows one radius
-      for (const Source& source : sources) (source.eps >= 0.7F * radius ? wide : narrow).push_back(source);
+      std::vector<Source> wide, narrow;  // the far field of each knows one radius, where that still matters
+      const float least = 4.5 * static_cast<double>(radius) > reach * flow.step_m ? 0.7F * radius : 0.0F;
+      for (const Source& source : sources) (source.eps >= least ? wide : narrow).push_back(source);
       add_far(wide, reach * flow.step_m, flow, run);
       add_far(narrow, reach * flow.step_m, flow, run);
     }

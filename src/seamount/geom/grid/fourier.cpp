@@ -127,20 +127,18 @@ void columns_to_rows(const ComplexPlane& plane, ComplexPlane& out, int columns, 
 
 }  // namespace
 
-void transform(ComplexPlane& plane, const RunContext& run) {
+void transform(ComplexPlane& plane, ComplexPlane& scratch, const RunContext& run) {
   const Twiddles twiddles(plane.n);
-  ComplexPlane half(plane.n);
-  columns_to_rows(plane, half, plane.n, plane.n, twiddles, run);
-  columns_to_rows(half, plane, plane.n, plane.n, twiddles, run);
+  columns_to_rows(plane, scratch, plane.n, plane.n, twiddles, run);
+  columns_to_rows(scratch, plane, plane.n, plane.n, twiddles, run);
 }
 
-void transform_back(ComplexPlane& spectrum, int kept, const RunContext& run) {
+void transform_back(ComplexPlane& spectrum, ComplexPlane& scratch, int kept, const RunContext& run) {
   const int n = spectrum.n;
   const Twiddles twiddles(n);
   for (float& v : spectrum.im) v = -v;  // the inverse is the conjugate of the conjugate's transform
-  ComplexPlane half(n);
-  columns_to_rows(spectrum, half, n, kept, twiddles, run);
-  columns_to_rows(half, spectrum, kept, kept, twiddles, run);
+  columns_to_rows(spectrum, scratch, n, kept, twiddles, run);
+  columns_to_rows(scratch, spectrum, kept, kept, twiddles, run);
   const float scale = 1.0F / (static_cast<float>(n) * static_cast<float>(n));
   for (float& v : spectrum.re) v *= scale;
   for (float& v : spectrum.im) v *= -scale;

@@ -19,10 +19,11 @@ struct ComplexPlane {
 };
 
 /// Forward: sum of f(x, y) exp(-2 pi i (u x + v y) / n) at column u, row v. Stockham's autosort, radix 4, 16 columns at
-/// a time: about 4 ms for n = 512. Parallel; the same bits on any number of threads. REQUIRES: n a power of two.
-void transform(ComplexPlane& plane, const RunContext& run);
+/// a time: about 4 ms for n = 512. Parallel; the same bits on any number of threads. `scratch`: of the same
+/// size, overwritten. REQUIRES: n a power of two.
+void transform(ComplexPlane& plane, ComplexPlane& scratch, const RunContext& run);
 
 /// The inverse, divided by n^2. Only the first `kept` columns of the first `kept` rows are made.
-void transform_back(ComplexPlane& spectrum, int kept, const RunContext& run);
+void transform_back(ComplexPlane& spectrum, ComplexPlane& scratch, int kept, const RunContext& run);
 
 }  // namespace seamount::geom

@@ -25,8 +25,8 @@ ComplexPlane noise(int n, int filled) {
 TEST(Fourier, IsTheSumThatItSays) {
   for (const int n : {1, 2, 4, 8, 16, 32}) {
     const ComplexPlane given = noise(n, n);
-    ComplexPlane spectrum = given;
-    transform(spectrum, {});
+    ComplexPlane spectrum = given, scratch = given;
+    transform(spectrum, scratch, {});
     for (int v = 0; v < n; ++v)
       for (int u = 0; u < n; ++u) {
         std::complex<double> sum;
@@ -43,9 +43,9 @@ TEST(Fourier, IsTheSumThatItSays) {
 TEST(Fourier, BackIsWhatWasThere) {
   for (const int n : {8, 64, 128}) {
     const ComplexPlane given = noise(n, n / 2 - 1);
-    ComplexPlane plane = given;
-    transform(plane, {});
-    transform_back(plane, n / 2, {});
+    ComplexPlane plane = given, scratch = given;
+    transform(plane, scratch, {});
+    transform_back(plane, scratch, n / 2, {});
     for (int y = 0; y < n / 2; ++y)
       for (int x = 0; x < n / 2; ++x) {
         ASSERT_NEAR(plane.re[plane.at(x, y)], given.re[given.at(x, y)], 1e-5F) << n;

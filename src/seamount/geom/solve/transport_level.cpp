@@ -186,8 +186,14 @@ void coarsen(const Level& fine, const float* weights, float wall_share, Level& c
   }
 }
 
-void restrict_residuals(const Level& fine, Level& coarse) {
-  restrict_sums(fine, coarse, [stride = fine.stride](const Cell* cell) { return residual(cell, stride); });
+void restrict_residuals(const Level& fine, bool held, Level& coarse) {
+  const std::ptrdiff_t stride = fine.stride;
+  if (held) {
+    restrict_sums(fine, coarse,
+                  [stride](const Cell* cell) { return cell->value > 0.0F ? residual(cell, stride) : 0.0F; });
+  } else {
+    restrict_sums(fine, coarse, [stride](const Cell* cell) { return residual(cell, stride); });
+  }
   for (int y = 0; y < coarse.height; ++y)
     for (int x = 0; x < coarse.width; ++x) coarse.row(y)[x].value = 0.0F;
 }

@@ -46,8 +46,9 @@ constexpr float kSameWall = 1.0F;     ///< where they multiply a solution that d
 /// may stand for a solution that varies strongly from cell to cell.
 void coarsen(const Level& fine, const float* weights, float wall_share, Level& coarse);
 
-/// Coarse right-hand sides: sums of the fine residuals. Coarse values become 0.
-void restrict_residuals(const Level& fine, Level& coarse);
+/// Coarse right-hand sides: sums of the fine residuals (`held`: but for those of cells whose value is 0). Coarse values
+/// become 0.
+void restrict_residuals(const Level& fine, bool held, Level& coarse);
 
 /// Coarse right-hand sides: sums of the fine ones.
 void restrict_sources(const Level& fine, Level& coarse);

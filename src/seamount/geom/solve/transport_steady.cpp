@@ -61,7 +61,7 @@ void cycle(std::span<Level> levels, bool thorough) {
   }
   sweep_south(level, false);
   if (thorough) sweep_north(level, false);
-  restrict_residuals(level, levels[1]);
+  restrict_residuals(level, false, levels[1]);
   cycle(levels.subspan(1), thorough);
   add_signed_correction(levels[1], level);
   if (thorough) sweep_south(level, false);
@@ -105,12 +105,12 @@ class Solver {
   }
 
  private:
-  /// What comes into a cell is at most a little more than what leaves it at equal concentrations.
+  /// What comes into a cell is at most twice what leaves it at equal concentrations.
   bool gathers_little() const {
     float most = 0.0F;
     for (const Cell& cell : levels_[0].cells)
       most = std::max(most, (cell.west + cell.east) + (cell.north + cell.south));
-    return most <= 1.2F;
+    return most <= 2.0F;
   }
 
   /// From nothing, coarsest level first, then cycles of the finest.
@@ -119,12 +119,12 @@ class Solver {
     for (Cell& cell : levels_.back().cells) cell.value = 0.0F;
     for (size_t k = levels_.size(); k-- > 0;) {
       if (k + 1 < levels_.size()) prolong(levels_[k + 1], levels_[k]);
-      improve(k, unknowns);
+      improve(k, unknowns, true);
     }
     Progress progress;
     double last_change = 0.0;
     for (int n = 0; n < options.max_cycles && !progress.reached; ++n) {
-      const double change = change_of_a_cycle(unknowns);
+      const double change = change_of_a_cycle(unknowns, n % kKept == 0);
       // Errors shrink by about the factor by which changes do; the first cycles flatter.
       const double factor = n > 0 ? std::max(0.3, change / std::max(1e-30, last_change)) : 0.9;
       progress.error = factor < 0.98 ? change * factor / (1.0 - factor) : 50.0 * change;
@@ -137,11 +137,11 @@ class Solver {
   }
 
   /// Largest change by one cycle of the finest level, as a share of the largest value.
-  double change_of_a_cycle(Unknowns unknowns) {
+  double change_of_a_cycle(Unknowns unknowns, bool anew) {
     Level& finest = levels_[0];
     before_.resize(finest.cells.size());
     for (size_t i = 0; i < before_.size(); ++i) before_[i] = finest.cells[i].value;
-    improve(0, unknowns);
+    improve(0, unknowns, anew);
     float moved = 0.0F, largest = 1e-30F;
     for (size_t i = 0; i < before_.size(); ++i) {
       moved = std::max(moved, std::abs(finest.cells[i].value - before_[i]));
@@ -150,8 +150,8 @@ class Solver {
     return static_cast<double>(moved) / static_cast<double>(largest);
   }
 
-  /// One cycle on level k, whose coarser levels are done with.
-  void improve(size_t k, Unknowns unknowns) {
+  /// One cycle on level k, whose coarser levels are done with. `anew`: what the last cycle made may no longer fit.
+  void improve(size_t k, Unknowns unknowns, bool anew) {
     Level& level = levels_[k];
     run_.check_cancelled();
     if (k + 1 == levels_.size()) {
@@ -163,45 +163,53 @@ class Solver {
     if (thorough) sweep_north(level, absorbing_);
     if (unknowns == Unknowns::cells) {
       const std::span<Level> coarse = std::span(levels_).subspan(k + 1);
-      restrict_residuals(level, coarse[0]);
+      restrict_residuals(level, false, coarse[0]);
       cycle(coarse, thorough);
       add_correction(coarse[0], nullptr, level);
     } else {
-      correct_weighted(level, std::span(corrections_).subspan(k), unknowns == Unknowns::shares);
+      const bool shares = unknowns == Unknowns::shares;
+      const std::span<Level> coarse = std::span(corrections_).subspan(k);
+      if (weigh(level, shares, anew)) make_corrections(level, shares, coarse);
+      restrict_residuals(level, absorbing_, coarse[0]);
+      cycle(coarse, thorough);
+      add_correction(coarse[0], weights_.data(), level);
     }
     if (thorough) sweep_south(level, absorbing_);
     sweep_north(level, absorbing_);
   }
 
-  /// The equations of the corrections, made anew for the values there are.
-  void correct_weighted(Level& level, std::span<Level> coarse, bool shares) {
-    float largest = 0.0F;
-    bool held = false;
-    for (int y = 0; y < level.height; ++y) {
-      const Cell* row = level.row(y);
-      for (int x = 0; x < level.width; ++x) {
-        largest = std::max(largest, row[x].value);
-        held = held || !(row[x].value > 0.0F);
-      }
-    }
-    if (!(largest > 0.0F)) return;
+  /// What the coarse unknowns mean to each cell; whether that changed. `anew`: it is not what it was for another level,
+  /// or long ago.
+  bool weigh(const Level& level, bool shares, bool anew) {
+    const bool first = anew || weights_.size() != level.cells.size();
+    if (shares && !first && !absorbing_) return false;
     weights_.resize(level.cells.size());
-    const float smallest = absorbing_ ? 0.0F : 1e-12F;
+    float largest = 0.0F;
+    if (shares)
+      for (const Cell& cell : level.cells) largest = std::max(largest, cell.value);
+    const float scale = largest > 0.0F ? 1.0F / largest : 0.0F, smallest = absorbing_ ? 0.0F : 1e-12F;
+    bool changed = first;
     for (size_t i = 0; i < weights_.size(); ++i) {
       const float value = level.cells[i].value;
-      weights_[i] = shares ? std::max(value * (1.0F / largest), smallest) : (value > 0.0F ? 1.0F : 0.0F);
+      const float weight = shares ? std::max(value * scale, smallest) : (value > 0.0F ? 1.0F : 0.0F);
+      changed = changed || weight != weights_[i];
+      weights_[i] = weight;
     }
-    const bool leave_out = absorbing_ && held;
-    if (leave_out) free_ = without_held_cells(level);
-    const Level& free = leave_out ? *free_ : level;
-    const float wall_share = shares ? kSameWall : kFurtherWall;
-    coarsen(free, weights_.data(), wall_share, coarse[0]);
-    for (size_t k = 1; k < coarse.size(); ++k) coarsen(coarse[k - 1], nullptr, wall_share, coarse[k]);
-    restrict_residuals(free, coarse[0]);
-    cycle(coarse, true);
-    add_correction(coarse[0], weights_.data(), level);
+    return changed;
   }
 
+  /// The equations of the corrections for these weights; cells held at 0 are left out.
+  void make_corrections(const Level& level, bool shares, std::span<Level> coarse) {
+    const bool held = absorbing_ && std::any_of(level.cells.begin(), level.cells.end(), [](const Cell& cell) {
+                        return cell.diagonal > 0.0F && !(cell.value > 0.0F);
+                      });
+    if (held) free_ = without_held_cells(level);
+    const float wall_share = shares ? kSameWall : kFurtherWall;
+    coarsen(held ? *free_ : level, weights_.data(), wall_share, coarse[0]);
+    for (size_t k = 1; k < coarse.size(); ++k) coarsen(coarse[k - 1], nullptr, wall_share, coarse[k]);
+  }
+
+  static constexpr int kKept = 4;            ///< cycles for which equations of weighted unknowns are kept
   static constexpr double kRounding = 1e-6;  ///< changes that float arithmetic makes where nothing is left to gain
 
   const RunContext& run_;

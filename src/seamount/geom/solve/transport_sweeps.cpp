@@ -15,7 +15,7 @@ inline float relaxed(const Cell& cell, float behind, float above, float ahead, f
   const float w = kX > 0 ? cell.west : cell.east, e = kX > 0 ? cell.east : cell.west;
   const float n = kY > 0 ? cell.north : cell.south, s = kY > 0 ? cell.south : cell.north;
   const float value = (((cell.right + e * ahead) + s * below) + n * above) + w * behind;
-  return kHeld ? std::max(value, 0.0F) : value;
+  return !kHeld || value > 0.0F ? value : 0.0F;
 }
 
 /// Sweeps kCount rows, the first of which begins at `first`, in direction (kX, kY).
