@@ -12,7 +12,7 @@ ThingMesh make_arch(const ThingMaking& m) {
   constexpr double kPi = std::numbers::pi;
   Rng rng(m.seed.derive("form"));
   const Seed grain = m.seed.derive("grain");
-  const int steps = m.by_level(38, 16, 5), sides = m.by_level(18, 9, 4);
+  const int steps = m.by_level(46, 18, 5), sides = m.by_level(16, 8, 4);
   const double thick = rng.uniform(0.16, 0.23), skew = rng.uniform(-0.16, 0.16), crown = rng.uniform(0.8, 1.15);
   const double bend = rng.uniform(-0.10, 0.10), other_leg = rng.uniform(0.85, 1.35), bedding = rng.uniform(7.0, 11.0);
   const Tone main = m.main(0x9C8468), dark = mix(main, tone(0x6B5746), 0.75);
@@ -35,7 +35,9 @@ ThingMesh make_arch(const ThingMaking& m) {
     const double blocky =
         std::pow(std::pow(std::abs(std::cos(angle)), 5.0) + std::pow(std::abs(std::sin(angle)), 5.0), -0.2);
     const double z = rings[i].centre.z + 0.2 * rings[i].radius * std::sin(angle);
-    return blocky * (0.88 + 0.20 * noise3(grain, 2.6 * at) + 0.13 * noise3(grain, 6.0 * at) + 0.13 * beds(z));
+    const double bed = std::floor(12.0 * z + 0.7 * noise3(grain, 3.0 * at));
+    const double ledge = noise3(grain, {0.37 * bed, 5.3, 0.71 * bed});  // each bed stands out or back as a whole
+    return blocky * (0.86 + 0.16 * noise3(grain, 2.6 * at) + 0.15 * noise3(grain, 7.0 * at) + 0.22 * ledge);
   });
   return builder.finish(m.height_m, m.width_m);
 }

@@ -82,9 +82,8 @@ class Palm {
       for (const double side : {-1.0, 1.0}) {
         const double hang = 0.45 + 0.5 * f.age + rng.uniform(-0.12, 0.12);
         const Point3 way = unit(0.55 * along + side * across - Point3{0.0, 0.0, hang});
-        const Point3 normal = unit(cross(along, side * across));
-        const Point3 up = normal.z > 0.0 ? normal : -1.0 * normal;
-        builder_.blade(base, base + reach * way, 0.0072 * along, unit(up + 0.5 * f.out), 0.62 * green, green);
+        const Point3 outward = unit((1.0 / f.reach) * (base - top_) + Point3{0.0, 0.0, 0.8} + 0.25 * side * across);
+        builder_.blade(base, base + reach * way, 0.0072 * along, outward, 0.7 * green, 1.1 * green);
       }
     }
   }

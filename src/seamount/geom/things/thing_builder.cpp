@@ -182,18 +182,25 @@ void ThingBuilder::sheet(int across, int along, const std::function<Point3(doubl
   const Part part(*this);
   const auto first = static_cast<uint32_t>(leaf_places_.size());
   constexpr double kStep = 0.02;
+  const auto own_normal = [&](double u, double v) {
+    return unit(cross(place(u + kStep, v) - place(u - kStep, v), place(u, v + kStep) - place(u, v - kStep)));
+  };
+  const bool turn = leaning > 0.0 && dot(own_normal(0.5, 0.5), lean) < 0.0;
   for (int j = 0; j <= along; ++j) {
     for (int i = 0; i <= across; ++i) {
       const double u = static_cast<double>(i) / across, v = static_cast<double>(j) / along;
-      const Point3 du = place(u + kStep, v) - place(u - kStep, v), dv = place(u, v + kStep) - place(u, v - kStep);
-      leaf_vertex(place(u, v), mix(unit(cross(du, dv)), lean, leaning), colour(u, v));
+      const Point3 normal = turn ? -1.0 * own_normal(u, v) : own_normal(u, v);
+      leaf_vertex(place(u, v), mix(normal, lean, leaning), colour(u, v));
     }
   }
   const auto row = static_cast<uint32_t>(across + 1);
   for (uint32_t j = 0; j < static_cast<uint32_t>(along); ++j) {
     for (uint32_t i = 0; i < static_cast<uint32_t>(across); ++i) {
       const uint32_t a = first + j * row + i;
-      leaves_.insert(leaves_.end(), {a, a + 1, a + row + 1, a, a + row + 1, a + row});
+      if (turn)
+        leaves_.insert(leaves_.end(), {a, a + row + 1, a + 1, a, a + row, a + row + 1});
+      else
+        leaves_.insert(leaves_.end(), {a, a + 1, a + row + 1, a, a + row + 1, a + row});
     }
   }
 }

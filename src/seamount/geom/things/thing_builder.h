@@ -35,7 +35,8 @@ class ThingBuilder {
   /// A pyramid on three corners around `base`, closed.
   void spike(Point3 base, Point3 tip, double radius, double turn, Tone low, Tone high);
 
-  /// A thin sheet of across x along patches; its normals are its own, or lean towards `lean` by `leaning` in [0, 1].
+  /// A thin sheet of across x along patches; its normals are its own, or lean towards `lean` by `leaning` in
+  /// [0, 1]; then it faces that side.
   void sheet(int across, int along, const std::function<Point3(double, double)>& place,
              const std::function<Tone(double, double)>& colour, Point3 lean = {}, double leaning = 0.0);
 

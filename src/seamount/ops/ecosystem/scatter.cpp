@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "seamount/base/error.h"
 #include "seamount/geom/polygon/poisson_disc.h"
@@ -42,6 +43,14 @@ std::vector<Vec2> even_places(const ScatterInputs& in, double spacing, Seed seed
   return all;
 }
 
+/// Over half a cell to each side; 0 where the ground is not known.
+double slope_deg(const HeightField& terrain, double column, double row) {
+  const double east = sample_known(terrain, column + 0.5, row) - sample_known(terrain, column - 0.5, row),
+               south = sample_known(terrain, column, row + 0.5) - sample_known(terrain, column, row - 0.5);
+  const double rise = std::hypot(east, south) / terrain.cell_m();
+  return std::isnan(rise) ? 0.0 : std::atan(rise) * 180.0 / std::numbers::pi;
+}
+
 }  // namespace
 
 Things scatter(const ScatterInputs& in, const ScatterParams& params, Seed seed, const RunContext& run) {
@@ -63,6 +72,7 @@ Things scatter(const ScatterInputs& in, const ScatterParams& params, Seed seed, 
     const double column = frame.column(places[i].x), row = frame.row(places[i].y);
     const float z = sample_known(in.terrain, column, row);
     if (z < params.min_height_m || z > params.max_height_m) continue;
+    if (params.max_slope_deg < 90.0 && slope_deg(in.terrain, column, row) > params.max_slope_deg) continue;
     const uint64_t key =
         mix_bits(std::bit_cast<uint64_t>(places[i].x) ^ mix_bits(std::bit_cast<uint64_t>(places[i].y)));
     if (in.density != nullptr) {

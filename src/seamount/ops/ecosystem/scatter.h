@@ -20,6 +20,7 @@ struct ScatterParams {
   double spacing_m = 50.0;
   double min_height_m = -12000.0;
   double max_height_m = 9000.0;
+  double max_slope_deg = 90.0;
   double health = 1.0;
   int max_triangles = 0;
   bool keep_ground = true;
@@ -31,6 +32,7 @@ struct ScatterParams {
         field(&P::spacing_m, "spacing_m", "m", between(0.01, 100000), "least distance of two, without drawn places"),
         field(&P::min_height_m, "min_height_m", "m", between(-12000, 9000), "none on lower ground"),
         field(&P::max_height_m, "max_height_m", "m", between(-12000, 9000), "none on higher ground"),
+        field(&P::max_slope_deg, "max_slope_deg", "deg", between(0, 90), "none on steeper ground"),
         field(&P::health, "health", "", between(0, 1), "1 is whole; ailing things are paler and have less of all"),
         field(&P::max_triangles, "max_triangles", "", between(0, 1000000000),
               "of all together: things get coarser, then fewer; 0: no limit"),

@@ -78,6 +78,8 @@ class Scene {
   Rgb surface_light(Vec3 from, Vec3 direction, Hit hit, float pixel_angle, Dice dice) const;
   Rgb land_light(Vec3 place, Vec3 direction, float footprint, Dice dice) const;
   Rgb thing_light(Vec3 place, Vec3 direction, const ThingHit& hit, float footprint, Dice dice) const;
+  /// How much sun a place on a thing sends back, by its slope and what is in the way.
+  float sun_on_thing(const ThingSurface& surface, Vec3 place, Vec3 to_sun, Dice dice) const;
   /// Shares of the sun and of the sky that things leave to a place with that normal.
   float sun_past_things(Vec3 place, Vec3 to_sun, Dice dice) const;
   float sky_past_things(Vec3 place, Vec3 normal, Dice dice) const;

@@ -58,19 +58,26 @@ float Scene::sun_past_ground(Vec3 place, Vec3 to_sun) const {
   return begin < end && tracer_.trace(ray, begin, end) >= 0.0F ? 0.0F : 1.0F;
 }
 
+float Scene::sun_on_thing(const ThingSurface& s, Vec3 place, Vec3 to_sun, Dice dice) const {
+  const float facing = dot(s.normal, to_sun), side = dot(s.outside, to_sun);
+  const float beside = beside_surface(place);
+  if (!s.leaf) {
+    if (facing <= 0.0F) return 0.0F;
+    return facing * sun_past_things(place + beside * s.outside + s.lift, to_sun, dice);
+  }
+  // Light falls on a leaf, or shines through it; a crown is bright on the sun's side as a whole.
+  const float lit = side > 0.0F ? 0.62F * std::max(0.0F, facing) + 0.38F * side : 0.5F * -side;
+  return lit * sun_past_things(place + (side > 0.0F ? beside : -beside) * s.outside, to_sun, dice);
+}
+
 Rgb Scene::thing_light(Vec3 place, Vec3 direction, const ThingHit& hit, float footprint, Dice dice) const {
   const ThingSurface s = things_->surface(hit, direction);
   const Lamp lamp = this->lamp(place);
   const Vec3 start = place + beside_surface(place) * s.outside + s.lift;
-  const float facing = dot(s.normal, lamp.to_sun), side = dot(s.outside, lamp.to_sun);
-  float lit = 0.0F;
-  if (s.leaf || facing > 0.0F) {
-    // Light falls on a leaf, or shines through it; a crown is bright on the sun's side as a whole.
-    lit = s.leaf ? 0.62F * std::max(0.0F, facing) + 0.38F * std::abs(side) * (side < 0.0F ? 0.75F : 1.0F) : facing;
-    lit *= sun_past_things(start, lamp.to_sun, dice);
-    if (lit > 0.0F) lit *= sun_past_ground(start, lamp.to_sun);
-    if (submerged_) lit *= caustics(place, footprint);
-  }
+  const float side = dot(s.outside, lamp.to_sun);
+  float lit = sun_on_thing(s, place, lamp.to_sun, dice);
+  if (lit > 0.0F) lit *= sun_past_ground(start, lamp.to_sun);
+  if (submerged_ && lit > 0.0F) lit *= caustics(place, footprint);
   const float open = (0.55F + 0.45F * s.normal.z) * sky_past_things(start, s.normal, dice);
   const Rgb through = s.leaf && side < 0.0F ? Rgb{1.10F, 1.12F, 0.60F} : Rgb{1.0F, 1.0F, 1.0F};
   const float below = 0.16F * (0.5F - 0.5F * s.normal.z) * std::max(0.0F, lamp.to_sun.z);
@@ -90,7 +97,7 @@ void Scene::see_things_below(Vec3 surface, Vec3 floor, float& depth, Rgb& albedo
     if (const auto met = things_->hit(surface, direction, 0.0F, length)) {
       const ThingSurface s = things_->surface(*met, direction);
       const Vec3 place = surface + met->t * direction, start = place + beside_surface(place) * s.outside;
-      const float facing = std::max(0.0F, dot(s.normal, to_sun)) * sun_past_things(start, to_sun, dice);
+      const float facing = sun_on_thing(s, place, to_sun, dice);
       const float sky = (0.5F + 0.5F * s.normal.z) * sky_past_things(start, s.normal, dice);
       depth = std::max(0.0F, -place.z);
       albedo = (0.80F * facing / down + 0.35F * sky) * s.albedo;

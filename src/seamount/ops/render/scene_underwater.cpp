@@ -13,7 +13,8 @@ namespace {
 
 constexpr float kFar = 1e9F;
 constexpr float kIndex = 1.333F;
-constexpr Rgb kScattering{0.034F, 0.040F, 0.046F};  // per metre, out of a ray
+constexpr Rgb kAbsorption{0.225F, 0.055F, 0.026F};  // per metre, clear ocean water between Jerlov's types I and IB
+constexpr Rgb kScattering{0.030F, 0.040F, 0.052F};  // per metre, out of a ray
 constexpr float kPhase = 0.26F;                     // of it, towards the eye, of the light from above
 
 float fresnel(float cosine) {
@@ -71,7 +72,7 @@ float Scene::caustics(Vec3 place, float footprint) const {
 }
 
 Rgb Scene::water_glow(Vec3 from, Vec3 direction, float length) const {
-  const Rgb absorbed = (1.0F / options_.clarity) * Rgb{0.200F, 0.0335F, 0.0245F};
+  const Rgb absorbed = (1.0F / options_.clarity) * kAbsorption;
   const Rgb scattered = (1.0F / options_.clarity) * kScattering;
   const Rgb lost = absorbed + scattered;
   const Vec3 sun = sky_.to_sun();
@@ -102,7 +103,7 @@ Rgb Scene::underside_light(Vec3 place, Vec3 direction, float footprint) const {
     const LatticeRay ray = lattice_ray(place, mirrored, 0.0F);
     const float floor = tracer_.clip(ray, begin, end) ? tracer_.trace(ray, begin, end) : -1.0F;
     if (floor >= 0.0F) {
-      const Rgb lost = (1.0F / options_.clarity) * (Rgb{0.200F, 0.0335F, 0.0245F} + kScattering);
+      const Rgb lost = (1.0F / options_.clarity) * (kAbsorption + kScattering);
       const Vec3 there = place + floor * mirrored;
       below = water_glow(place, mirrored, floor) +
               power_of(lost, floor) * land_light(there, mirrored, 2.0F * footprint + 0.02F * floor, {});
@@ -127,7 +128,7 @@ Rgb Scene::submerged_light(Vec3 from, Vec3 direction, const Hit& hit, float pixe
   if (hit.surface == Surface::thing) near = thing_light(place, direction, hit.thing, width, dice);
   if (hit.surface == Surface::underside)
     near = underside_light(place, direction, width / std::sqrt(std::max(0.05F, direction.z)));
-  const Rgb lost = (1.0F / options_.clarity) * (Rgb{0.200F, 0.0335F, 0.0245F} + kScattering);
+  const Rgb lost = (1.0F / options_.clarity) * (kAbsorption + kScattering);
   return power_of(lost, hit.t) * near + water_glow(from, direction, hit.t);
 }
 

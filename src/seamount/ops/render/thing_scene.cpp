@@ -60,9 +60,10 @@ ThingScene::ThingScene(const Things& things, const HeightField& terrain, const G
       Instance& made = instances_[i];
       made.foot = {static_cast<float>(thing.place.x - middle_x), static_cast<float>(thing.place.y - middle_y), 0.0F};
       const double at = sample_known(terrain, frame.column(thing.place.x), frame.row(thing.place.y));
-      const double drawn = ground.form(made.foot.x, made.foot.y, 1e-3F * ground.cell_m()).height;
-      made.foot.z = static_cast<float>(std::isnan(at) ? (thing.z_m - view.water_level_m) * view.exaggeration
-                                                      : drawn + (thing.z_m - at));
+      const double drawn = sample_known(ground.heights(), ground.column(made.foot.x), ground.row(made.foot.y));
+      made.foot.z =
+          static_cast<float>(std::isnan(at) || std::isnan(drawn) ? (thing.z_m - view.water_level_m) * view.exaggeration
+                                                                 : drawn + (thing.z_m - at));
       made.inward = rotation_of(thing.rotation);
       for (float& value : made.inward) value /= thing.scale;
       made.tint = thing.tint;
@@ -168,7 +169,9 @@ ThingSurface ThingScene::surface(const ThingHit& hit, Vec3 direction) const {
   ThingSurface made;
   made.leaf = at >= mesh.solid;
   made.normal = normalised(outward(normal));
-  if (!made.leaf && dot(made.normal, face) < 0.0F) made.normal = -1.0F * made.normal;
+  // Surfaces are seen from outside; of a leaf the side that is seen counts, unless its normal is the crown's.
+  constexpr float kAside = -0.3F;
+  if (dot(made.normal, face) < (made.leaf ? kAside : 0.0F)) made.normal = -1.0F * made.normal;
   made.outside = face;
   // Colours of catalogues are as they look; surfaces send back about two thirds of that.
   constexpr float kAlbedo = 0.62F;
