@@ -7,7 +7,6 @@ namespace seamount::geom {
 namespace {
 
 constexpr size_t kBins = 16;
-constexpr uint32_t kLeaf = 4;
 constexpr int kHalveFrom = 40;  // so deep, sets are halved: the tree ends
 
 float area(const Box3& box) {
@@ -70,40 +69,39 @@ struct Bvh::Split {
   }
 };
 
-Bvh::Bvh(std::span<const Box3> boxes) : order_(boxes.size()) {
+Bvh::Bvh(std::span<const Box3> boxes, uint32_t leaf) : order_(boxes.size()), leaf_(leaf) {
   if (boxes.empty()) return;
   std::iota(order_.begin(), order_.end(), 0U);
-  nodes_.reserve(boxes.size());
+  nodes_.reserve(2 * boxes.size());
   nodes_.emplace_back();
   build(0, 0, static_cast<uint32_t>(boxes.size()), 0, boxes);
+}
+
+/// Orders a set of items so that the first go left, and gives how many; 0: they stay together.
+uint32_t Bvh::cut(uint32_t first, uint32_t count, const Box3& box, int depth, std::span<const Box3> boxes) {
+  if (count == 1) return 0;
+  const uint32_t half = count > leaf_ ? count / 2 : 0;
+  if (depth >= kHalveFrom) return half;
+  const auto items = std::span(order_).subspan(first, count);
+  const Split split = Split::best(items, boxes);
+  if (!std::isfinite(split.cost)) return half;  // all in one place
+  const bool worth = split.cost + area(box) < area(box) * static_cast<float>(count);
+  if (!worth && count <= leaf_) return 0;
+  const auto middle = std::stable_partition(items.begin(), items.end(),
+                                            [&](uint32_t item) { return split.bin_of(boxes[item]) < split.bin; });
+  const auto left = static_cast<uint32_t>(middle - items.begin());
+  return left == count ? half : left;
 }
 
 void Bvh::build(uint32_t node, uint32_t first, uint32_t count, int depth, std::span<const Box3> boxes) {
   Box3 box;
   for (uint32_t i = first; i < first + count; ++i) box.include(boxes[order_[i]]);
   nodes_[node].box = box;
-  const auto items = std::span(order_).subspan(first, count);
-  uint32_t left = count / 2;
-  if (count > 2 && depth < kHalveFrom) {
-    const Split split = Split::best(items, boxes);
-    const bool worth = split.cost + area(box) < area(box) * static_cast<float>(count);
-    if (!worth && count <= kLeaf) left = 0;
-    if (std::isfinite(split.cost)) {
-      const auto middle = std::stable_partition(items.begin(), items.end(),
-                                                [&](uint32_t item) { return split.bin_of(boxes[item]) < split.bin; });
-      if (left > 0) left = static_cast<uint32_t>(middle - items.begin());
-    }
-  } else if (count <= 2) {
-    left = 0;
-  }
-  if (left == 0 || left == count) {
-    if (count > kLeaf) {
-      left = count / 2;
-    } else {
-      nodes_[node].first = first;
-      nodes_[node].count = count;
-      return;
-    }
+  const uint32_t left = cut(first, count, box, depth, boxes);
+  if (left == 0) {
+    nodes_[node].first = first;
+    nodes_[node].count = count;
+    return;
   }
   const auto children = static_cast<uint32_t>(nodes_.size());
   nodes_.resize(nodes_.size() + 2);

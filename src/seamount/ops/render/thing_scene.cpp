@@ -72,7 +72,7 @@ ThingScene::ThingScene(const Things& things, const HeightField& terrain, const G
       boxes[i] = standing(models_[made.model].tracer.bounds(), made.inward, thing.scale, made.foot);
     }
   });
-  tree_ = geom::Bvh(boxes);
+  tree_ = geom::Bvh(boxes, 1);
   double height = 0.0;
   for (const Thing& thing : things.things) height += thing.scale * things.shapes[thing.shape].height_m;
   if (!things.things.empty()) reach_ = static_cast<float>(height / static_cast<double>(things.things.size()));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "seamount/ops/ecosystem/place_things.h"
 #include "seamount/ops/render/perspective.h"
@@ -158,6 +159,26 @@ TEST(ThingsInPictures, AreTheSameOnAnyThreadsAndNothingWithoutThings) {
   const Things none;
   EXPECT_EQ(perspective(terrain, nullptr, &none, params, one), perspective(terrain, nullptr, params, one));
   EXPECT_NE(a, perspective(terrain, nullptr, params, one));
+}
+
+TEST(ThingsInPictures, OddTerrainsAndPlacesAreDrawn) {
+  PerspectiveParams params;
+  params.width_px = 48;
+  params.height_px = 32;
+  for (const auto& [width, height] : {std::pair{1, 1}, {1, 9}, {7, 1}}) {
+    const HeightField terrain(GridFrame{width, height, 5.0, 0.0, 50.0, {}}, 3.0F);
+    const Things one = place_things(terrain, {{"rock", {.shape = ThingForm::rock}}}, {{{2.5, 47.5}}}, {}, {1}, {});
+    ASSERT_EQ(one.things.size(), 1U);
+    EXPECT_EQ(perspective(terrain, nullptr, &one, params, {}).width, 48);
+  }
+  HeightField holes = ground(32, 4.0, 8.0);
+  for (int y = 8; y < 24; ++y)
+    for (int x = 8; x < 24; ++x) holes(x, y) = std::numeric_limits<float>::quiet_NaN();
+  Things things = some_things(holes, 80, 2);
+  EXPECT_LT(things.things.size(), 80U);
+  things.things[0].place = {-5e5, 3e5};  // far away, and where nothing is known
+  things.things[1].place = {3000.0 + 64.0, 8000.0 - 64.0};
+  EXPECT_EQ(perspective(holes, nullptr, &things, params, {}), perspective(holes, nullptr, &things, params, {}));
 }
 
 TEST(ThingsInPictures, AreSeenThroughTheWaterAndBluerTheDeeper) {
