@@ -167,7 +167,8 @@ TEST(ThingsInPictures, OddTerrainsAndPlacesAreDrawn) {
   params.height_px = 32;
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 9}, {7, 1}}) {
     const HeightField terrain(GridFrame{width, height, 5.0, 0.0, 50.0, {}}, 3.0F);
-    const Things one = place_things(terrain, {{"rock", {.shape = ThingForm::rock}}}, {{{2.5, 47.5}}}, {}, {1}, {});
+    const Things one =
+        ecosystem::place_things(terrain, {{"rock", {.shape = ThingForm::rock}}}, {{{2.5, 47.5}}}, {}, {1}, {});
     ASSERT_EQ(one.things.size(), 1U);
     EXPECT_EQ(perspective(terrain, nullptr, &one, params, {}).width, 48);
   }
