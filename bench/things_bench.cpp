@@ -19,9 +19,9 @@ std::vector<ecosystem::ThingSpec> specs() {
   return all;
 }
 
-std::vector<ecosystem::Placement> placements(const HeightField& ground, int count) {
+std::vector<ecosystem::ThingPlace> placements(const HeightField& ground, int count) {
   Rng rng(Seed{1});
-  std::vector<ecosystem::Placement> all;
+  std::vector<ecosystem::ThingPlace> all;
   const GridFrame& f = ground.frame();
   while (all.size() < static_cast<size_t>(count)) {
     const Vec2 place{rng.uniform(f.west_m, f.east_m()), rng.uniform(f.south_m(), f.north_m)};

@@ -71,10 +71,14 @@ void describe(const recipe::Registry& registry, const std::string& name, bool ma
   throw InvalidArgument(name, "is no operator, output format or kind of value" + suggestion(name, names));
 }
 
+/// Recipes and catalogues can be asked for by name; other data come with the recipes that name them.
+bool has_name(const Example& example) { return example.file.ends_with(".json"); }
+bool is_catalogue(const Example& example) { return example.file.starts_with("catalogues/"); }
+
 std::vector<std::string> example_names() {
   std::vector<std::string> names;
   for (const Example& example : example_files()) {
-    if (example.file.ends_with(".json")) names.emplace_back(example.file.substr(0, example.file.size() - 5));
+    if (has_name(example)) names.emplace_back(example.file.substr(0, example.file.size() - 5));
   }
   return names;
 }
@@ -93,7 +97,7 @@ void write_new_file(const fs::path& path, std::string_view content) {
 void list_examples() {
   std::cout << "examples (seamount new NAME)\n";
   for (const Example& example : example_files()) {
-    if (!example.file.ends_with(".json")) continue;
+    if (!has_name(example)) continue;
     const recipe::Json document = recipe::Json::parse(example.content, nullptr, false);
     const std::string about =
         document.is_object() && document.contains("about") && document["about"].is_string() ? document["about"] : "";
@@ -110,6 +114,8 @@ void make_new(const std::string& name, const std::string& folder) {
   }
   if (recipe == nullptr)
     throw InvalidArgument("example", "there is no '" + name + "'" + suggestion(name, example_names()));
+  if (is_catalogue(*recipe))
+    return write_new_file(fs::path(folder) / fs::path(recipe->file).filename(), recipe->content);
   std::string text(recipe->content);
   const std::string up = recipe->file.find('/') == std::string_view::npos ? "../" : "../../";
   for (const Example& data : example_files()) {

@@ -9,9 +9,10 @@
 //
 // from which range checks (here), recipe parsing, schema, command-line flags, help, reference pages and the studio's
 // panels are generated. Member types: double, int, bool, std::string, FilePath, Colour, an enum with a Choices table,
-// std::optional<double> (absent: derived), std::vector<double> or <int>, what people draw (model/drawn.h), another
-// Params struct (a group of parameters that belong together), and a list of tools: a vector of std::variant of Params
-// structs, each with a name and one line about it, written {"tool": "warp", ...}:
+// std::optional<double> (absent: derived), a std::vector of double, int or std::string, what people draw
+// (model/drawn.h), another Params struct (a group of parameters that belong together), a std::vector of such (a list of
+// groups), and a list of tools: a vector of std::variant of Params structs, each with a name and one line about it,
+// written {"tool": "warp", ...}:
 //
 //   struct WarpTool {
 //     static constexpr std::string_view kTool = "warp", kAbout = "drags contours along a stroke";
@@ -154,6 +155,9 @@ void check_value(std::string_view name, const T& value, Range range) {
     for (const auto number : value) check_number(name, number, range);
   } else if constexpr (HasFields<T>) {
     check_params(value, std::string(name) + ".");
+  } else if constexpr (requires { requires HasFields<typename T::value_type>; }) {
+    for (size_t i = 0; i < value.size(); ++i)
+      check_params(value[i], std::string(name) + "[" + std::to_string(i) + "].");
   } else if constexpr (requires { requires ToolChoice<typename T::value_type>; }) {
     for (size_t i = 0; i < value.size(); ++i) {
       const std::string place = std::string(name) + "[" + std::to_string(i) + "].";

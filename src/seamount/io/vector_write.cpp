@@ -9,6 +9,7 @@
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/gdal_call.h"
+#include "seamount/io/object_fields.h"
 #include "seamount/io/projection.h"
 #include "seamount/io/vector.h"
 #include "seamount/io/vector_chains.h"
@@ -16,12 +17,6 @@
 
 namespace seamount::io {
 namespace {
-
-/// What GeoPackage calls a plane without a place on the Earth.
-constexpr const char* kLocalMetres =
-    "ENGCRS[\"Undefined Cartesian "
-    "SRS\",EDATUM[\"\"],CS[Cartesian,2],AXIS[\"(E)\",east,ORDER[1],LENGTHUNIT[\"metre\",1]],"
-    "AXIS[\"(N)\",north,ORDER[2],LENGTHUNIT[\"metre\",1]]]";
 
 double signed_area(const Ring& ring) {
   double sum = 0;

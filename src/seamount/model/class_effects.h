@@ -34,10 +34,10 @@ struct Choices<HeightShape> {
                                                             "ridge", "cylinder", "island", "carve"};
 };
 
-enum class HeightGroup : unsigned char { grounded, altitude, surface };
+enum class HeightGroup : unsigned char { grounded, platform, altitude, surface };
 template <>
 struct Choices<HeightGroup> {
-  static constexpr std::array<std::string_view, 3> names = {"grounded", "altitude", "surface"};
+  static constexpr std::array<std::string_view, 4> names = {"grounded", "platform", "altitude", "surface"};
 };
 
 /// The coarse height function of an object (sec. 1.6.2), a function of the distance to its skeleton.
@@ -47,26 +47,31 @@ struct HeightEffect {
   double height_m = 1.0;
   double width_m = 10.0;
   double slope = 0.5;
+  double roughness_m = 0.0;
   bool operator==(const HeightEffect&) const = default;
 
   static constexpr auto fields() {
     return std::tuple(
         field(&HeightEffect::shape, "shape",
               "cone, dome, bump (Gaussian), plateau, ridge, cylinder, island, carve (down into the ground)"),
-        field(&HeightEffect::group, "group",
-              "grounded: heights over z = 0, smooth maximum; altitude: over the water level; surface: added"),
+        field(
+            &HeightEffect::group, "group",
+            "grounded: heights over z = 0, and platform: over the water level, both joined by the smooth maximum; "
+            "altitude: over the water level, joined among themselves by the smooth minimum (eq. 1.47); surface: added"),
         field(&HeightEffect::height_m, "height_m", "m", between(-20000, 20000),
               "of its top: over z = 0, over the water level, over the ground; carve: depth of the cut"),
         field(&HeightEffect::width_m, "width_m", "m", between(1e-3, 1e7),
               "of its foot at the level that it is measured from; points: its diameter"),
-        field(&HeightEffect::slope, "slope", "", between(1e-3, 100), "of its flanks beyond, as rise over run"));
+        field(&HeightEffect::slope, "slope", "", between(1e-3, 100), "of its flanks beyond, as rise over run"),
+        field(&HeightEffect::roughness_m, "roughness_m", "m", between(0, 1e5),
+              "by how much noise moves its outline to and fro, in forms of six times that size and smaller"));
   }
 };
 
-enum class CurrentShape : unsigned char { scale, twist, grab, shore };
+enum class CurrentShape : unsigned char { scale, twist, grab, obstacle, waves };
 template <>
 struct Choices<CurrentShape> {
-  static constexpr std::array<std::string_view, 4> names = {"scale", "twist", "grab", "shore"};
+  static constexpr std::array<std::string_view, 5> names = {"scale", "twist", "grab", "obstacle", "waves"};
 };
 
 /// One primitive of the current around an object (sec. 1.6.3).
@@ -87,7 +92,7 @@ struct CurrentEffect {
             "a curve; shore: the flow around the outline of a region"),
         field(&CurrentEffect::speed_m_s, "speed_m_s", "m/s", between(-100, 100), "the largest that it adds"),
         field(&CurrentEffect::radius_m, "radius_m", "m", between(1e-3, 1e6),
-              "epsilon of the Kelvinlet; reach of a shore"),
+              "epsilon of the Kelvinlet; reach of a region's flow"),
         field(&CurrentEffect::poisson_ratio, "poisson_ratio", "", between(0, 0.5),
               "of grabs: 0.5 neither gathers nor spreads"),
         field(&CurrentEffect::downstream_m, "downstream_m", "m", between(-1e6, 1e6),

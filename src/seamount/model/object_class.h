@@ -10,6 +10,7 @@
 
 #include "seamount/model/class_effects.h"
 #include "seamount/model/skeleton.h"
+#include "seamount/model/thing_params.h"
 
 namespace seamount {
 
@@ -104,6 +105,8 @@ struct ObjectClass {
   HeightEffect height;
   std::vector<CurrentEffect> currents;
   LabelEffect label;
+  std::vector<ThingParams> things;
+  double things_spacing_m = 0.0;
   Colour colour{200, 90, 60};
   bool operator==(const ObjectClass&) const = default;
 
@@ -123,6 +126,9 @@ struct ObjectClass {
         field(&ObjectClass::height, "height", "what it does to the ground"),
         field(&ObjectClass::currents, "currents", "what it does to the current"),
         field(&ObjectClass::label, "label", "which region of a label map it is"),
+        field(&ObjectClass::things, "things", "what stands there in three dimensions; of several one each by lot"),
+        field(&ObjectClass::things_spacing_m, "things_spacing_m", "m", between(0, 1e5),
+              "curves and regions: distance of the things along and within them; 0: none stand there"),
         field(&ObjectClass::colour, "colour", "on maps"));
   }
 };

@@ -75,7 +75,7 @@ struct StormEvent {
 struct CurrentEvent {
   static constexpr std::string_view kTool = "current", kAbout = "a drawn current (sec. 1.7.1)";
   double start = 0.0;
-  double end = 1.0;
+  double end = 1e9;
   Polyline points;
   double speed_m_s = 1.0;
   double width_m = 100.0;

@@ -48,6 +48,7 @@ struct ThingParams {
   double size_variation = 0.2;
   std::optional<double> lean;
   Colour colour;
+  bool operator==(const ThingParams&) const = default;
 
   static constexpr auto fields() {
     using P = ThingParams;

@@ -73,7 +73,8 @@ void collect_numbers(const std::vector<ParamInfo>& infos, const std::function<Js
     for (const ToolInfo& tool : info.tools) {
       collect_numbers(
           tool.params,
-          [give_this, name = tool.name](Json members) {
+          [give_this, name = tool.name, list = info.kind == "groups"](Json members) {
+            if (list) return give_this(Json::array({members}));
             if (name.empty()) return give_this(members);
             members["tool"] = name;
             return give_this(Json::array({members}));

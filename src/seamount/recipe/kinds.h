@@ -5,11 +5,13 @@
 #include <tuple>
 
 #include "seamount/model/areas.h"
+#include "seamount/model/catalogue.h"
 #include "seamount/model/contour_set.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
 #include "seamount/model/report.h"
+#include "seamount/model/scene.h"
 #include "seamount/model/things.h"
 #include "seamount/model/tin.h"
 #include "seamount/model/vector_field.h"
@@ -34,9 +36,13 @@ struct Tin      { using Type = seamount::Tin;     static const Kind& kind(); sta
 struct Contours { using Type = ContourSet;        static const Kind& kind(); static void add_formats(Registry&); };
 struct Report   { using Type = seamount::Report;  static const Kind& kind(); static void add_formats(Registry&); };
 struct Things   { using Type = seamount::Things;  static const Kind& kind(); static void add_formats(Registry&); };
+struct Catalogue { using Type = seamount::Catalogue; static const Kind& kind(); static void add_formats(Registry&); };
+struct Objects  { using Type = Scene;             static const Kind& kind(); static void add_formats(Registry&); };
 // clang-format on
 
-using All = std::tuple<Terrain, Labels, Field, Current, Image, Things, Drawing, Tin, Contours, Report>;
+// Asked in this order what a file is: those that know theirs by what it holds come before drawings, which take any.
+using All =
+    std::tuple<Terrain, Labels, Field, Current, Image, Things, Catalogue, Objects, Drawing, Tin, Contours, Report>;
 
 }  // namespace kinds
 }  // namespace seamount::recipe

@@ -26,27 +26,35 @@ using ::testing::Pair;
 
 /// An island with one port of each kind that can be written.
 Json document(Json outputs) {
-  return {{"seamount", 1},
-          {"domain", {{"width_m", 9600}, {"height_m", 8000}, {"cell_m", 100}}},
-          {"steps",
-           {{{"id", "isle"}, {"op", "island.build"}},
-            {{"id", "lines"}, {"op", "island.outlines"}, {"in", {{"labels", "isle.labels"}}}},
-            {{"id", "levels"}, {"op", "contour.extract"}, {"in", {{"terrain", "isle.terrain"}}}},
-            {{"id", "grown"}, {"op", "contour.grow"}, {"params", {{"particles", 400}}}},
-            {{"id", "grove"},
-             {"op", "ecosystem.scatter"},
-             {"in", {{"terrain", "isle.terrain"}}},
-             {"params", {{"spacing_m", 900}, {"min_height_m", 2}}}},
-            {{"id", "told"}, {"op", "hydrology.describe"}, {"in", {{"terrain", "isle.terrain"}}}},
-            {{"id", "seen"}, {"op", "render.relief"}, {"in", {{"terrain", "isle.terrain"}}}}}},
-          {"outputs", std::move(outputs)}};
+  Json made = {{"seamount", 1},
+               {"domain", {{"width_m", 9600}, {"height_m", 8000}, {"cell_m", 100}}},
+               {"steps",
+                {{{"id", "isle"}, {"op", "island.build"}},
+                 {{"id", "lines"}, {"op", "island.outlines"}, {"in", {{"labels", "isle.labels"}}}},
+                 {{"id", "levels"}, {"op", "contour.extract"}, {"in", {{"terrain", "isle.terrain"}}}},
+                 {{"id", "grown"}, {"op", "contour.grow"}, {"params", {{"particles", 400}}}},
+                 {{"id", "grove"},
+                  {"op", "ecosystem.scatter"},
+                  {"in", {{"terrain", "isle.terrain"}}},
+                  {"params", {{"spacing_m", 900}, {"min_height_m", 2}}}},
+                 {{"id", "told"}, {"op", "hydrology.describe"}, {"in", {{"terrain", "isle.terrain"}}}},
+                 {{"id", "seen"}, {"op", "render.relief"}, {"in", {{"terrain", "isle.terrain"}}}}}},
+               {"outputs", std::move(outputs)}};
+  const std::string catalogue = std::string(SEAMOUNT_SOURCE_DIR) + "/tests/golden/ecosystem/catalogue.json";
+  const Json life = {{"id", "life"},
+                     {"op", "ecosystem.grow"},
+                     {"in", {{"terrain", "isle.terrain"}, {"catalogue", {{"file", catalogue}}}}},
+                     {"params", {{"iterations", 1}}}};
+  if (made["outputs"].dump().find("life.") != std::string::npos) made["steps"].push_back(life);
+  return made;
 }
 
 std::string source_of(const Kind& kind) {
   const std::map<std::string, std::string> sources = {
       {"terrain", "isle.terrain"},     {"labels", "isle.labels"},     {"field", "isle.coordinate"},
       {"image", "seen.image"},         {"drawing", "lines.outlines"}, {"tin", "grown.tin"},
-      {"contours", "levels.contours"}, {"report", "told.report"},     {"things", "grove.things"}};
+      {"contours", "levels.contours"}, {"report", "told.report"},     {"things", "grove.things"},
+      {"objects", "life.objects"},     {"current", "life.current"}};
   return sources.at(kind.name);
 }
 

@@ -267,6 +267,8 @@ void for_each_file(const std::vector<ParamInfo>& infos, const Json& params,
       for (const Json& name : value) visit(name.get<std::string>());
     } else if (info.kind == "group") {
       for_each_file(info.tools[0].params, value, visit);
+    } else if (info.kind == "groups") {
+      for (const Json& item : value) for_each_file(info.tools[0].params, item, visit);
     } else if (info.kind == "tools") {
       for (const Json& item : value) {
         for (const ToolInfo& tool : info.tools) {
@@ -350,12 +352,14 @@ Json param_schema(const ParamInfo& info) {
     schema = {{"type", "array"}, {"items", {{"anyOf", {pairs, region}}}}};
   } else if (info.kind == "rivers") {
     schema = {{"type", "array"}, {"items", {{"anyOf", {pairs, river}}}}};
-  } else if (info.kind == "files") {
+  } else if (info.kind == "files" || info.kind == "texts") {
     schema = {{"type", "array"}, {"items", {{"type", "string"}}}};
   } else if (info.kind == "integers") {
     schema = {{"type", "array"}, {"items", {{"type", "integer"}}}};
   } else if (info.kind == "group") {
     schema = tool_schema(info.tools[0]);
+  } else if (info.kind == "groups") {
+    schema = {{"type", "array"}, {"items", tool_schema(info.tools[0])}};
   } else if (info.kind == "tools") {
     Json tools = Json::array();
     for (const ToolInfo& tool : info.tools) tools.push_back(tool_schema(tool));

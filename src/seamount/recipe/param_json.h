@@ -102,7 +102,7 @@ struct ParamInfo {
   std::vector<std::string> choices;
   std::string help;
   Json default_value;
-  std::vector<ToolInfo> tools;  ///< of the kind "tools": each of them; of the kind "group": one without a name
+  std::vector<ToolInfo> tools;  ///< of the kind "tools": each of them; of "group" and "groups": one without a name
 };
 
 /// A struct with a field table within a parameter.
@@ -137,6 +137,8 @@ constexpr std::string_view param_kind() {
     return "numbers";
   else if constexpr (std::is_same_v<T, std::vector<int>>)
     return "integers";
+  else if constexpr (std::is_same_v<T, std::vector<std::string>>)
+    return "texts";
   else if constexpr (std::is_same_v<T, Polyline>)
     return "points";
   else if constexpr (std::is_same_v<T, std::vector<Stroke>>)
@@ -151,6 +153,8 @@ constexpr std::string_view param_kind() {
     return "rivers";
   else if constexpr (HasFields<T>)
     return "group";
+  else if constexpr (requires { requires HasFields<typename T::value_type>; })
+    return "groups";
   else if constexpr (requires { requires ToolChoice<typename T::value_type>; })
     return "tools";
   else {
@@ -187,6 +191,8 @@ std::vector<ParamInfo> describe_params() {
                    {}};
     if constexpr (Choice<T>) info.choices.assign(Choices<T>::names.begin(), Choices<T>::names.end());
     if constexpr (HasFields<T>) info.tools = {{"", "", describe_params<T>()}};
+    if constexpr (requires { requires HasFields<typename T::value_type>; })
+      info.tools = {{"", "", describe_params<typename T::value_type>()}};
     if constexpr (requires { requires ToolChoice<typename T::value_type>; }) {
       info.tools = ToolsOf<typename T::value_type>::describe();
     }

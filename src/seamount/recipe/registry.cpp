@@ -80,6 +80,7 @@ const Registry& standard_registry() {
     add_hydrology_operators(all);
     add_erosion_operators(all);
     add_sketch_operators(all);
+    add_ecosystem_operators(all);
     add_classify_operators(all);
     add_thing_operators(all);
     add_render_operators(all);

@@ -154,5 +154,6 @@ void add_sketch_operators(Registry& registry);
 void add_classify_operators(Registry& registry);
 void add_thing_operators(Registry& registry);
 void add_render_operators(Registry& registry);
+void add_ecosystem_operators(Registry& registry);
 
 }  // namespace seamount::recipe

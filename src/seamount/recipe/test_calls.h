@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "seamount/ops/ecosystem/grow.h"
 #include "seamount/recipe/executor.h"
 #include "seamount/recipe/kinds.h"
 
@@ -37,6 +38,40 @@ inline ContourSet example_contours(const GridFrame& frame) {
            {200, circle({1200, 100}, 900), 1}}};
 }
 
+/// An island, corals that give off sand, and a reef that follows it.
+inline seamount::Catalogue example_catalogue() {
+  seamount::Catalogue catalogue;
+  catalogue.materials.push_back({.name = "sand", .density = 0.1, .flow_coupling = 1.0, .decay_1_s = 0.001});
+  const auto add = [&](const char* name, SkeletonKind skeleton, const char* fitness) -> ObjectClass& {
+    ObjectClass of;
+    of.name = name;
+    of.skeleton = skeleton;
+    of.fitness = fitness;
+    of.death = -1000.0;
+    of.shape.length_m = 800.0;
+    of.shape.area_m2 = 200000.0;
+    of.shape.steps = 5;
+    of.placement.samples = 256;
+    catalogue.classes.push_back(std::move(of));
+    return catalogue.classes.back();
+  };
+  add("lagoon", SkeletonKind::region, "1 + bell(depth, 20, 20) + 0.1 * noise(900)").label = {LabelChoice::lagoon, 0.0};
+  ObjectClass& coral = add("coral", SkeletonKind::point, "1 + bell(depth, 10, 10) - 0.1 * sand");
+  coral.placement.per_iteration = 30;
+  coral.deposits = {{"sand", 0.1, 100.0}};
+  coral.height = {HeightShape::bump, HeightGroup::surface, 2.0, 200.0, 0.5};
+  coral.currents = {{CurrentShape::scale, 0.1, 100.0}};
+  add("reef", SkeletonKind::curve, "1 + sand").label = {LabelChoice::reef, 200.0};
+  return catalogue;
+}
+
+inline Scene example_scene(const HeightField& ground) {
+  const seamount::Catalogue catalogue = example_catalogue();
+  ecosystem::GrowParams params;
+  params.iterations = 2;
+  return ecosystem::grow({ground, &catalogue}, params, Seed{4}, {}).scene;
+}
+
 inline Values make_example_values(const Extent& extent) {
   const GridFrame frame = frame_of(extent);
   const Json recipe = {
@@ -62,7 +97,9 @@ inline Values make_example_values(const Extent& extent) {
                 {"things", made[5]},
                 {"current", Value::of<kinds::Current>({ScalarField(frame, 0.4F), ScalarField(frame, -0.3F)})},
                 {"image", Value::of<kinds::Image>(Image(8, 8))},
-                {"contours", Value::of<kinds::Contours>(example_contours(frame))}};
+                {"contours", Value::of<kinds::Contours>(example_contours(frame))},
+                {"catalogue", Value::of<kinds::Catalogue>(example_catalogue())},
+                {"objects", Value::of<kinds::Objects>(example_scene(made[0].get<kinds::Terrain>()))}};
 }
 
 /// An island whose values fit any port.
@@ -74,8 +111,10 @@ inline const Values& example_values(const Extent& extent) {
 
 /// Optional inputs of which an operator needs one.
 inline const std::map<std::string, std::string>& needed_inputs() {
-  static const std::map<std::string, std::string> needed = {
-      {"contour.extract", "terrain"}, {"contour.refine", "tin"}, {"contour.reconstruct", "contours"}};
+  static const std::map<std::string, std::string> needed = {{"contour.extract", "terrain"},
+                                                            {"contour.refine", "tin"},
+                                                            {"contour.reconstruct", "contours"},
+                                                            {"ecosystem.grow", "catalogue"}};
   return needed;
 }
 
@@ -95,6 +134,8 @@ class ExampleCall {
     if (op.name == "terrain.join") params_["files"] = {file(extent)};
     if (params_.contains("fill_voids")) params_["fill_voids"] = true;
     if (op.name == "drawing.import" || op.name == "contour.import") params_["file"] = sheet_file(extent);
+    if (op.name == "ecosystem.grow") params_["iterations"] = 2;
+    if (op.name == "ecosystem.field") params_["of"] = "depth - sand + noise(500)";
     if (op.name == "terrain.mask") give("criteria", R"([{"tool": "slope"}, {"tool": "height"}])");
     if (op.name == "contour.edit") give("edits", R"([{"tool": "smooth"}, {"tool": "smooth", "rounds": 1}])");
     if (op.name == "island.wind") give("radial_count", "5");

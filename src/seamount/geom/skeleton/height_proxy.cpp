@@ -39,8 +39,9 @@ struct Joined {
   double weight = 0.0;          ///< of A
   double surface = 0.0;
 
-  void add(const ProxyProfile& profile, double distance) {
+  void add(const ProxyProfile& profile, double distance, Vec2 place) {
     if (distance >= profile.end()) return;
+    distance = profile.roughened(distance, place);
     const double height = profile.height(distance);
     if (profile.group() == HeightGroup::surface) {
       surface += height;
@@ -170,7 +171,7 @@ class HeightProxies::Tile {
     for (int y = from; y <= to; ++y) {
       for (int x = first; x <= last; ++x) {
         const double squared = point.squared_distance(place(x, y));
-        if (squared < end * end) cells_[index(x, y)].add(object.profile, std::sqrt(squared));
+        if (squared < end * end) cells_[index(x, y)].add(object.profile, std::sqrt(squared), place(x, y));
       }
     }
   }
@@ -204,7 +205,7 @@ class HeightProxies::Tile {
         for (const PointEdge& edge : near_) squared = std::min(squared, edge.squared_distance(p));
         double distance = std::sqrt(squared);
         if (object.rows && object.rows->contains(p)) distance = object.profile.is_signed() ? -distance : 0.0;
-        cells_[index(x, y)].add(object.profile, distance);
+        cells_[index(x, y)].add(object.profile, distance, p);
       }
     }
   }
@@ -257,7 +258,7 @@ void HeightProxies::over(std::span<const Vec2> places, std::span<double> heights
       std::sort(near.begin(), near.end());
       double& height = heights[static_cast<size_t>(k)];
       Joined joined{height, height};
-      for (const uint32_t i : near) joined.add(objects_[i].profile, distance(objects_[i], place));
+      for (const uint32_t i : near) joined.add(objects_[i].profile, distance(objects_[i], place), place);
       height = joined.result();
     }
   });

@@ -44,8 +44,9 @@ Scene random_scene(Seed seed, int count) {
   Scene scene;
   for (int i = 0; i < count; ++i) {
     scene.skeletons.push_back(random_skeleton(rng, static_cast<SkeletonKind>(rng.integer(0, 2))));
-    scene.effects.push_back({static_cast<HeightShape>(rng.integer(0, 8)), static_cast<HeightGroup>(rng.integer(0, 2)),
-                             rng.uniform(-10.0, 30.0), rng.uniform(5.0, 60.0), rng.uniform(0.3, 3.0)});
+    scene.effects.push_back({static_cast<HeightShape>(rng.integer(0, 8)), static_cast<HeightGroup>(rng.integer(0, 3)),
+                             rng.uniform(-10.0, 30.0), rng.uniform(5.0, 60.0), rng.uniform(0.3, 3.0),
+                             rng.chance(0.3) ? rng.uniform(0.5, 15.0) : 0.0});
   }
   return scene;
 }
@@ -83,12 +84,13 @@ double oracle(const Scene& scene, Vec2 p, double ground) {
           : scene.effects[i].shape == HeightShape::cylinder ? d
                                                             : 0.0;
     }
+    d = profile.roughened(d, p);
     const double w = profile.weight(d);
     if (profile.is_nothing() || w <= 0.0) continue;
     const double k = 0.5 / profile.blend();
     if (profile.group() == HeightGroup::surface) {
       surface += profile.height(d);
-    } else if (profile.group() == HeightGroup::grounded) {
+    } else if (profile.group() != HeightGroup::altitude) {
       grounded = smax(grounded, ground + w * (profile.height(d) - ground) - (1.0 / w - 1.0) / (2.0 * k), k);
     } else {
       const double own = profile.height(d), gap = altitude - own, b = profile.blend();

@@ -38,7 +38,7 @@ std::array<Vec2, kStencil> stencil(Vec2 p, double reach) {
 
 class Climb {
  public:
-  Climb(const ClimbOptions& options, const FieldAtPlaces& field)
+  Climb(const ClimbOptions& options, const FieldForPoints& field)
       : options_(options),
         field_(field),
         reach_(0.25 * options.cell_m),
@@ -76,10 +76,13 @@ class Climb {
   /// All stencils in one call.
   void evaluate() {
     places_.clear();
-    for (const size_t i : active_)
+    whose_.clear();
+    for (const size_t i : active_) {
       places_.insert(places_.end(), climbers_[i].around.begin(), climbers_[i].around.end());
+      whose_.insert(whose_.end(), kStencil, i);
+    }
     values_.resize(places_.size());
-    if (!places_.empty()) field_(places_, values_);
+    if (!places_.empty()) field_(places_, whose_, values_);
     size_t next = 0;
     for (const size_t i : active_) {
       for (double& value : climbers_[i].values) value = values_[next++];
@@ -142,21 +145,30 @@ class Climb {
   }
 
   const ClimbOptions& options_;
-  const FieldAtPlaces& field_;
+  const FieldForPoints& field_;
   double reach_, first_step_;
   std::vector<Climber> climbers_;
   std::vector<Climbed> results_;
   std::vector<size_t> active_;
   std::vector<Vec2> places_;
+  std::vector<size_t> whose_;
   std::vector<double> values_;
 };
 
 }  // namespace
 
-std::vector<Climbed> hill_climb(std::span<const Vec2> points, const ClimbOptions& options, const FieldAtPlaces& field,
+std::vector<Climbed> hill_climb(std::span<const Vec2> points, const ClimbOptions& options, const FieldForPoints& field,
                                 const RunContext& run) {
   check(options);
   return Climb(options, field).run(points, run);
+}
+
+std::vector<Climbed> hill_climb(std::span<const Vec2> points, const ClimbOptions& options, const FieldAtPlaces& field,
+                                const RunContext& run) {
+  const FieldForPoints same = [&](std::span<const Vec2> places, std::span<const size_t>, std::span<double> values) {
+    field(places, values);
+  };
+  return hill_climb(points, options, same, run);
 }
 
 }  // namespace seamount::geom

@@ -1,6 +1,7 @@
 // Points that climb to a place that suits them better (P3 sec. 1.5.2, point-based skeletons).
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,10 @@
 #include "seamount/geom/skeleton/field.h"
 
 namespace seamount::geom {
+
+/// A field that each point sees in its own way: whose[k] is the index of the point that asks at places[k].
+using FieldForPoints =
+    std::function<void(std::span<const Vec2> places, std::span<const size_t> whose, std::span<double> values)>;
 
 struct ClimbOptions {
   double cell_m = 1.0;             ///< what the field resolves, > 0: slopes are taken over a quarter of it each way
@@ -31,6 +36,8 @@ struct Climbed {
 /// along the slope does not help, the best of the places that the slope was taken from may; on a crest without breadth
 /// that is all.
 /// Throws InvalidArgument for options out of range. Linear in points and steps.
+std::vector<Climbed> hill_climb(std::span<const Vec2> points, const ClimbOptions& options, const FieldForPoints& field,
+                                const RunContext& run);
 std::vector<Climbed> hill_climb(std::span<const Vec2> points, const ClimbOptions& options, const FieldAtPlaces& field,
                                 const RunContext& run);
 

@@ -11,6 +11,8 @@
 // Surface shapes (t of either sign) are 0 from h on, and added. Grounded and altitude shapes are heights over z = 0 and
 // over the water level; from h on they fall with slope s until `deepest_m`. One whose top lies at or below that level
 // (t <= 0: a reef that keeps under water) is flat at t to the distance h, whatever its shape, and falls beyond.
+// Rough shapes read d moved to and fro by noise, the same for all shapes at a place, so that no outline is drawn with a
+// compass; d of a skeleton without inside stays at least 0.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +43,9 @@ class ProxyProfile {
 
   double height(double distance) const;  ///< over z = 0; of the surface group over the ground
   double weight(double distance) const;  ///< 1 up to the reach, 0 from end() on
-  double end() const { return reach_ + rim_; }
+  double end() const { return reach_ + rim_ + roughness_; }
+  /// The distance as the shape reads it at a place.
+  double roughened(double distance, Vec2 place) const { return roughness_ > 0.0 ? moved(distance, place) : distance; }
   double blend() const { return blend_; }
   double size() const { return size_; }
   HeightGroup group() const { return group_; }
@@ -51,10 +55,11 @@ class ProxyProfile {
 
  private:
   double within(double distance) const;
+  double moved(double distance, Vec2 place) const;
 
   HeightShape shape_;
   HeightGroup group_;
-  double top_, level_, half_, slope_, reach_, rim_, blend_, size_;
+  double top_, level_, half_, slope_, reach_, rim_, blend_, size_, roughness_;
   bool is_signed_, is_filled_, is_nothing_;
 };
 

@@ -23,13 +23,13 @@ struct ShapeKey {
   auto operator<=>(const ShapeKey&) const = default;
 };
 
-ShapeKey shape_of(const Placement& p, const ThingSpec& spec, Seed seed) {
+ShapeKey shape_of(const ThingPlace& p, const ThingSpec& spec, Seed seed) {
   Rng rng(seed.derive("variant", p.key));
   const int count = spec.params.shape == ThingForm::file ? 1 : spec.params.variants;
   return {p.spec, rng.integer(0, count - 1), static_cast<int>(std::lround(p.health * (kHealths - 1)))};
 }
 
-void check(const std::vector<ThingSpec>& specs, const std::vector<Placement>& placements) {
+void check(const std::vector<ThingSpec>& specs, const std::vector<ThingPlace>& placements) {
   for (size_t i = 0; i < specs.size(); ++i) {
     const std::string place = "specs[" + std::to_string(i) + "].";
     check_params(specs[i].params, place);
@@ -37,7 +37,7 @@ void check(const std::vector<ThingSpec>& specs, const std::vector<Placement>& pl
       throw InvalidArgument(place + "mesh", "shape file needs the mesh of a file");
   }
   for (size_t i = 0; i < placements.size(); ++i) {
-    const Placement& p = placements[i];
+    const ThingPlace& p = placements[i];
     const auto fail = [&](const std::string& problem) {
       throw InvalidArgument("placements", std::to_string(i) + ": " + problem);
     };
@@ -103,7 +103,7 @@ double gap_below(const HeightField& terrain, const Thing& thing, double foot_m, 
   return gap;
 }
 
-Thing thing_on(const HeightField& terrain, const Footing& ground, const Placement& p, const ThingParams& params,
+Thing thing_on(const HeightField& terrain, const Footing& ground, const ThingPlace& p, const ThingParams& params,
                double foot_m, double height_m, Seed seed) {
   Rng rng(seed.derive("thing", p.key));
   const geom::UsualThing usual = geom::usual(params.shape);
@@ -127,10 +127,10 @@ struct Models {
   std::vector<uint32_t> of;
 };
 
-Models make_models(const std::vector<ThingSpec>& specs, const std::vector<Placement>& placements, Seed seed,
+Models make_models(const std::vector<ThingSpec>& specs, const std::vector<ThingPlace>& placements, Seed seed,
                    const RunContext& run) {
   std::map<ShapeKey, uint32_t> numbers;
-  for (const Placement& p : placements) numbers[shape_of(p, specs[p.spec], seed)] = 0;
+  for (const ThingPlace& p : placements) numbers[shape_of(p, specs[p.spec], seed)] = 0;
   std::vector<ShapeKey> keys;
   for (auto& [key, number] : numbers) {
     number = static_cast<uint32_t>(keys.size());
@@ -148,14 +148,14 @@ Models make_models(const std::vector<ThingSpec>& specs, const std::vector<Placem
             : geom::make_thing_shape(spec.params, spec.name, seed.derive("shapes"), key.variant, health);
   });
   models.of.reserve(placements.size());
-  for (const Placement& p : placements) models.of.push_back(numbers.at(shape_of(p, specs[p.spec], seed)));
+  for (const ThingPlace& p : placements) models.of.push_back(numbers.at(shape_of(p, specs[p.spec], seed)));
   return models;
 }
 
 }  // namespace
 
 Things place_things(const HeightField& terrain, const std::vector<ThingSpec>& specs,
-                    const std::vector<Placement>& placements, const PlaceThingsOptions& options, Seed seed,
+                    const std::vector<ThingPlace>& placements, const PlaceThingsOptions& options, Seed seed,
                     const RunContext& run) {
   check(specs, placements);
   if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");
@@ -164,7 +164,7 @@ Things place_things(const HeightField& terrain, const std::vector<ThingSpec>& sp
   constexpr int64_t kGrain = 4096;
   parallel_blocks(run.part(0.6, 1.0), static_cast<int64_t>(placements.size()), kGrain, [&](int64_t begin, int64_t end) {
     for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-      const Placement& p = placements[i];
+      const ThingPlace& p = placements[i];
       const auto ground = footing(terrain, p.place);
       if (!ground) continue;
       const ThingShape& shape = models.shapes[models.of[i]];

@@ -24,7 +24,7 @@ struct ThingSpec {
 };
 
 /// Where one is to stand.
-struct Placement {
+struct ThingPlace {
   Vec2 place;                         ///< metres in the terrain's system
   uint32_t spec = 0;                  ///< which of the specs
   double size = 1.0;                  ///< factor on the spec's height and width, > 0
@@ -48,7 +48,7 @@ struct PlaceThingsOptions {
 /// {"placements"} for a spec that is none, a size that is not positive or numbers that are not finite. About 0.2 us a
 /// placement and 1 ms a shape, parallel.
 Things place_things(const HeightField& terrain, const std::vector<ThingSpec>& specs,
-                    const std::vector<Placement>& placements, const PlaceThingsOptions& options, Seed seed,
+                    const std::vector<ThingPlace>& placements, const PlaceThingsOptions& options, Seed seed,
                     const RunContext& run);
 
 }  // namespace seamount::ecosystem

@@ -31,11 +31,11 @@ std::vector<ThingSpec> specs() {
   return all;
 }
 
-std::vector<Placement> placements(int count, uint64_t seed) {
+std::vector<ThingPlace> placements(int count, uint64_t seed) {
   Rng rng(Seed{seed});
-  std::vector<Placement> all;
+  std::vector<ThingPlace> all;
   for (int i = 0; i < count; ++i) {
-    Placement p;
+    ThingPlace p;
     p.place = {rng.uniform(1002.5, 1297.5), rng.uniform(8802.5, 8997.5)};
     p.spec = static_cast<uint32_t>(rng.integer(0, 2));
     p.health = rng.uniform();
@@ -76,7 +76,7 @@ TEST(PlaceThings, RocksLeanWithTheGroundAndPalmsStandUpright) {
   for (int y = 0; y < 20; ++y)
     for (int x = 0; x < 20; ++x) plane(x, y) = 4.0F * static_cast<float>(x) + 2.0F * static_cast<float>(y);
   // dz/dx = 0.4, dz/dy (north) = -0.2
-  std::vector<Placement> where = {{{0.0, 0.0}, 0}, {{5.0, 3.0}, 1}};
+  std::vector<ThingPlace> where = {{{0.0, 0.0}, 0}, {{5.0, 3.0}, 1}};
   const Things all = place_things(plane, specs(), where, {}, {2}, {});
   const auto palm = turned(all.things[0].rotation, {0.0, 0.0, 1.0}),
              rock = turned(all.things[1].rotation, {0.0, 0.0, 1.0});
@@ -89,7 +89,7 @@ TEST(PlaceThings, RocksLeanWithTheGroundAndPalmsStandUpright) {
 
 TEST(PlaceThings, HeadingsTurnClockwiseFromNorth) {
   const HeightField level(GridFrame::centred(20, 20, 10.0), 5.0F);
-  const std::vector<Placement> where = {{{0.0, 0.0}, 0, 1.0, 90.0}, {{0.0, 0.0}, 1, 1.0, 0.0}};
+  const std::vector<ThingPlace> where = {{{0.0, 0.0}, 0, 1.0, 90.0}, {{0.0, 0.0}, 1, 1.0, 0.0}};
   const Things all = place_things(level, specs(), where, {}, {2}, {});
   const auto east = turned(all.things[0].rotation, {0.0, 1.0, 0.0}),
              north = turned(all.things[1].rotation, {0.0, 1.0, 0.0});
@@ -108,7 +108,7 @@ TEST(PlaceThings, AreTheSameOnAnyThreadsAndByThemselves) {
   EXPECT_EQ(a.things, b.things);
   EXPECT_EQ(a.shapes, b.shapes);
   EXPECT_NE(a.things, place_things(ground, specs(), where, {}, {6}, one).things);
-  const std::vector<Placement> alone = {where[4711]};
+  const std::vector<ThingPlace> alone = {where[4711]};
   const Things c = place_things(ground, specs(), alone, {}, {5}, {});
   const auto same =
       std::find_if(a.things.begin(), a.things.end(), [&](const Thing& thing) { return thing.place == alone[0].place; });
@@ -121,7 +121,7 @@ TEST(PlaceThings, AreTheSameOnAnyThreadsAndByThemselves) {
 
 TEST(PlaceThings, SayWhatIsLeftOut) {
   const HeightField ground = terrain(0.0);
-  std::vector<Placement> where = {{{1010.0, 8900.0}, 1}, {{900.0, 8900.0}, 1}, {{1155.0, 8895.0}, 1}};
+  std::vector<ThingPlace> where = {{{1010.0, 8900.0}, 1}, {{900.0, 8900.0}, 1}, {{1155.0, 8895.0}, 1}};
   std::string said;
   RunContext run;
   run.note = [&](const std::string& line) { said += line; };
@@ -151,7 +151,7 @@ TEST(PlaceThings, KeepABudgetOfTriangles) {
 
 TEST(PlaceThings, RefuseWhatMakesNoSense) {
   const HeightField ground = terrain(0.1);
-  const auto refusal = [&](const std::vector<ThingSpec>& kinds, const Placement& p) -> std::string {
+  const auto refusal = [&](const std::vector<ThingSpec>& kinds, const ThingPlace& p) -> std::string {
     try {
       place_things(ground, kinds, {p}, {}, {1}, {});
     } catch (const InvalidArgument& error) {

@@ -67,7 +67,7 @@ Things scatter(const ScatterInputs& in, const ScatterParams& params, Seed seed, 
   else
     places = even_places(in, params.spacing_m, seed.derive("places"), run.part(0.0, 0.3));
   const GridFrame& frame = in.terrain.frame();
-  std::vector<Placement> wanted;
+  std::vector<ThingPlace> wanted;
   for (size_t i = 0; i < places.size(); ++i) {
     const double column = frame.column(places[i].x), row = frame.row(places[i].y);
     const float z = sample_known(in.terrain, column, row);

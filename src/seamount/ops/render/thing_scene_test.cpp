@@ -26,7 +26,7 @@ Things some_things(const HeightField& terrain, int count, uint64_t seed) {
   specs[2] = {"fan", {.shape = ThingForm::foliose_coral, .height_m = 2.0, .variants = 2}};
   specs[3] = {"shrub", {.shape = ThingForm::shrub, .height_m = 3.0, .variants = 2}};
   Rng rng(Seed{seed});
-  std::vector<ecosystem::Placement> places;
+  std::vector<ecosystem::ThingPlace> places;
   const GridFrame& f = terrain.frame();
   for (int i = 0; i < count; ++i)
     places.push_back({.place = {rng.uniform(f.west_m + 5, f.east_m() - 5), rng.uniform(f.south_m() + 5, f.north_m - 5)},

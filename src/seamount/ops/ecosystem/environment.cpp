@@ -1,0 +1,123 @@
+#include "seamount/ops/ecosystem/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "seamount/base/parallel.h"
+#include "seamount/base/text.h"
+#include "seamount/geom/grid/resample.h"
+#include "seamount/ops/ecosystem/events.h"
+#include "seamount/ops/ecosystem/ground.h"
+#include "seamount/ops/ecosystem/materials.h"
+#include "seamount/ops/ecosystem/water.h"
+
+namespace seamount::ecosystem {
+namespace {
+
+bool encloses(const GridFrame& outer, const GridFrame& inner) {
+  const double slack = 1e-6 * outer.cell_m;
+  return inner.west_m >= outer.west_m - slack && inner.east_m() <= outer.east_m() + slack &&
+         inner.south_m() >= outer.south_m() - slack && inner.north_m <= outer.north_m + slack;
+}
+
+/// The finest coarser frame around a window.
+int parent_of(const Scene& scene, int window) {
+  const GridFrame& own = frame_of(scene, window);
+  int parent = 0;
+  for (size_t w = 1; w <= scene.windows.size(); ++w) {
+    const GridFrame& frame = scene.windows[w - 1];
+    if (static_cast<int>(w) == window || frame.cell_m <= own.cell_m || !encloses(frame, own)) continue;
+    if (frame.cell_m < frame_of(scene, parent).cell_m) parent = static_cast<int>(w);
+  }
+  return parent;
+}
+
+/// A field of the coarser frame at the cells of a finer one.
+ScalarField continued(const ScalarField& field, const GridFrame& frame, const RunContext& run) {
+  ScalarField made(frame);
+  const GridFrame& from = field.frame();
+  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const double row = std::clamp(from.row(frame.y(y)), 0.0, from.height - 1.0);
+      for (int x = 0; x < frame.width; ++x)
+        made(x, y) = geom::sample_bilinear(field, std::clamp(from.column(frame.x(x)), 0.0, from.width - 1.0), row);
+    }
+  });
+  return made;
+}
+
+/// What a window continues: the current and the materials of the frame around it, at its cells.
+struct Around {
+  VectorField current;
+  std::vector<ScalarField> materials;
+};
+
+Around environment_around(const Scene& scene, const Rules& rules, const Site& site, int window, double time,
+                          const RunContext& run) {
+  const Environment parent = make_environment(scene, rules, site, parent_of(scene, window), time, run);
+  const GridFrame& frame = frame_of(scene, window);
+  Around around{{continued(parent.current.x, frame, run), continued(parent.current.y, frame, run)}, {}};
+  for (const ScalarField& material : parent.materials) around.materials.push_back(continued(material, frame, run));
+  return around;
+}
+
+}  // namespace
+
+const GridFrame& frame_of(const Scene& scene, int window) {
+  if (window == 0) return scene.frame;
+  if (window < 0 || window > static_cast<int>(scene.windows.size()))
+    throw InvalidArgument("window", std::to_string(window) + " is none of the scene's " +
+                                        std::to_string(scene.windows.size()) + " windows");
+  return scene.windows[static_cast<size_t>(window - 1)];
+}
+
+bool seen_from(const Scene& scene, const SceneObject& object, int window) {
+  if (object.window == window || object.window == 0) return true;
+  return window != 0 && encloses(frame_of(scene, object.window), frame_of(scene, window)) &&
+         frame_of(scene, object.window).cell_m > frame_of(scene, window).cell_m;
+}
+
+bool changes_surroundings(const ObjectClass& of) {
+  return !of.deposits.empty() || !of.absorbs.empty() || of.height.shape != HeightShape::none || !of.currents.empty();
+}
+
+void index_objects(const Scene& scene, int window, Environment& environment) {
+  const size_t count = scene.catalogue.classes.size();
+  std::vector<std::vector<Skeleton>> skeletons(count);
+  std::vector<std::vector<int32_t>> owners(count);
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    const SceneObject& object = scene.objects[i];
+    if (!seen_from(scene, object, window)) continue;
+    skeletons[static_cast<size_t>(object.of_class)].push_back(object.skeleton);
+    owners[static_cast<size_t>(object.of_class)].push_back(static_cast<int32_t>(i));
+  }
+  environment.of_class.clear();
+  for (size_t c = 0; c < count; ++c) environment.of_class.emplace_back(skeletons[c], owners[c]);
+}
+
+Environment make_environment(const Scene& scene, const Rules& rules, const Site& site, int window, double time,
+                             const RunContext& run) {
+  if (site.ground.frame() != scene.frame)
+    throw IncompatibleInputs("the objects grew on another ground: theirs has " + std::to_string(scene.frame.width) +
+                             " x " + std::to_string(scene.frame.height) + " cells of " +
+                             format_number(scene.frame.cell_m) + " m, this one " + std::to_string(site.ground.width()) +
+                             " x " + std::to_string(site.ground.height()) + " of " +
+                             format_number(site.ground.cell_m()) + " m, or it lies elsewhere");
+  Environment environment;
+  environment.frame = frame_of(scene, window);
+  environment.water_level_m = scene.surroundings.water_level_m + water_level_change(scene.timeline, time);
+  environment.height = ground_with_objects(scene, site, window, time, environment.water_level_m, run);
+  const auto level = static_cast<float>(environment.water_level_m);
+  for (float& z : environment.height.cells()) z -= level;
+  std::optional<Around> around;
+  if (window != 0) around = environment_around(scene, rules, site, window, time, run);
+  environment.current =
+      current_of(scene, site, environment.height, window, time, around ? &around->current : nullptr, run);
+  environment.materials = materials_at_rest(scene, rules, environment, window,
+                                            around ? around->materials : std::vector<ScalarField>(), run);
+  index_objects(scene, window, environment);
+  return environment;
+}
+
+}  // namespace seamount::ecosystem

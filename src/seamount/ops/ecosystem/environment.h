@@ -1,0 +1,51 @@
+// What the objects of a scene find at a time (P3 sec. 1.3.1, 1.6): ground, water, materials, and one another. A
+// function of the scene, the ground beneath it and the time alone, so that a scene that was saved goes on as if it had
+// not been, and an edit that is undone leaves no trace.
+#pragma once
+
+#include <vector>
+
+#include "seamount/base/run_context.h"
+#include "seamount/geom/skeleton/skeleton_index.h"
+#include "seamount/model/scene.h"
+#include "seamount/model/vector_field.h"
+#include "seamount/ops/ecosystem/rules.h"
+
+namespace seamount::ecosystem {
+
+/// The ground that a scene stands on, and what else is known about the place. Lives longer than what is made of it.
+struct Site {
+  const HeightField& ground;             ///< metres over z = 0, no unknown cells
+  const VectorField* current = nullptr;  ///< m/s, added to all others; the ground's frame
+};
+
+struct Environment {
+  GridFrame frame;
+  ScalarField height;                  ///< metres over the water level
+  VectorField current;                 ///< m/s
+  std::vector<ScalarField> materials;  ///< as in the catalogue
+  double water_level_m = 0.0;
+  std::vector<geom::SkeletonIndex> of_class;  ///< owners are indices into the scene's objects
+};
+
+/// The frame of a window of a scene, or its own for 0.
+const GridFrame& frame_of(const Scene& scene, int window);
+
+/// The environment of the scene's frame (window 0) or of a window at a time (iterations; events grow in between). Only
+/// objects of this frame and of the coarser ones around it count: a window changes nothing outside. Within a window
+/// materials continue those of the frame around it. The ground of the scene's frame is the site's, that of windows it
+/// interpolated. About 100 ms for 10 000 objects, 512^2 cells and 6 materials; parallel.
+/// Throws IncompatibleInputs if the site's frame is not the scene's.
+Environment make_environment(const Scene& scene, const Rules& rules, const Site& site, int window, double time,
+                             const RunContext& run);
+
+/// Finds the objects again, by class, after some came or went that change neither ground nor water nor materials.
+void index_objects(const Scene& scene, int window, Environment& environment);
+
+/// Does the object belong to what is seen from a window?
+bool seen_from(const Scene& scene, const SceneObject& object, int window);
+
+/// Is a class able to change ground, water or materials?
+bool changes_surroundings(const ObjectClass& of);
+
+}  // namespace seamount::ecosystem
