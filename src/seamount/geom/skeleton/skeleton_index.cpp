@@ -14,6 +14,7 @@ constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 /// A distance below this share of the coordinates is rounding.
 constexpr double kOnIt = 1e-14;
 constexpr int32_t kNobody = NearestSkeleton::kNobody;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 int32_t excluded_at(std::span<const int32_t> excluded, int64_t i) {
   if (excluded.empty()) return kNobody;
@@ -66,6 +67,7 @@ void SkeletonIndex::add(const Skeleton& skeleton, int32_t owner, std::vector<Poi
   }
   const auto push = [&](Vec2 a, Vec2 b, double bend_a, double bend_b) {
     edges.push_back(PointEdge::between(a, b));
+    points_only_ = points_only_ && edges.back().inverse == 0.0;
     sources.push_back(
         {static_cast<uint32_t>(sources.size()), region, static_cast<float>(bend_a), static_cast<float>(bend_b)});
     owners.push_back(owner);
@@ -112,11 +114,11 @@ void SkeletonIndex::sort_into_tree(const std::vector<PointEdge>& edges, const st
   }
 }
 
-SkeletonIndex::Hit SkeletonIndex::search(Vec2 place, int32_t excluded, double most, bool any) const {
+SkeletonIndex::Hit SkeletonIndex::search(Vec2 place, int32_t excluded, Hit known, bool any) const {
   // A hair is allowed for, by which rounding may make a box seem further away than what lies in it.
   constexpr double kHair = 1.0 - 1e-12;
-  Hit best = {most, kNone};
-  uint32_t earliest = kNone;
+  Hit best = known;
+  uint32_t earliest = known.edge == kNone ? kNone : sources_[known.edge].number;
   const auto& nodes = tree_.nodes();
   if (nodes.empty()) return best;
   struct Waiting {
@@ -155,9 +157,90 @@ SkeletonIndex::Hit SkeletonIndex::search(Vec2 place, int32_t excluded, double mo
   return best;
 }
 
+SkeletonIndex::Hit SkeletonIndex::search_two(Vec2 place, int32_t excluded, double& second) const {
+  constexpr double kHair = 1.0 - 1e-12;
+  Hit best = {kInfinity, kNone};
+  second = kInfinity;
+  const auto& nodes = tree_.nodes();
+  if (nodes.empty()) return best;
+  struct Waiting {
+    double squared;
+    uint32_t node;
+  };
+  std::array<Waiting, BoxTree::kDepth> stack;
+  size_t waiting = 0;
+  stack[waiting++] = {squared_distance(nodes[0], place), 0};
+  while (waiting > 0) {
+    const Waiting next = stack[--waiting];
+    if (next.squared * kHair > second) continue;
+    const BoxTree::Node& node = nodes[next.node];
+    if (node.count == 0) {
+      Waiting near = {squared_distance(nodes[next.node + 1], place), next.node + 1};
+      Waiting far = {squared_distance(nodes[node.first], place), node.first};
+      if (far.squared < near.squared) std::swap(near, far);
+      stack[waiting++] = far;
+      stack[waiting++] = near;
+      continue;
+    }
+    for (uint32_t k = node.first; k < node.first + node.count; ++k) {
+      if (excluded != kNobody && owners_[k] == excluded) continue;
+      const double squared = edges_[k].squared_distance(place);
+      if (squared > second) continue;
+      const bool nearer =
+          squared < best.squared || (squared == best.squared && sources_[k].number < sources_[best.edge].number);
+      second = nearer ? best.squared : squared;
+      if (nearer) best = {squared, k};
+    }
+  }
+  return best;
+}
+
+/// Answers for one place after another. Where those lie close together the answer for one bounds that for the next: a
+/// point stays the nearest as long as no other can have come nearer, so that most need no search.
+class SkeletonIndex::Walk {
+ public:
+  explicit Walk(const SkeletonIndex& index) : index_(index) {}
+
+  /// `next`: where it will be asked afterwards.
+  Hit at(Vec2 place, int32_t excluded, Vec2 next) {
+    Hit known = {kInfinity, kNone};
+    if (last_.edge != kNone && (excluded == kNobody || index_.owners_[last_.edge] != excluded))
+      known = {index_.edges_[last_.edge].squared_distance(place), last_.edge};
+    if (known.edge != kNone && excluded == excluded_ && second_ > 0.0) {
+      const Vec2 off = place - from_;
+      const double others = second_ - std::sqrt(dot(off, off));
+      if (others > 0.0 && known.squared < kSurely * others * others) return known;
+    }
+    const Vec2 step = next - place;
+    const bool stays = index_.points_only_ && known.squared < kInfinity && dot(step, step) < 0.1 * known.squared;
+    second_ = 0.0;
+    if (stays) {
+      last_ = index_.search_two(place, excluded, second_);
+      second_ = std::sqrt(second_);
+    } else {
+      last_ = index_.search(place, excluded, known, false);
+    }
+    from_ = place;
+    excluded_ = excluded;
+    return last_;
+  }
+
+ private:
+  static constexpr double kSurely = 1.0 - 1e-9;  ///< more than rounding can make of distances
+
+  const SkeletonIndex& index_;
+  Hit last_ = {kInfinity, kNone};
+  double second_ = 0.0;  ///< at `from_`, all but the nearest are at least so far; 0: nothing is known
+  Vec2 from_;
+  int32_t excluded_ = kNobody;
+};
+
 NearestSkeleton SkeletonIndex::nearest(Vec2 place, int32_t excluded) const {
+  return describe(place, excluded, search(place, excluded, {kInfinity, kNone}, false));
+}
+
+NearestSkeleton SkeletonIndex::describe(Vec2 place, int32_t excluded, Hit hit) const {
   NearestSkeleton result;
-  const Hit hit = search(place, excluded, std::numeric_limits<double>::infinity(), false);
   if (hit.edge == kNone) return result;
   const PointEdge& edge = edges_[hit.edge];
   const Source& source = sources_[hit.edge];
@@ -205,18 +288,24 @@ bool SkeletonIndex::inside(Vec2 place, int32_t excluded) const {
 void SkeletonIndex::nearest(std::span<const Vec2> places, std::span<const int32_t> excluded,
                             std::span<NearestSkeleton> results, const RunContext& run) const {
   parallel_blocks(run, static_cast<int64_t>(places.size()), kPlacesPerBlock, [&](int64_t begin, int64_t end) {
+    Walk walk(*this);
     for (int64_t i = begin; i < end; ++i) {
-      results[static_cast<size_t>(i)] = nearest(places[static_cast<size_t>(i)], excluded_at(excluded, i));
+      const Vec2 place = places[static_cast<size_t>(i)];
+      const int32_t self = excluded_at(excluded, i);
+      const Hit hit = walk.at(place, self, places[static_cast<size_t>(std::min(i + 1, end - 1))]);
+      results[static_cast<size_t>(i)] = describe(place, self, hit);
     }
   });
 }
 
 void SkeletonIndex::distances(std::span<const Vec2> places, std::span<const int32_t> excluded,
                               std::span<double> results, const RunContext& run) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   parallel_blocks(run, static_cast<int64_t>(places.size()), kPlacesPerBlock, [&](int64_t begin, int64_t end) {
+    Walk walk(*this);
     for (int64_t i = begin; i < end; ++i) {
-      const Hit hit = search(places[static_cast<size_t>(i)], excluded_at(excluded, i), kInfinity, false);
+      const Vec2 place = places[static_cast<size_t>(i)];
+      const int32_t self = excluded_at(excluded, i);
+      const Hit hit = walk.at(place, self, places[static_cast<size_t>(std::min(i + 1, end - 1))]);
       results[static_cast<size_t>(i)] = std::sqrt(hit.squared);
     }
   });
@@ -235,7 +324,8 @@ void SkeletonIndex::any_within(std::span<const Vec2> places, std::span<const int
                                std::span<uint8_t> results, const RunContext& run) const {
   parallel_blocks(run, static_cast<int64_t>(places.size()), kPlacesPerBlock, [&](int64_t begin, int64_t end) {
     for (int64_t i = begin; i < end; ++i) {
-      const Hit hit = search(places[static_cast<size_t>(i)], excluded_at(excluded, i), radius_m * radius_m, true);
+      const Hit hit =
+          search(places[static_cast<size_t>(i)], excluded_at(excluded, i), {radius_m * radius_m, kNone}, true);
       results[static_cast<size_t>(i)] = hit.edge != kNone ? 1 : 0;
     }
   });

@@ -82,8 +82,12 @@ class SkeletonIndex {
            std::vector<int32_t>& owners);
   void sort_into_tree(const std::vector<PointEdge>& edges, const std::vector<Source>& sources,
                       const std::vector<int32_t>& owners);
-  /// The nearest edge nearer than sqrt(most), which is returned unless there is one; any such one if `any`.
-  Hit search(Vec2 place, int32_t excluded, double most, bool any) const;
+  /// The nearest edge nearer than `known`, which is returned unless there is one; any such one if `any`.
+  Hit search(Vec2 place, int32_t excluded, Hit known, bool any) const;
+  /// The nearest edge, and how far the next one is (squared).
+  Hit search_two(Vec2 place, int32_t excluded, double& second) const;
+  class Walk;
+  NearestSkeleton describe(Vec2 place, int32_t excluded, Hit hit) const;
 
   BoxTree tree_, region_tree_;
   std::vector<PointEdge> edges_;  ///< in the order of the tree's leaves, as what follows
@@ -92,6 +96,7 @@ class SkeletonIndex {
   std::vector<int32_t> node_owners_;     ///< the one owner of all edges below a node, or kNobody
   std::vector<uint32_t> node_earliest_;  ///< the lowest number of an edge below a node
   std::vector<Region> regions_;
+  bool points_only_ = true;
 };
 
 }  // namespace seamount::geom

@@ -18,18 +18,31 @@ void add_turned(const ScalarField& from, double rate, ScalarField& source) {
   for (size_t i = 0; i < source.size(); ++i) source.cells()[i] += share * from.cells()[i];
 }
 
-/// Materials whose sources are known once those before are at rest, by the order of the rules.
+/// Materials that are solved side by side, round after round: each as soon as those that turn into it are at rest, but
+/// for those that nothing waits for, which fill up the rounds in which the fewest are. So no core waits long, and a
+/// chain of transformations takes as many rounds as it is long.
 std::vector<std::vector<int>> rounds(const Rules& rules) {
-  std::vector<int> round(rules.material_order.size(), 0);
-  for (const int m : rules.material_order) {
+  const size_t count = rules.material_order.size();
+  std::vector<size_t> first(count, 0), chain(count, 0);  // rounds before it, and after it
+  for (const int m : rules.material_order)
     for (const auto& [from, to] : rules.turns)
       if (to == m)
-        round[static_cast<size_t>(m)] = std::max(round[static_cast<size_t>(m)], round[static_cast<size_t>(from)] + 1);
+        first[static_cast<size_t>(m)] = std::max(first[static_cast<size_t>(m)], first[static_cast<size_t>(from)] + 1);
+  for (size_t i = count; i-- > 0;) {
+    const int m = rules.material_order[i];
+    for (const auto& [from, to] : rules.turns)
+      if (from == m)
+        chain[static_cast<size_t>(m)] = std::max(chain[static_cast<size_t>(m)], chain[static_cast<size_t>(to)] + 1);
   }
   std::vector<std::vector<int>> made;
-  for (size_t m = 0; m < round.size(); ++m) {
-    made.resize(std::max(made.size(), static_cast<size_t>(round[m]) + 1));
-    made[static_cast<size_t>(round[m])].push_back(static_cast<int>(m));
+  for (size_t m = 0; m < count; ++m) made.resize(std::max(made.size(), first[m] + 1));
+  for (size_t m = 0; m < count; ++m)
+    if (chain[m] > 0) made[first[m]].push_back(static_cast<int>(m));
+  for (size_t m = 0; m < count; ++m) {
+    if (chain[m] > 0) continue;
+    const auto least = std::min_element(made.begin() + static_cast<std::ptrdiff_t>(first[m]), made.end(),
+                                        [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    least->push_back(static_cast<int>(m));
   }
   return made;
 }

@@ -16,18 +16,28 @@ namespace {
 
 constexpr int64_t kBlock = 1024;
 
-/// Bilinear, level beyond the outermost centres.
-double read(const ScalarField& field, Vec2 at) {
-  const GridFrame& frame = field.frame();
-  const double column = std::clamp(frame.column(at.x), 0.0, frame.width - 1.0);
-  const double row = std::clamp(frame.row(at.y), 0.0, frame.height - 1.0);
-  const int x = std::min(static_cast<int>(column), std::max(0, frame.width - 2));
-  const int y = std::min(static_cast<int>(row), std::max(0, frame.height - 2));
-  const int right = std::min(x + 1, frame.width - 1), below = std::min(y + 1, frame.height - 1);
-  const double u = column - x, v = row - y;
-  return (1 - v) * ((1 - u) * field(x, y) + u * field(right, y)) +
-         v * ((1 - u) * field(x, below) + u * field(right, below));
-}
+/// Where a place lies between four cell centres; level beyond the outermost ones.
+struct Reading {
+  Reading(const GridFrame& frame, Vec2 at) {
+    const double column = std::clamp(frame.column(at.x), 0.0, frame.width - 1.0);
+    const double row = std::clamp(frame.row(at.y), 0.0, frame.height - 1.0);
+    const int x = std::min(static_cast<int>(column), std::max(0, frame.width - 2));
+    const int y = std::min(static_cast<int>(row), std::max(0, frame.height - 2));
+    first = static_cast<size_t>(y) * static_cast<size_t>(frame.width) + static_cast<size_t>(x);
+    right = x + 1 < frame.width ? 1 : 0;
+    below = y + 1 < frame.height ? static_cast<size_t>(frame.width) : 0;
+    u = column - x;
+    v = row - y;
+  }
+
+  double of(const ScalarField& field) const {
+    const float* at = field.cells().data() + first;
+    return (1 - v) * ((1 - u) * at[0] + u * at[right]) + v * ((1 - u) * at[below] + u * at[below + right]);
+  }
+
+  size_t first, right, below;
+  double u, v;
+};
 
 bool contains(const GridFrame& frame, Vec2 at) {
   return at.x >= frame.west_m && at.x <= frame.east_m() && at.y >= frame.south_m() && at.y <= frame.north_m;
@@ -43,7 +53,7 @@ Vec2 gradient(const ScalarField& height, Vec2 at) {
     to = {std::clamp(to.x, frame.x(0), frame.x(frame.width - 1)),
           std::clamp(to.y, frame.y(frame.height - 1), frame.y(0))};
     const double run = step.x != 0.0 ? to.x - from.x : to.y - from.y;
-    return run > 0.0 ? (read(height, to) - read(height, from)) / run : 0.0;
+    return run > 0.0 ? (Reading(frame, to).of(height) - Reading(frame, from).of(height)) / run : 0.0;
   };
   return {rise({reach, 0.0}), rise({0.0, reach})};
 }
@@ -66,7 +76,7 @@ class Columns {
                word != kPlaceWords.end()) {
       fill_place_word(static_cast<PlaceWord>(word - kPlaceWords.begin()), column);
     } else {
-      each(column, [&field = material(term.word)](Vec2 at) { return read(field, at); });
+      read(material(term.word), 1.0, 0.0, column);
     }
     return column;
   }
@@ -75,6 +85,20 @@ class Columns {
   template <class F>
   void each(std::vector<double>& column, F f) const {
     for (size_t i = 0; i < column.size(); ++i) column[i] = f(places_.at[i]);
+  }
+
+  /// Of the places, once for all words that read a field.
+  const std::vector<Reading>& readings() {
+    if (readings_.empty()) {
+      readings_.reserve(places_.at.size());
+      for (const Vec2 at : places_.at) readings_.emplace_back(environment_.frame, at);
+    }
+    return readings_;
+  }
+
+  void read(const ScalarField& field, double sign, double above, std::vector<double>& column) {
+    const std::vector<Reading>& from = readings();
+    for (size_t i = 0; i < column.size(); ++i) column[i] = sign * from[i].of(field) + above;
   }
 
   const ScalarField& material(const std::string& name) const {
@@ -88,11 +112,11 @@ class Columns {
     const Environment& e = environment_;
     switch (word) {
       case PlaceWord::height:
-        return each(column, [&](Vec2 at) { return read(e.height, at); });
+        return read(e.height, 1.0, 0.0, column);
       case PlaceWord::depth:
-        return each(column, [&](Vec2 at) { return -read(e.height, at); });
+        return read(e.height, -1.0, 0.0, column);
       case PlaceWord::ground:
-        return each(column, [&](Vec2 at) { return read(e.height, at) + e.water_level_m; });
+        return read(e.height, 1.0, e.water_level_m, column);
       case PlaceWord::slope_deg:
         return each(column, [&](Vec2 at) {
           const Vec2 g = gradient(e.height, at);
@@ -103,11 +127,15 @@ class Columns {
       case PlaceWord::gradient_y:
         return each(column, [&](Vec2 at) { return gradient(e.height, at).y; });
       case PlaceWord::current:
-        return each(column, [&](Vec2 at) { return std::hypot(read(e.current.x, at), read(e.current.y, at)); });
+        for (size_t i = 0; i < column.size(); ++i) {
+          const Reading& reading = readings()[i];
+          column[i] = std::hypot(reading.of(e.current.x), reading.of(e.current.y));
+        }
+        return;
       case PlaceWord::current_x:
-        return each(column, [&](Vec2 at) { return read(e.current.x, at); });
+        return read(e.current.x, 1.0, 0.0, column);
       case PlaceWord::current_y:
-        return each(column, [&](Vec2 at) { return read(e.current.y, at); });
+        return read(e.current.y, 1.0, 0.0, column);
       case PlaceWord::x:
         return each(column, [](Vec2 at) { return at.x; });
       case PlaceWord::y:
@@ -167,6 +195,7 @@ class Columns {
   const Scene& scene_;
   const Environment& environment_;
   const Places& places_;
+  std::vector<Reading> readings_;
   std::vector<std::pair<size_t, std::vector<geom::NearestSkeleton>>> asked_;
 };
 
