@@ -40,4 +40,7 @@ void write_objects(const ObjectFile& file, const std::string& path);
 /// in regions, a place that is not finite; Cancelled.
 ObjectFile read_objects(const std::string& path, const RunContext& run = {});
 
+/// Does the file hold a head? False for one that is no GeoJSON or GeoPackage. Throws IoError: no such file.
+bool has_scene(const std::string& path);
+
 }  // namespace seamount::io

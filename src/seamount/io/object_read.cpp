@@ -158,20 +158,38 @@ ObjectFile read_objects(const std::string& path, const RunContext& run) {
   const DatasetPtr dataset = open_vector(path, call, run);
   ObjectReader reader(file, call, run);
   bool degrees = false;
+  std::string metres;
   for (int i = 0; i < dataset->GetLayerCount(); ++i) {
     OGRLayer& layer = *dataset->GetLayer(i);
     if (layer.GetFeatureCount() == 0) continue;
     const OGRSpatialReference* system = layer.GetSpatialRef();
-    if (extension == ".gpkg" && !is_undefined(system)) file.crs = metric_crs(crs_text(system));
-    if (extension == ".geojson") degrees = !is_undefined(system);
+    if (!is_undefined(system) && system->IsGeographic() != 0) degrees = true;
+    if (!is_undefined(system) && system->IsGeographic() == 0) metres = metric_crs(crs_text(system));
+    if (degrees && !metres.empty()) call.fail("some of its layers are in degrees, some in metres");
     reader.read(layer);
   }
   call.check("cannot be read");
   if (degrees) leave_degrees(file);
+  if (!metres.empty()) file.crs = metres;
   if (extension == ".gpkg") {
     if (const char* head = dataset->GetMetadataItem(kSceneItem)) file.head = head;
   }
   return file;
+}
+
+bool has_scene(const std::string& path) {
+  check_readable(path);
+  try {
+    if (extension_of(path) == ".geojson") {
+      ObjectFile file;
+      read_members(path, file);
+      return !file.head.empty();
+    }
+    const GdalCall call(path);
+    return open_vector(path, call, {})->GetMetadataItem(kSceneItem) != nullptr;
+  } catch (const IoError&) {
+    return false;
+  }
 }
 
 }  // namespace seamount::io

@@ -53,6 +53,14 @@ struct Surroundings {
   }
 };
 
+/// A finer frame within a scene, in which other classes grow. While it does the scene stands still: its iterations are
+/// its own, so that what happens in a window changes nothing outside.
+struct SceneWindow {
+  GridFrame frame;
+  int iteration = 0;  ///< how many are done in it
+  bool operator==(const SceneWindow&) const = default;
+};
+
 /// One object of a scene.
 struct SceneObject {
   uint64_t id = 0;   ///< from 1, never given twice
@@ -60,7 +68,7 @@ struct SceneObject {
   Skeleton skeleton;
   double size = 1.0;     ///< times the size, length or area of its class
   double fitness = 0.0;  ///< when it was last asked
-  int born = 0;          ///< iteration
+  int born = 0;          ///< iteration of its frame
   int window = 0;        ///< where it grew: 0 the scene's own frame, else a window, counted from 1
   bool keep = false;     ///< it lives whatever its fitness: placed by hand
 
@@ -79,15 +87,20 @@ struct Scene {
   Catalogue catalogue;
   Surroundings surroundings;
   Timeline timeline;
-  GridFrame frame;                      ///< of the ground that it grew on
-  std::vector<GridFrame> windows = {};  ///< finer frames within it
+  GridFrame frame;  ///< of the ground that it grew on
+  std::vector<SceneWindow> windows = {};
   uint64_t seed = 0;
-  int iteration = 0;  ///< how many are done
+  int iteration = 0;  ///< how many are done in the scene's own frame, and what time it is for events
   uint64_t next_id = 1;
   std::vector<SceneObject> objects;  ///< by ascending id
   std::vector<Owed> owed = {};
 
   bool operator==(const Scene&) const = default;
 };
+
+/// Iterations done in a frame: 0 the scene's own, else a window. REQUIRES: it is there.
+inline int iterations_in(const Scene& scene, int window) {
+  return window == 0 ? scene.iteration : scene.windows[static_cast<size_t>(window - 1)].iteration;
+}
 
 }  // namespace seamount

@@ -1,6 +1,6 @@
 // What people do to the objects of a scene by hand, between two iterations (P3 sec. 1.7.1). An edit acts after
-// iteration `after` (0: before the first). Objects are named by their number, or as the nearest one of a class to a
-// place.
+// iteration `after` (0: before the first) of the scene, or of the window that grows. Objects are named by their number,
+// or as the nearest one of a class to a place.
 #pragma once
 
 #include <string>

@@ -6,6 +6,7 @@
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/input_file.h"
 #include "seamount/io/object_file.h"
+#include "seamount/io/projection.h"
 #include "seamount/recipe/json_text.h"
 #include "seamount/recipe/scene_json.h"
 
@@ -23,7 +24,7 @@ io::ObjectFile to_features(const Scene& scene) {
                             .size = object.size,
                             .fitness = object.fitness,
                             .born = object.born,
-                            .age = scene.iteration - object.born,
+                            .age = iterations_in(scene, object.window) - object.born,
                             .window = object.window,
                             .keep = object.keep});
   }
@@ -60,8 +61,23 @@ int class_of(const io::ObjectFeature& object, const Catalogue& catalogue, const 
   throw IoError(path, "unknown class '" + object.of_class + "'" + suggestion(object.of_class, names));
 }
 
-Scene from_features(const io::ObjectFile& file, const std::string& path) {
+/// Places of features that a GIS has brought to another system, back in that of their scene.
+void bring_home(io::ObjectFile& file, const std::string& crs, const std::string& path, const RunContext& run) {
+  if (file.crs.empty() || crs.empty() || file.crs == crs) return;
+  std::vector<Vec2> places;
+  for (const io::ObjectFeature& object : file.objects)
+    places.insert(places.end(), object.skeleton.points.begin(), object.skeleton.points.end());
+  places = io::from_lonlat(io::to_lonlat(places, file.crs), crs);
+  auto next = places.begin();
+  for (io::ObjectFeature& object : file.objects)
+    for (Vec2& p : object.skeleton.points) p = *next++;
+  run.say(path + ": its features were brought from " + io::crs_name(file.crs) + " to " + io::crs_name(crs) +
+          ", the system of their scene");
+}
+
+Scene from_features(io::ObjectFile file, const std::string& path, const RunContext& run) {
   Scene scene = scene_around(file, path);
+  bring_home(file, scene.frame.crs, path, run);
   std::set<uint64_t> seen;
   for (const io::ObjectFeature& object : file.objects) {
     const size_t least = object.skeleton.kind == SkeletonKind::point   ? 1
@@ -99,8 +115,14 @@ void write_scene(const Scene& scene, const std::string& path) {
   io::write_text(path, readable_text(OrderedJson::parse(scene_json(scene).dump())));
 }
 
+bool is_scene_file(const std::string& path) {
+  const std::string extension = io::extension_of(path);
+  if (extension == ".json") return is_scene_text(io::read_text(path, kLargestText + 1, {}));
+  return (extension == ".geojson" || extension == ".gpkg") && io::has_scene(path);
+}
+
 Scene read_scene(const std::string& path, const RunContext& run) {
-  if (io::extension_of(path) != ".json") return from_features(io::read_objects(path, run), path);
+  if (io::extension_of(path) != ".json") return from_features(io::read_objects(path, run), path, run);
   return parse_scene(io::read_text(path, kLargestText + 1, run), path, run);
 }
 

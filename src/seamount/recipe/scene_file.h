@@ -17,4 +17,8 @@ void write_scene(const Scene& scene, const std::string& path);
 /// IoError, RecipeError (with places), Cancelled.
 Scene read_scene(const std::string& path, const RunContext& run);
 
+/// Is it a file that write_scene() wrote, or that a GIS has since edited? Features without a scene are drawings. Throws
+/// IoError for one that cannot be read at all.
+bool is_scene_file(const std::string& path);
+
 }  // namespace seamount::recipe

@@ -82,7 +82,8 @@ class Members {
   std::vector<std::string> names_;
 };
 
-void read_frame_json(const Json& json, GridFrame& frame, const ReadPlace& place) {
+/// `iteration`: of a window; null for the scene's own frame, which has none.
+void read_frame_json(const Json& json, GridFrame& frame, int* iteration, const ReadPlace& place) {
   Members members(json, place, "a frame");
   members.read("width", frame.width);
   members.read("height", frame.height);
@@ -90,7 +91,9 @@ void read_frame_json(const Json& json, GridFrame& frame, const ReadPlace& place)
   members.read("west_m", frame.west_m);
   members.read("north_m", frame.north_m);
   members.read("crs", frame.crs, false);
+  if (iteration != nullptr) members.read("iteration", *iteration);
   members.refuse_others();
+  if (iteration != nullptr && *iteration < 0) place.at("iteration").fail("is below 0");
   const bool sound = frame.width >= 1 && frame.height >= 1 && frame.width <= kMostCells && frame.height <= kMostCells &&
                      frame.cell_m > 0 && frame.cell_m <= 1e6 && std::isfinite(frame.west_m) &&
                      std::isfinite(frame.north_m);
@@ -168,6 +171,9 @@ void read_owed(const Json& list, Scene& scene, const ReadPlace& place) {
       continue;
     }
     owed.of_class = static_cast<int>(found - classes.begin());
+    if (owed.window < 0 || owed.window > static_cast<int>(scene.windows.size()))
+      place.at(i).at("window").fail("there is no window " + std::to_string(owed.window));
+    if (owed.count < 0) place.at(i).at("count").fail("is below 0");
     scene.owed.push_back(owed);
   }
 }
@@ -176,7 +182,10 @@ void read_owed(const Json& list, Scene& scene, const ReadPlace& place) {
 
 Json scene_head_json(const Scene& scene) {
   Json windows = Json::array();
-  for (const GridFrame& window : scene.windows) windows.push_back(frame_json(window));
+  for (const SceneWindow& window : scene.windows) {
+    windows.push_back(frame_json(window.frame));
+    windows.back()["iteration"] = window.iteration;
+  }
   Json owed = Json::array();
   for (const Owed& o : scene.owed)
     owed.push_back({{"class", scene.catalogue.classes[static_cast<size_t>(o.of_class)].name},
@@ -218,15 +227,16 @@ Scene read_scene_json(const Json& json, const ReadPlace& place) {
   }
   members.read("surroundings", scene.surroundings);
   members.read("timeline", scene.timeline);
-  if (const Json* frame = members.find("frame")) read_frame_json(*frame, scene.frame, place.at("frame"));
+  if (const Json* frame = members.find("frame")) read_frame_json(*frame, scene.frame, nullptr, place.at("frame"));
   if (const Json* windows = members.find("windows")) {
-    for (size_t i = 0; i < windows->size(); ++i) {
-      scene.windows.emplace_back();
-      read_frame_json((*windows)[i], scene.windows.back(), place.at("windows").at(i));
+    if (!windows->is_array()) place.at("windows").expected("a list", *windows);
+    for (size_t i = 0; windows->is_array() && i < windows->size(); ++i) {
+      SceneWindow& window = scene.windows.emplace_back();
+      read_frame_json((*windows)[i], window.frame, &window.iteration, place.at("windows").at(i));
     }
   }
   members.read_count("seed", scene.seed);
-  members.read("iteration", scene.iteration);
+  if (members.read("iteration", scene.iteration) && scene.iteration < 0) place.at("iteration").fail("is below 0");
   members.read_count("next_id", scene.next_id);
   if (const Json* owed = members.find("owed")) read_owed(*owed, scene, place.at("owed"));
   if (const Json* objects = members.find("objects")) {
@@ -237,6 +247,12 @@ Scene read_scene_json(const Json& json, const ReadPlace& place) {
   }
   members.refuse_others();
   return scene;
+}
+
+bool is_scene_text(const std::string& text) {
+  if (text.find(kVersion) == std::string::npos) return false;
+  const Json root = Json::parse(text, nullptr, false);
+  return root.is_object() && root.contains(kVersion);
 }
 
 Scene parse_scene(const std::string& text, const std::string& file, const RunContext& run) {

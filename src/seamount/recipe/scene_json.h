@@ -20,6 +20,9 @@ Json scene_json(const Scene& scene);
 /// finite, numbers given twice.
 Scene read_scene_json(const Json& json, const ReadPlace& place);
 
+/// Is this JSON that says that it is a scene, sound or not?
+bool is_scene_text(const std::string& text);
+
 /// Throws RecipeError with every defect and its line, Cancelled.
 Scene parse_scene(const std::string& text, const std::string& file, const RunContext& run = {});
 

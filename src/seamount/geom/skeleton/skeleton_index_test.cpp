@@ -191,5 +191,39 @@ TEST(SkeletonIndex, CurvatureAndNormalOfACircle) {
   EXPECT_NEAR(SkeletonIndex(arc, std::vector<int32_t>{0}).nearest({10.0, -10.0}).curvature, -1.0 / radius, 1e-4);
 }
 
+TEST(SkeletonIndex, AnswersForPlacesThatLieTogetherAsForEachAlone) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    Rng rng(Seed{seed});
+    std::vector<Skeleton> skeletons;
+    std::vector<int32_t> owners;
+    for (int i = 0; i < 300; ++i) {  // on a raster, so that several are often equally near; owners of two each
+      const Vec2 p{4.0 * static_cast<double>(rng.integer(0, 24)), 4.0 * static_cast<double>(rng.integer(0, 24))};
+      skeletons.push_back({SkeletonKind::point, {p}});
+      owners.push_back(i / 2);
+    }
+    const SkeletonIndex index(skeletons, owners);
+    std::vector<Vec2> places;
+    std::vector<int32_t> excluded;
+    for (int i = 0; i < 400; ++i) {
+      const size_t k = static_cast<size_t>(rng.integer(0, 299));
+      const double reach = std::pow(10.0, rng.uniform(-6.0, 1.0));
+      const Vec2 at =
+          rng.uniform() < 0.5 ? skeletons[k].points[0] : Vec2{rng.uniform(-5.0, 105.0), rng.uniform(-5.0, 105.0)};
+      for (const Vec2 step : {Vec2{0, 0}, {-reach, 0}, {reach, 0}, {0, -reach}, {0, reach}}) {
+        places.push_back(at + step);
+        excluded.push_back(i % 3 == 0 ? NearestSkeleton::kNobody : owners[k]);
+      }
+    }
+    std::vector<NearestSkeleton> together(places.size());
+    index.nearest(places, excluded, together, {});
+    std::vector<double> distances(places.size());
+    index.distances(places, excluded, distances, {});
+    for (size_t i = 0; i < places.size(); ++i) {
+      ASSERT_EQ(together[i], index.nearest(places[i], excluded[i])) << i;
+      ASSERT_EQ(distances[i], together[i].distance);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace seamount::geom

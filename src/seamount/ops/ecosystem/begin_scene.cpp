@@ -80,9 +80,10 @@ int open_window(const WindowParams& window, Scene& scene) {
                                                ", " + format_number(whole.south_m()) + " ... " +
                                                format_number(whole.north_m));
   }
-  const auto same = std::find(scene.windows.begin(), scene.windows.end(), frame);
+  const auto same = std::find_if(scene.windows.begin(), scene.windows.end(),
+                                 [&](const SceneWindow& other) { return other.frame == frame; });
   if (same != scene.windows.end()) return static_cast<int>(same - scene.windows.begin()) + 1;
-  scene.windows.push_back(frame);
+  scene.windows.push_back({frame});
   return static_cast<int>(scene.windows.size());
 }
 

@@ -161,7 +161,7 @@ std::vector<Vec2> birth_places(const BirthCall& call, Prospects& prospects, cons
   const auto index = static_cast<size_t>(call.of_class);
   const ObjectClass& of = call.scene.catalogue.classes[index];
   const Seed seed = Seed{call.scene.seed}
-                        .derive("births", static_cast<uint64_t>(call.scene.iteration))
+                        .derive("births", static_cast<uint64_t>(iterations_in(call.scene, call.window)))
                         .derive(of.name, static_cast<uint64_t>(call.window));
   const std::vector<Vec2> places = sample(call, seed);
   std::vector<double> fitness(places.size());

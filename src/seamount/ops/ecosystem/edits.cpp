@@ -39,8 +39,13 @@ class Editor {
 
   SceneObject& find(const ObjectChoice& choice) {
     if (choice.id != 0) {
-      for (SceneObject& object : scene_.objects)
-        if (object.id == static_cast<uint64_t>(choice.id)) return object;
+      for (SceneObject& object : scene_.objects) {
+        if (object.id != static_cast<uint64_t>(choice.id)) continue;
+        if (object.window == window_) return object;
+        fail("object.id", "object " + std::to_string(choice.id) +
+                              " lives in another frame of the scene: edit it while " +
+                              (object.window == 0 ? "the whole scene" : "its window") + " grows");
+      }
       fail("object.id", "there is no object " + std::to_string(choice.id));
     }
     const int of_class =
@@ -71,7 +76,7 @@ class Editor {
     if (edit.locked) object.skeleton.hold.assign(object.skeleton.points.size(), 1.0F);
     object.id = scene_.next_id++;
     object.size = edit.size;
-    object.born = scene_.iteration;
+    object.born = iterations_in(scene_, window_);
     object.window = window_;
     object.keep = edit.keep;
     scene_.objects.push_back(std::move(object));
@@ -136,7 +141,7 @@ bool apply_edits(const std::vector<SceneEdit>& edits, Scene& scene, int window, 
   bool any = false;
   for (size_t i = 0; i < edits.size(); ++i) {
     const int after = std::visit([](const auto& e) { return e.after; }, edits[i]);
-    if (after != scene.iteration) continue;
+    if (after != iterations_in(scene, window)) continue;
     editor.apply(edits[i], "edits[" + std::to_string(i) + "]");
     any = true;
   }

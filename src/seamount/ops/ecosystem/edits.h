@@ -9,7 +9,8 @@
 
 namespace seamount::ecosystem {
 
-/// Does the edits that are due after the iterations that the scene has done, in their order. Returns whether there were
+/// Does the edits that are due after the iterations that the scene, or the window, has done, in their order, to the
+/// objects of that frame. Returns whether there were
 /// any. Throws InvalidArgument with "edits[i]..." for a class, an object or a skeleton that is not there or would not
 /// be one; the scene is as before then.
 bool apply_edits(const std::vector<SceneEdit>& edits, Scene& scene, int window, const RunContext& run);

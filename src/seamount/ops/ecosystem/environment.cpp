@@ -1,8 +1,9 @@
 #include "seamount/ops/ecosystem/environment.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <optional>
+#include <span>
 
 #include "seamount/base/parallel.h"
 #include "seamount/base/text.h"
@@ -15,6 +16,13 @@
 namespace seamount::ecosystem {
 namespace {
 
+std::string frame_text(const GridFrame& frame) {
+  return std::to_string(frame.width) + " x " + std::to_string(frame.height) + " cells of " +
+         format_number(frame.cell_m) + " m from " + format_number(frame.west_m) + " east and " +
+         format_number(frame.north_m) + " north " +
+         (frame.crs.empty() ? "of no coordinate system" : "of " + frame.crs.substr(0, frame.crs.find('[')));
+}
+
 bool encloses(const GridFrame& outer, const GridFrame& inner) {
   const double slack = 1e-6 * outer.cell_m;
   return inner.west_m >= outer.west_m - slack && inner.east_m() <= outer.east_m() + slack &&
@@ -26,7 +34,7 @@ int parent_of(const Scene& scene, int window) {
   const GridFrame& own = frame_of(scene, window);
   int parent = 0;
   for (size_t w = 1; w <= scene.windows.size(); ++w) {
-    const GridFrame& frame = scene.windows[w - 1];
+    const GridFrame& frame = scene.windows[w - 1].frame;
     if (static_cast<int>(w) == window || frame.cell_m <= own.cell_m || !encloses(frame, own)) continue;
     if (frame.cell_m < frame_of(scene, parent).cell_m) parent = static_cast<int>(w);
   }
@@ -47,19 +55,25 @@ ScalarField continued(const ScalarField& field, const GridFrame& frame, const Ru
   return made;
 }
 
-/// What a window continues: the current and the materials of the frame around it, at its cells.
-struct Around {
-  VectorField current;
-  std::vector<ScalarField> materials;
-};
-
-Around environment_around(const Scene& scene, const Rules& rules, const Site& site, int window, double time,
-                          const RunContext& run) {
+std::shared_ptr<const Environment::Around> environment_around(const Scene& scene, const Rules& rules, const Site& site,
+                                                              int window, double time, const RunContext& run) {
   const Environment parent = make_environment(scene, rules, site, parent_of(scene, window), time, run);
   const GridFrame& frame = frame_of(scene, window);
-  Around around{{continued(parent.current.x, frame, run), continued(parent.current.y, frame, run)}, {}};
+  Environment::Around around{{continued(parent.current.x, frame, run), continued(parent.current.y, frame, run)}, {}};
   for (const ScalarField& material : parent.materials) around.materials.push_back(continued(material, frame, run));
-  return around;
+  return std::make_shared<const Environment::Around>(std::move(around));
+}
+
+/// What of some objects has an effect.
+template <class Choose>
+Digest digest_of(const Scene& scene, Choose choose) {
+  Hasher hasher;
+  for (const SceneObject& object : scene.objects) {
+    if (!choose(object)) continue;
+    hasher.number(static_cast<uint64_t>(object.of_class)).number(std::bit_cast<uint64_t>(object.size));
+    hasher.number(object.skeleton.points.size()).bytes(std::as_bytes(std::span(object.skeleton.points)));
+  }
+  return hasher.digest();
 }
 
 }  // namespace
@@ -69,7 +83,7 @@ const GridFrame& frame_of(const Scene& scene, int window) {
   if (window < 0 || window > static_cast<int>(scene.windows.size()))
     throw InvalidArgument("window", std::to_string(window) + " is none of the scene's " +
                                         std::to_string(scene.windows.size()) + " windows");
-  return scene.windows[static_cast<size_t>(window - 1)];
+  return scene.windows[static_cast<size_t>(window - 1)].frame;
 }
 
 bool seen_from(const Scene& scene, const SceneObject& object, int window) {
@@ -97,25 +111,37 @@ void index_objects(const Scene& scene, int window, Environment& environment) {
 }
 
 Environment make_environment(const Scene& scene, const Rules& rules, const Site& site, int window, double time,
-                             const RunContext& run) {
+                             const RunContext& run, Environment before) {
   if (site.ground.frame() != scene.frame)
-    throw IncompatibleInputs("the objects grew on another ground: theirs has " + std::to_string(scene.frame.width) +
-                             " x " + std::to_string(scene.frame.height) + " cells of " +
-                             format_number(scene.frame.cell_m) + " m, this one " + std::to_string(site.ground.width()) +
-                             " x " + std::to_string(site.ground.height()) + " of " +
-                             format_number(site.ground.cell_m()) + " m, or it lies elsewhere");
+    throw IncompatibleInputs("the objects grew on another ground: theirs has " + frame_text(scene.frame) +
+                             ", this one " + frame_text(site.ground.frame()));
   Environment environment;
   environment.frame = frame_of(scene, window);
+  environment.window = window;
   environment.water_level_m = scene.surroundings.water_level_m + water_level_change(scene.timeline, time);
   environment.height = ground_with_objects(scene, site, window, time, environment.water_level_m, run);
   const auto level = static_cast<float>(environment.water_level_m);
   for (float& z : environment.height.cells()) z -= level;
-  std::optional<Around> around;
-  if (window != 0) around = environment_around(scene, rules, site, window, time, run);
-  environment.current =
-      current_of(scene, site, environment.height, window, time, around ? &around->current : nullptr, run);
-  environment.materials = materials_at_rest(scene, rules, environment, window,
-                                            around ? around->materials : std::vector<ScalarField>(), run);
+  environment.time = time;
+  const bool same_time = before.frame == environment.frame && !before.height.empty() &&
+                         !changes_between(scene.timeline, before.time, time);
+  if (window != 0) {
+    const int parent = parent_of(scene, window);
+    environment.around_of = digest_of(scene, [&](const auto& object) { return seen_from(scene, object, parent); });
+    environment.around = same_time && before.around_of == environment.around_of
+                             ? before.around
+                             : environment_around(scene, rules, site, window, time, run);
+  }
+  environment.water_of = digest_of(scene, [&](const SceneObject& object) {
+    return object.window == window && !scene.catalogue.classes[static_cast<size_t>(object.of_class)].currents.empty();
+  });
+  const bool same_flow = same_time && before.water_of == environment.water_of && before.around == environment.around &&
+                         before.height == environment.height;
+  environment.current = same_flow ? std::move(before.current)
+                                  : current_of(scene, site, environment.height, window, time,
+                                               environment.around ? &environment.around->current : nullptr, run);
+  if (!same_flow) before.materials.clear();
+  bring_to_rest(scene, rules, window, before, environment, run);
   index_objects(scene, window, environment);
   return environment;
 }

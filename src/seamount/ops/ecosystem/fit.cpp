@@ -119,7 +119,7 @@ class Refit {
   }
 
  private:
-  double age(size_t i) const { return scene_.iteration - scene_.objects[i].born; }
+  double age(size_t i) const { return iterations_in(scene_, scene_.objects[i].window) - scene_.objects[i].born; }
 
   bool climb() {
     std::vector<Vec2> places;
@@ -219,7 +219,7 @@ bool fit_again(Scene& scene, const Rules& rules, const Environment& environment,
   std::vector<std::vector<size_t>> of_class(scene.catalogue.classes.size());
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& object = scene.objects[i];
-    if (object.window == window && object.born < scene.iteration && !wholly_held(object.skeleton))
+    if (object.window == window && object.born < iterations_in(scene, window) && !wholly_held(object.skeleton))
       of_class[static_cast<size_t>(object.of_class)].push_back(i);
   }
   bool any = false;

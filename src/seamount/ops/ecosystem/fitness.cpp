@@ -59,7 +59,7 @@ std::vector<double> fitness_of(const Scene& scene, const Rules& rules, const Env
     for (const Vec2 p : places_of(object.skeleton)) {
       questions.places.push_back(p);
       questions.self.push_back(static_cast<int32_t>(objects[k]));
-      questions.age.push_back(scene.iteration - object.born);
+      questions.age.push_back(iterations_in(scene, object.window) - object.born);
     }
     questions.objects.push_back(k);
     questions.starts.push_back(questions.places.size());

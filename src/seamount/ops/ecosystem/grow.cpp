@@ -33,31 +33,37 @@ class Growth {
 
   Grown grow() {
     environment_ = make(scene_.iteration);
-    const int last = scene_.iteration + params_.iterations;
-    while (scene_.iteration < last && !targets_reached()) {
+    const int last = clock() + params_.iterations;
+    while (clock() < last && !targets_reached()) {
       run_.check_cancelled();
       iterate();
-      run_.report(1.0 - static_cast<double>(last - scene_.iteration) / params_.iterations);
+      run_.report(1.0 - static_cast<double>(last - clock()) / params_.iterations);
     }
     say_what_became(scene_, histories_, wanted_, window_, run_);
     for (const SceneEdit& edit : params_.edits) {
       const int after = std::visit([](const auto& e) { return e.after; }, edit);
-      if (after < scene_.iteration && after >= last - params_.iterations) continue;
+      if (after < clock() && after >= last - params_.iterations) continue;
       run_.say("an edit after iteration " + std::to_string(after) + " was not done: growth was at iterations " +
-               std::to_string(last - params_.iterations) + " to " + std::to_string(scene_.iteration));
+               std::to_string(last - params_.iterations) + " to " + std::to_string(clock()));
       break;
     }
     return finish();
   }
 
  private:
-  Environment make(double time) const { return make_environment(scene_, rules_, site_, window_, time, run_); }
+  Environment make(double time) {
+    return make_environment(scene_, rules_, site_, window_, time, run_, std::move(environment_));
+  }
+
+  /// Iterations done in the frame that grows.
+  int& clock() { return window_ == 0 ? scene_.iteration : scene_.windows[static_cast<size_t>(window_ - 1)].iteration; }
 
   void iterate() {
     const bool edited = apply_edits(params_.edits, scene_, window_, run_);
-    const int time = scene_.iteration + 1;
-    if (edited || changes_between(scene_.timeline, scene_.iteration, time)) environment_ = make(time);
-    scene_.iteration = time;
+    const int before = scene_.iteration;
+    ++clock();
+    const int time = scene_.iteration;  // stands still while a window grows
+    if (edited || changes_between(scene_.timeline, before, time)) environment_ = make(time);
     const bool born = give_birth();
     const bool moved = fit_again(scene_, rules_, environment_, window_, run_);
     if (born || moved) environment_ = make(time);
@@ -137,7 +143,7 @@ class Growth {
     if (places.empty()) return;
     const ObjectClass& of = scene_.catalogue.classes[static_cast<size_t>(of_class)];
     const Seed seed = Seed{scene_.seed}
-                          .derive("sizes", static_cast<uint64_t>(scene_.iteration))
+                          .derive("sizes", static_cast<uint64_t>(clock()))
                           .derive(of.name, static_cast<uint64_t>(window_));
     std::vector<double> sizes;
     for (size_t i = 0; i < places.size(); ++i)
@@ -151,7 +157,7 @@ class Growth {
       newborn.push_back({.of_class = of_class,
                          .skeleton = std::move(skeletons[i]),
                          .size = sizes[i],
-                         .born = scene_.iteration,
+                         .born = clock(),
                          .window = window_});
     }
     histories_[static_cast<size_t>(of_class)].born += static_cast<int>(skeletons.size());

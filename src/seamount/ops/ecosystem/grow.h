@@ -33,8 +33,10 @@ struct Grown {
   VectorField current;  ///< m/s
 };
 
-/// Grows a scene. Events and edits in the files are the caller's to read. Says what never grew and why, how targets
-/// were missed, what was dropped. A scene that is given keeps its seed, its surroundings and its timeline.
+/// Grows a scene, or one window of it: that has iterations of its own, in which edits are counted and objects are born,
+/// while the scene around it stands still. Events and edits in the files are the caller's to read. Says what never grew
+/// and why, how targets were missed, what was dropped. A scene that is given keeps its seed, its surroundings and its
+/// timeline.
 ///
 /// Throws InvalidArgument (a parameter, an edit that names nothing, no catalogue, a window outside of the scene),
 /// IncompatibleInputs where rasters or the scene lie elsewhere, Cancelled. About 100 ms an iteration for 10 000

@@ -19,53 +19,6 @@ using testing::AnyOf;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// A slope from 20 m under water in the west to 20 m over it in the east, with hills.
-HeightField shore(int cells = 64, double cell_m = 10.0) {
-  const GridFrame frame = GridFrame::centred(cells, cells, cell_m);
-  HeightField ground = geom::fbm_grid(frame, Seed{3}, {.wavelength_m = 200.0, .octaves = 4}, {});
-  for (int y = 0; y < cells; ++y)
-    for (int x = 0; x < cells; ++x)
-      ground(x, y) = static_cast<float>(10.0 * ground(x, y) + 40.0 * frame.x(x) / frame.width_m());
-  return ground;
-}
-
-/// Corals under water that deposit what algae live of; a reef along the corals.
-Catalogue small_catalogue() {
-  Catalogue catalogue;
-  catalogue.materials = {material("lime")};
-  catalogue.materials[0].diffusivity_m2_s = 4.0;
-  catalogue.classes = {point("coral", "bell(depth, 6, 3)"), point("alga", "lime - 0.02 * distance(alga) / 100")};
-  ObjectClass& coral = catalogue.classes[0];
-  coral.birth = 0.5;
-  coral.death = 0.3;
-  coral.placement.per_iteration = 20;
-  coral.placement.spacing_m = 15.0;
-  coral.deposits = {{"lime", 0.1, 20.0}};
-  ObjectClass& alga = catalogue.classes[1];
-  alga.birth = 0.05;
-  alga.placement.per_iteration = 10;
-  alga.placement.spacing_m = 8.0;
-  return catalogue;
-}
-
-GrowParams some(int iterations) {
-  GrowParams params;
-  params.iterations = iterations;
-  return params;
-}
-
-Grown grown(const HeightField& ground, const Catalogue& catalogue, const GrowParams& params, uint64_t seed = 7,
-            const RunContext& run = {}) {
-  return grow({ground, &catalogue}, params, Seed{seed}, run);
-}
-
-int count(const Scene& scene, const std::string& name) {
-  int n = 0;
-  for (const SceneObject& object : scene.objects)
-    n += scene.catalogue.classes[static_cast<size_t>(object.of_class)].name == name;
-  return n;
-}
-
 TEST(GrowScene, NoObjectBelowItsThresholdSurvives) {
   const HeightField ground = shore();
   for (const uint64_t seed : {1, 2, 3}) {

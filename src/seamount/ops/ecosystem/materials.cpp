@@ -70,13 +70,17 @@ VectorField carrying_flow(const Material& material, const Environment& environme
   return flow;
 }
 
-std::vector<ScalarField> materials_at_rest(const Scene& scene, const Rules& rules, const Environment& environment,
-                                           int window, const std::vector<ScalarField>& around, const RunContext& run) {
+void bring_to_rest(const Scene& scene, const Rules& rules, int window, Environment& before, Environment& environment,
+                   const RunContext& run) {
   const std::vector<Material>& materials = scene.catalogue.materials;
-  std::vector<ScalarField> sources = material_sources(scene, rules, environment.frame, window, run);
-  std::vector<ScalarField> rest(materials.size());
+  const bool known = before.materials.size() == materials.size() && before.sources.size() == materials.size();
+  std::vector<ScalarField>& sources = environment.sources;
+  std::vector<ScalarField>& rest = environment.materials;
+  sources = material_sources(scene, rules, environment.frame, window, run);
+  rest.resize(materials.size());
   for (const std::vector<int>& round : rounds(rules)) {
     std::vector<VectorField> flows(materials.size());
+    std::vector<size_t> asked;
     std::vector<geom::Transport> transports;
     for (const int number : round) {
       const auto m = static_cast<size_t>(number);
@@ -88,19 +92,23 @@ std::vector<ScalarField> materials_at_rest(const Scene& scene, const Rules& rule
           add_turned(rest[static_cast<size_t>(rules.turns[t].first)], turn.rate_1_s * turn.yield, sources[m]);
       }
       if (sources[m].empty()) sources[m] = ScalarField(environment.frame, 0.0F);
+      if (known && sources[m] == before.sources[m]) {
+        rest[m] = std::move(before.materials[m]);
+        continue;
+      }
       if (moves(materials[m])) flows[m] = carrying_flow(materials[m], environment, run);
       geom::Transport transport;
       transport.source = &sources[m];
       transport.flow = flows[m].empty() ? nullptr : &flows[m];
-      transport.around = around.empty() ? nullptr : &around[m];
+      transport.around = environment.around ? &environment.around->materials[m] : nullptr;
       transport.diffusivity_m2_s = materials[m].diffusivity_m2_s;
       transport.decay_per_s = decay;
       transports.push_back(transport);
+      asked.push_back(m);
     }
     std::vector<ScalarField> solved = geom::steady_states(transports, run);
-    for (size_t i = 0; i < round.size(); ++i) rest[static_cast<size_t>(round[i])] = std::move(solved[i]);
+    for (size_t i = 0; i < asked.size(); ++i) rest[asked[i]] = std::move(solved[i]);
   }
-  return rest;
 }
 
 }  // namespace seamount::ecosystem

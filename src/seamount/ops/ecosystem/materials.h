@@ -2,17 +2,16 @@
 // 1.35-1.38).
 #pragma once
 
-#include <vector>
-
 #include "seamount/ops/ecosystem/environment.h"
 
 namespace seamount::ecosystem {
 
-/// Steady states of all materials, one after another where one turns into the next, else side by side. `around`: the
-/// materials to continue at the border, on the environment's frame; empty: open sea. Reads the environment's frame,
-/// height and current.
-std::vector<ScalarField> materials_at_rest(const Scene& scene, const Rules& rules, const Environment& environment,
-                                           int window, const std::vector<ScalarField>& around, const RunContext& run);
+/// Fills in the materials of an environment, which reads its frame, height, current and what is around it (nothing:
+/// open sea): steady states of all, one after another where one turns into the next, else side by side. `before`: an
+/// environment with the same height, current and surroundings, or one without materials: what comes from the same
+/// sources is taken from it.
+void bring_to_rest(const Scene& scene, const Rules& rules, int window, Environment& before, Environment& environment,
+                   const RunContext& run);
 
 /// Velocity that carries a material: -density grad H + flow_coupling W (eq. 1.36; printed with the wrong sign of
 /// gravity).

@@ -5,7 +5,7 @@
 //   slope_deg            of the ground                                  gradient_x, gradient_y    rise over run
 //   current              speed of the water, m/s                        current_x, current_y      its components
 //   x, y                 metres                                         age           iterations since birth; 0 unborn
-//   iteration            of the scene                                   water_level   metres over z = 0
+//   iteration            of the scene or the window                     water_level   metres over z = 0
 //   NAME                 concentration of the material of that name
 //   distance(CLASS)      metres to the nearest object of a class, outside of itself; 0 within a region; the diagonal of
 //                        the frame where there is none

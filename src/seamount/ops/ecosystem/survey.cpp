@@ -144,7 +144,7 @@ class Columns {
         if (!places_.age.empty()) std::copy(places_.age.begin(), places_.age.end(), column.begin());
         return;
       case PlaceWord::iteration:
-        return each(column, [&](Vec2) { return static_cast<double>(scene_.iteration); });
+        return each(column, [&](Vec2) { return static_cast<double>(iterations_in(scene_, environment_.window)); });
       case PlaceWord::water_level:
         return each(column, [&](Vec2) { return e.water_level_m; });
     }
