@@ -19,6 +19,8 @@ namespace {
     throw;
   } catch (const IoError&) {
     throw;  // it names its file
+  } catch (const RecipeError&) {
+    throw;  // of a file that a step reads: it names that, and each defect with its line
   } catch (const InvalidArgument& error) {
     throw InvalidArgument(name, error.what());
   } catch (const IncompatibleInputs& error) {
