@@ -9,12 +9,16 @@
 #include "examples.h"
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
+#include "seamount/recipe/catalogue_json.h"
+#include "seamount/recipe/catalogue_reference.h"
 #include "seamount/recipe/reference.h"
 
 namespace seamount::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+const char* const kCatalogue = "catalogue";
 
 void list(const recipe::Registry& registry, bool json) {
   if (json) {
@@ -51,8 +55,13 @@ bool describe_family(const recipe::Registry& registry, const std::string& name, 
 }
 
 void describe(const recipe::Registry& registry, const std::string& name, bool markdown) {
-  if (markdown) {
+  if (markdown && name.empty()) {
     std::cout << recipe::reference_markdown(registry);
+    return;
+  }
+  if (markdown) {
+    if (name != kCatalogue) throw InvalidArgument("--markdown", "is for the whole reference, or for 'catalogue'");
+    std::cout << recipe::catalogue_markdown();
     return;
   }
   const auto* op = registry.find_operator(name);
@@ -62,6 +71,7 @@ void describe(const recipe::Registry& registry, const std::string& name, bool ma
   if (format != nullptr) std::cout << recipe::describe_format(*format);
   if (format != nullptr && kind != nullptr) std::cout << "\n";  // labels, drawing, ... are both
   if (kind != nullptr) std::cout << recipe::describe_kind(*kind, registry);
+  if (name == kCatalogue) std::cout << "\n" << recipe::describe_catalogue();
   const bool one_thing = format != nullptr || kind != nullptr;
   const bool family = op == nullptr && describe_family(registry, name, one_thing);
   if (op != nullptr || one_thing || family) return;
@@ -142,14 +152,21 @@ void add_discover_commands(Command program, const recipe::Registry& registry) {
 
   Command describe_command = program.add_command("describe", "Describe an operator or an output format");
   describe_command.add("name", name.get(), "its name");
-  describe_command.add_switch("--markdown", *markdown, "the whole reference, as docs/operators.md");
+  describe_command.add_switch("--markdown", *markdown,
+                              "the whole reference, as docs/operators.md; of catalogue as docs/catalogues.md");
   describe_command.does([=, &registry] {
     if (name->empty() && !*markdown) throw InvalidArgument("describe", "which one? 'seamount list' shows them");
     describe(registry, *name, *markdown);
   });
 
-  Command schema_command = program.add_command("schema", "Print the JSON Schema of recipes");
-  schema_command.does([&registry] { std::cout << recipe::recipe_schema(registry).dump(2) << "\n"; });
+  Command schema_command = program.add_command("schema", "Print the JSON Schema of recipes, or of catalogues");
+  schema_command.add("of", name.get(), "recipe or catalogue; recipe if it is left out");
+  schema_command.does([=, &registry] {
+    if (!name->empty() && *name != kCatalogue && *name != "recipe")
+      throw InvalidArgument("schema", "there is none of '" + *name + "'" + suggestion(*name, {"recipe", kCatalogue}));
+    const recipe::Json schema = *name == kCatalogue ? recipe::catalogue_schema() : recipe::recipe_schema(registry);
+    std::cout << schema.dump(2) << "\n";
+  });
 
   Command new_command = program.add_command("new", "Write an example recipe to start from");
   new_command.add("example", name.get(), fmt::format("one of {}", fmt::join(example_names(), ", ")));

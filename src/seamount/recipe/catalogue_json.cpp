@@ -59,6 +59,12 @@ Catalogue read_catalogue(const std::string& path, const RunContext& run) {
   return catalogue;
 }
 
+bool is_catalogue_text(const std::string& text) {
+  if (text.find(kVersion) == std::string::npos) return false;
+  const Json root = Json::parse(text, nullptr, false);
+  return root.is_object() && root.contains(kVersion);
+}
+
 Json catalogue_json(const Catalogue& catalogue) {
   Json json = write_params(catalogue);
   json[kVersion] = 1;

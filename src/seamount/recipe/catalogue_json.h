@@ -1,6 +1,5 @@
 // Catalogues of environmental objects as JSON: {"seamount_catalogue": 1, "name", "about", "materials": [...],
-// "classes":
-// [...], "transformations": [...]}, each member by the field tables of model/catalogue.h.
+// "classes": [...], "transformations": [...]}, each member by the field tables of model/catalogue.h.
 #pragma once
 
 #include <string>
@@ -18,6 +17,9 @@ Catalogue parse_catalogue(const std::string& text, const std::string& file, cons
 /// The same of a file; mesh files that it names are relative to it, and are there. Throws IoError, RecipeError,
 /// Cancelled.
 Catalogue read_catalogue(const std::string& path, const RunContext& run = {});
+
+/// Is this JSON that says that it is a catalogue, sound or not?
+bool is_catalogue_text(const std::string& text);
 
 /// All of a catalogue, defaults included; what parse_catalogue reads as the same.
 Json catalogue_json(const Catalogue& catalogue);

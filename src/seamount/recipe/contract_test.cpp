@@ -8,6 +8,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "seamount/geom/scalar/expression_code.h"
+#include "seamount/ops/ecosystem/words.h"
+#include "seamount/recipe/catalogue_reference.h"
 #include "seamount/recipe/reference.h"
 #include "seamount/recipe/test_calls.h"
 #include "seamount/recipe/value_bytes.h"
@@ -162,12 +165,32 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Operators, Contract, ::testing::ValuesIn(standard_registry().operator_names()), test_name);
 
-TEST(Reference, OperatorsPageIsFresh) {
-  std::ifstream file(std::string(SEAMOUNT_SOURCE_DIR) + "/docs/operators.md");
+std::string page(const std::string& name) {
+  std::ifstream file(std::string(SEAMOUNT_SOURCE_DIR) + "/docs/" + name);
   std::stringstream text;
   text << file.rdbuf();
-  EXPECT_TRUE(text.str() == reference_markdown())
+  return text.str();
+}
+
+TEST(Reference, OperatorsPageIsFresh) {
+  EXPECT_TRUE(page("operators.md") == reference_markdown())
       << "docs/operators.md is stale: ./run describe --markdown > docs/operators.md";
+}
+
+TEST(Reference, CataloguesPageIsFresh) {
+  EXPECT_TRUE(page("catalogues.md") == catalogue_markdown())
+      << "docs/catalogues.md is stale: ./run describe catalogue --markdown > docs/catalogues.md";
+}
+
+TEST(Reference, CataloguesPageKnowsEveryWord) {
+  const std::string text = catalogue_markdown();
+  for (const std::string_view word : ecosystem::kPlaceWords)
+    EXPECT_NE(text.find("| `" + std::string(word) + "` |"), std::string::npos) << word;
+  for (const std::string_view word : ecosystem::kClassWords)
+    EXPECT_NE(text.find("| `" + std::string(word) + "(CLASS)` |"), std::string::npos) << word;
+  const std::string functions = text.substr(text.find("## Functions"));
+  for (const auto& function : geom::expression::kFunctions)
+    EXPECT_NE(functions.find(std::string(function.name)), std::string::npos) << function.name;
 }
 
 }  // namespace

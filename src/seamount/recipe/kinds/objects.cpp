@@ -1,4 +1,8 @@
 // objects: a scene of environmental objects with all that decides how it goes on.
+#include <string>
+
+#include "seamount/base/text.h"
+#include "seamount/io/projection.h"
 #include "seamount/recipe/format.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/scene_file.h"
@@ -21,6 +25,36 @@ Scene from_bytes(Reader& reader) {
   }
 }
 
+std::string frame_text(const GridFrame& frame) {
+  return std::to_string(frame.width) + " x " + std::to_string(frame.height) + " cells of " +
+         format_number(frame.cell_m) + " m, x " + format_number(frame.west_m) + " to " + format_number(frame.east_m()) +
+         ", y " + format_number(frame.south_m()) + " to " + format_number(frame.north_m);
+}
+
+/// Of a file that holds a scene; features without one are described as a drawing.
+std::optional<io::FileInfo> describe(const std::string& path) {
+  if (!is_scene_file(path)) return std::nullopt;
+  const Scene scene = read_scene(path, {});
+  std::vector<size_t> counts(scene.catalogue.classes.size(), 0);
+  for (const SceneObject& object : scene.objects) ++counts[static_cast<size_t>(object.of_class)];
+  std::string classes;
+  for (size_t c = 0; c < counts.size(); ++c)
+    classes += (c > 0 ? ", " : "") + scene.catalogue.classes[c].name + " " + std::to_string(counts[c]);
+  io::FileInfo info = {{"format", "environmental objects"},
+                       {"catalogue", scene.catalogue.name},
+                       {"objects", std::to_string(scene.objects.size())},
+                       {"classes", classes},
+                       {"iteration", std::to_string(scene.iteration)},
+                       {"events", std::to_string(scene.timeline.size())},
+                       {"frame", frame_text(scene.frame)}};
+  for (size_t w = 0; w < scene.windows.size(); ++w)
+    info.emplace_back("window " + std::to_string(w + 1),
+                      frame_text(scene.windows[w].frame) + ", iteration " + std::to_string(scene.windows[w].iteration));
+  info.emplace_back("coordinate system",
+                    scene.frame.crs.empty() ? "none (local metres)" : io::crs_name(scene.frame.crs));
+  return info;
+}
+
 }  // namespace
 
 const Kind& kinds::Objects::kind() {
@@ -35,7 +69,7 @@ const Kind& kinds::Objects::kind() {
       .write = [](Writer& writer, const Scene& scene) { writer.text(scene_json(scene).dump()); },
       .read = from_bytes,
       .read_file = [](const FileCall& call) { return read_scene(call.path, call.run); },
-      .info = {},
+      .info = describe,
   });
   return kind;
 }
