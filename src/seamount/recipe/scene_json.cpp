@@ -42,8 +42,8 @@ Json object_json(const SceneObject& object, const Catalogue& catalogue) {
 /// Members of one object, each checked.
 class Members {
  public:
-  Members(const Json& json, const ReadPlace& place, std::string what) : json_(json), place_(place) {
-    if (!json.is_object()) place.expected(what, json);
+  Members(const Json& json, ReadPlace place, const std::string& what) : json_(json), place_(std::move(place)) {
+    if (!json.is_object()) place_.expected(what, json);
   }
   template <class T>
   bool read(const char* name, T& value, bool required = true) {
@@ -78,7 +78,7 @@ class Members {
 
  private:
   const Json& json_;
-  const ReadPlace& place_;
+  ReadPlace place_;
   std::vector<std::string> names_;
 };
 
