@@ -5,6 +5,7 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
+#include "seamount/geom/polygon/polygon.h"
 
 namespace seamount::ecosystem {
 namespace {
@@ -33,6 +34,26 @@ void rename_classes(Scene& scene, const Catalogue& catalogue, const RunContext& 
   scene.catalogue = catalogue;
 }
 
+void say_what_lies_outside(const Scene& scene, const RunContext& run) {
+  const GridFrame& frame = scene.frame;
+  const auto lies_outside = [&](Vec2 p) {
+    return p.x < frame.west_m || p.x > frame.east_m() || p.y < frame.south_m() || p.y > frame.north_m;
+  };
+  size_t count = 0;
+  std::string first;
+  for (const SceneObject& object : scene.objects) {
+    const Polyline& points = object.skeleton.points;
+    const auto found = std::find_if(points.begin(), points.end(), lies_outside);
+    if (object.window != 0 || found == points.end()) continue;
+    if (count++ == 0) first = "object " + std::to_string(object.id) + " at " + geom::format_place(*found);
+  }
+  if (count > 0)
+    run.say(
+        std::to_string(count) + " of " + std::to_string(scene.objects.size()) +
+        " objects reach beyond the ground, where their fitness has no value: they die unless they are kept, such as " +
+        first);
+}
+
 }  // namespace
 
 Scene begin_scene(const GrowInputs& inputs, const GrowParams& params, Seed seed, const RunContext& run) {
@@ -40,7 +61,13 @@ Scene begin_scene(const GrowInputs& inputs, const GrowParams& params, Seed seed,
   if (inputs.before != nullptr) {
     scene = *inputs.before;
     if (inputs.catalogue != nullptr) rename_classes(scene, *inputs.catalogue, run);
+    for (const ObjectClass& of : scene.catalogue.classes) {
+      if (of.fitness.empty())
+        throw InvalidArgument("catalogue",
+                              "is missing: the objects come without rules for the class '" + of.name + "'");
+    }
     if (scene.frame.width == 0) scene.frame = inputs.ground.frame();
+    say_what_lies_outside(scene, run);
   } else {
     if (inputs.catalogue == nullptr) throw InvalidArgument("catalogue", "is missing: nothing can grow without one");
     scene.catalogue = *inputs.catalogue;

@@ -55,6 +55,38 @@ std::optional<io::FileInfo> describe(const std::string& path) {
   return info;
 }
 
+/// Of the ground that they grew on; of the places of objects that have none.
+std::optional<Extent> extent_of(const Scene& scene) {
+  if (scene.frame.width > 0) return Extent::of(scene.frame);
+  std::optional<Extent> extent;
+  for (const SceneObject& object : scene.objects) {
+    for (const Vec2 p : object.skeleton.points) {
+      const Extent place{scene.frame.crs, p.x, p.y, p.x, p.y};
+      if (extent) extent->include(place);
+      if (!extent) extent = place;
+    }
+  }
+  return extent;
+}
+
+/// Objects without a ground go anywhere; a scene belongs to the cells that it grew on.
+Scene brought(const Scene& scene, const Destination& to) {
+  if (scene.frame.width > 0)
+    throw IncompatibleInputs("the objects grew on a ground in " + io::crs_name(scene.frame.crs) +
+                             ", the terrain is in " + io::crs_name(to.frame.crs) +
+                             ": give the terrain that they grew on");
+  Scene there = scene;
+  there.frame.crs = to.frame.crs;
+  std::vector<Vec2> places;
+  for (const SceneObject& object : scene.objects)
+    places.insert(places.end(), object.skeleton.points.begin(), object.skeleton.points.end());
+  places = io::from_lonlat(io::to_lonlat(places, scene.frame.crs), to.frame.crs);
+  auto next = places.begin();
+  for (SceneObject& object : there.objects)
+    for (Vec2& p : object.skeleton.points) p = *next++;
+  return there;
+}
+
 }  // namespace
 
 const Kind& kinds::Objects::kind() {
@@ -64,7 +96,8 @@ const Kind& kinds::Objects::kind() {
       .files = {".gpkg"},
       .reads = {".json", ".gpkg", ".geojson"},
       .frame = {},
-      .extent = [](const Scene& scene) { return std::optional(Extent::of(scene.frame)); },
+      .extent = extent_of,
+      .bring = brought,
       .bytes = size_of,
       .write = [](Writer& writer, const Scene& scene) { writer.text(scene_json(scene).dump()); },
       .read = from_bytes,
