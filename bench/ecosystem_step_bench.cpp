@@ -92,7 +92,8 @@ double seconds_of(int iterations, const HeightField& ground, const Scene& scene)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Arguments: objects, cells a side (100 000 as densely as 10 000). The time of an iteration without that of beginning and ending.
+/// Arguments: objects, cells a side (100 000 as densely as 10 000). The time of an iteration without that of beginning
+/// and ending.
 void step(benchmark::State& state) {
   const HeightField ground = floor_of_hills(static_cast<int>(state.range(1)));
   const Scene scene = settled(state.range(0), ground, reef_life());
