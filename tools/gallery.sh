@@ -17,6 +17,15 @@ for recipe in volcano mesa canyon range; do
   ./run run "recipes/contours/$recipe.json" --out "$made/contours_$recipe" --no-cache
   cp "$made/contours_$recipe/view.png" "docs/gallery/contours_$recipe.png"
 done
+for recipe in coral_reef_island island_to_colony canyon alpine_forest competition; do
+  ./run run "recipes/ecosystem/$recipe.json" --out "$made/$recipe" --no-cache
+done
+cp "$made/coral_reef_island/view.png" docs/gallery/ecosystem_island.png
+cp "$made/island_to_colony/dive.png" docs/gallery/ecosystem_colony.png
+cp "$made/canyon/view.png" docs/gallery/ecosystem_canyon.png
+cp "$made/canyon/dive.png" docs/gallery/ecosystem_canyon_dive.png
+cp "$made/alpine_forest/view.png" docs/gallery/ecosystem_forest.png
+cp "$made/competition/map.png" docs/gallery/ecosystem_competition.png
 ./run run recipes/contours/coastline.json --out "$made/coastline" --no-cache
 for step in 1_coast 2_ranges 3_summits 4_histogram 5_edits 5_contours; do
   cp "$made/coastline/$step.png" "docs/gallery/coastline_$step.png"
