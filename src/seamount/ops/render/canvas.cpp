@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace seamount::render {
 
@@ -59,6 +60,16 @@ void fill_polygon(Image& image, const std::vector<Vec2>& corners, Colour colour)
         covered += inside(x + (column + 0.5) / kSide, y + (row + 0.5) / kSide) ? 1 : 0;
       }
       blend(image, x, y, colour, static_cast<float>(covered) / (kSide * kSide));
+    }
+  }
+}
+
+void fill_disc(Image& image, Vec2 middle, double radius, Colour colour) {
+  const double reach = radius + 0.5, most = std::min(1.0, std::numbers::pi * radius * radius);
+  for (int y = static_cast<int>(std::floor(middle.y - reach)); y <= middle.y + reach; ++y) {
+    for (int x = static_cast<int>(std::floor(middle.x - reach)); x <= middle.x + reach; ++x) {
+      const double distance = std::hypot(x + 0.5 - middle.x, y + 0.5 - middle.y);
+      blend(image, x, y, colour, static_cast<float>(std::clamp(reach - distance, 0.0, most)));
     }
   }
 }

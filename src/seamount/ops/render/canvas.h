@@ -21,6 +21,9 @@ void frame_box(Image& image, double x0, double y0, double x1, double y1, double 
 /// Fills a polygon (even-odd), anti-aliased by 4 x 4 samples a pixel.
 void fill_polygon(Image& image, const std::vector<Vec2>& corners, Colour colour);
 
+/// Fills a disc, anti-aliased; one of less than a pixel by its share of it.
+void fill_disc(Image& image, Vec2 middle, double radius, Colour colour);
+
 /// Lines of one style that may cross and overlap: each pixel is covered once, by the nearest line.
 class LineLayer {
  public:

@@ -13,6 +13,7 @@
 #include "seamount/ops/render/ground.h"
 #include "seamount/ops/render/map_arrows.h"
 #include "seamount/ops/render/map_furniture.h"
+#include "seamount/ops/render/map_object_legend.h"
 #include "seamount/ops/render/relief.h"
 #include "seamount/ops/render/shading.h"
 #include "seamount/ops/render/style_tints.h"
@@ -62,26 +63,35 @@ struct Layout {
   int width = 0, height = 0;
   Box map;
   Box side;
+  ObjectLegend object_legend;
+  Box objects;  ///< of that legend; without height: none
 };
 
-Layout lay_out(const MapParams& params, const GridFrame& frame, bool arrows) {
+Layout lay_out(const MapParams& params, const GridFrame& frame, bool arrows, std::span<const ShownClass> shown) {
   Layout layout;
   layout.unit = std::max(6.0, params.width_px / 62.0);
   const auto units = [&](double n) { return static_cast<int>(std::lround(n * layout.unit)); };
   const bool side = params.legend || params.north_arrow;
   const bool styled = params.legend && params.theme == MapTheme::height && params.style != Style::natural;
   const bool below = params.scale_bar || (arrows && params.legend);
-  const bool bare = !side && !below && params.title.empty();
+  const bool listed = params.object_legend && !shown.empty();
+  const bool bare = !side && !below && !listed && params.title.empty();
   const int margin = bare ? 0 : units(1.5);
   const int top = params.title.empty() ? margin : units(4.2);
-  const int bottom = below ? units(3.6) : margin;
+  const int below_map = below ? units(listed ? 3.4 : 3.6) : margin;
   const int column = side ? units(styled ? 11.5 : 7.2) : 0;
   layout.width = params.width_px;
   layout.map = {margin, top, std::max(1, params.width_px - 2 * margin - column), 1};
   layout.map.height =
       static_cast<int>(std::clamp(std::round(frame.height_m() * layout.map.width / frame.width_m()), 1.0, 16384.0));
-  layout.height = layout.map.height + top + bottom;
+  layout.height = top + layout.map.height + below_map;
   layout.side = {layout.map.x + layout.map.width + units(1.4), top, column - units(1.4), layout.map.height};
+  if (listed) {
+    layout.object_legend = lay_out_object_legend(Font(), shown, layout.map.width, layout.unit);
+    layout.objects = {layout.map.x, layout.height, static_cast<int>(std::ceil(layout.object_legend.width)),
+                      static_cast<int>(std::ceil(layout.object_legend.height))};
+    layout.height += layout.objects.height + margin;
+  }
   return layout;
 }
 
@@ -187,8 +197,10 @@ std::vector<Swatch> region_swatches() {
 }
 
 void draw_furniture(Image& image, const Layout& layout, const MapParams& params, const TintScale& scale,
-                    const StyleTints* styled, const ArrowScale* arrows, double pixel_m) {
-  if (params.title.empty() && !params.legend && !params.scale_bar && !params.north_arrow) return;
+                    const StyleTints* styled, const ArrowScale* arrows, std::span<const ShownClass> shown,
+                    double pixel_m) {
+  const bool listed = layout.objects.height > 0;
+  if (params.title.empty() && !params.legend && !params.scale_bar && !params.north_arrow && !listed) return;
   const Font font;
   const double unit = layout.unit;
   const Box &map = layout.map, &side = layout.side;
@@ -211,6 +223,7 @@ void draw_furniture(Image& image, const Layout& layout, const MapParams& params,
   }
   if (arrows != nullptr && params.legend)
     draw_arrow_key(image, font, map.x + map.width, map.y + map.height + 1.5 * unit, *arrows, unit);
+  if (listed) draw_object_legend(image, font, layout.objects, shown, layout.object_legend, unit);
 }
 
 }  // namespace
@@ -223,7 +236,9 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings&
     throw IncompatibleInputs("labels: missing; the theme 'regions' colours a label map");
   }
   if (drawings.current != nullptr) check_same_size("current", drawings.current->frame(), terrain.frame());
-  const Layout layout = lay_out(params, terrain.frame(), drawings.current != nullptr);
+  std::vector<ShownClass> shown;
+  if (drawings.objects != nullptr) shown = shown_classes(*drawings.objects, terrain.frame());
+  const Layout layout = lay_out(params, terrain.frame(), drawings.current != nullptr, shown);
   const Sheet sheet = make_sheet(terrain, layout.map.width, run.part(0.0, 0.6));
   const HeightField& ground = sheet.ground;
   const TintScale scale(sheet.low, sheet.high);
@@ -251,12 +266,16 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings&
   }
   blank_unknown(image, layout, sheet.unknown);
   draw_drawings(image, layout.map, ground.frame(), drawings, layout.unit, run);
+  if (!shown.empty()) {
+    fit_symbols(shown, ground.cell_m(), map_pen(layout.unit), run.part(0.95, 0.97));
+    draw_objects(image, layout.map, ground.frame(), shown, layout.unit, run);
+  }
   std::optional<ArrowScale> arrows;
   if (drawings.current != nullptr) {
     arrows = arrow_scale(*drawings.current, params.arrow_spacing_px.value_or(layout.map.width / 40.0));
     draw_arrows(image, layout.map, *drawings.current, *arrows, layout.unit, run);
   }
-  draw_furniture(image, layout, params, scale, tints, arrows ? &*arrows : nullptr, ground.cell_m());
+  draw_furniture(image, layout, params, scale, tints, arrows ? &*arrows : nullptr, shown, ground.cell_m());
   run.report(1.0);
   return image;
 }

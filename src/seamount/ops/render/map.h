@@ -36,6 +36,7 @@ struct MapParams {
   bool scale_bar = true;
   bool north_arrow = true;
   std::optional<double> arrow_spacing_px;
+  bool object_legend = true;
 
   static constexpr auto fields() {
     using P = MapParams;
@@ -58,14 +59,16 @@ struct MapParams {
         field(&P::scale_bar, "scale_bar", "show lengths below the map"),
         field(&P::north_arrow, "north_arrow", "show where north is"),
         field(&P::arrow_spacing_px, "arrow_spacing_px", "px", between(6, 1000),
-              "distance between the arrows of a current, and the length of the longest; by default forty across"));
+              "distance between the arrows of a current, and the length of the longest; by default forty across"),
+        field(&P::object_legend, "object_legend",
+              "explain the objects in a box below the map: each class with objects on it, and how many"));
   }
 };
 
 /// Draws the map, north up, and `drawings` over it. `labels` may be null unless the theme is regions. Throws
 /// InvalidArgument for params out of range and heights that are not finite, IncompatibleInputs for labels that are
-/// missing and labels or a current of another size, and for drawings in another coordinate system, Error where the font
-/// is missing. About 300 ns a pixel, parallel but for lines and text.
+/// missing and labels or a current of another size, and for drawings or objects in another coordinate system, Error
+/// where the font is missing. About 300 ns a pixel, parallel but for lines and text.
 Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings& drawings, const MapParams& params,
           const RunContext& run);
 /// Without drawings.

@@ -1,9 +1,11 @@
-// What is drawn over a map: lakes, rivers by their order, ridges, peaks with their heights, currents as arrows.
+// What is drawn over a map: lakes, rivers by their order, ridges, peaks with their heights, currents as arrows,
+// environmental objects.
 #pragma once
 
 #include "seamount/base/run_context.h"
 #include "seamount/model/areas.h"
 #include "seamount/model/image.h"
+#include "seamount/model/scene.h"
 #include "seamount/model/vector_field.h"
 #include "seamount/ops/render/map_furniture.h"
 
@@ -18,11 +20,12 @@ struct MapDrawings {
   const Drawing* ridges = nullptr;
   const Drawing* peaks = nullptr;
   const VectorField* current = nullptr;  ///< on the terrain's cells, without unknown ones
+  const seamount::Scene* objects = nullptr;
 };
 
-/// Draws the drawings, not the current (map_arrows.h), into the box of the picture that `frame` is shown in; `unit` in
-/// pixels is the size of text. Throws IncompatibleInputs for a drawing in another coordinate system than the frame,
-/// where both have one.
+/// Draws the drawings, neither the current (map_arrows.h) nor the objects (map_objects.h), into the box of the picture
+/// that `frame` is shown in; `unit` in pixels is the size of text. Throws IncompatibleInputs for a drawing in another
+/// coordinate system than the frame, where both have one.
 void draw_drawings(Image& image, const Box& box, const GridFrame& frame, const MapDrawings& drawings, double unit,
                    const RunContext& run);
 

@@ -20,8 +20,8 @@ OptionalIn<Labels> labels_in() {
 auto picture_out() { return outputs(out<kinds::Image>("image", "the picture")); }
 
 Image map(const render::MapParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
-          Lines lakes, Lines rivers, Lines ridges, Lines peaks, const VectorField* current) {
-  return render::map(terrain, labels, {lakes, rivers, ridges, peaks, current}, params, call.run);
+          Lines lakes, Lines rivers, Lines ridges, Lines peaks, const VectorField* current, const Scene* objects) {
+  return render::map(terrain, labels, {lakes, rivers, ridges, peaks, current, objects}, params, call.run);
 }
 
 std::tuple<ScalarField, ScalarField, ScalarField> layers(const render::LayersParams& params, const Call& call,
@@ -56,12 +56,13 @@ void add_views(Registry& registry) {
 void add_render_operators(Registry& registry) {
   registry.add(make_operator<render::MapParams>(
       {.name = "render.map",
-       .summary = "A map with tints by height and depth, relief, contours, legend and scale bar; rivers, lakes, ridges "
-                  "and peaks over it"},
+       .summary = "A map with tints by height and depth, relief, contours, legend and scale bar; rivers, lakes, "
+                  "ridges, peaks, currents and objects over it"},
       inputs(terrain_in(), labels_in(), optional_in<Drawing>("lakes", "areas to fill as water"),
              optional_in<Drawing>("rivers", "lines of water, as wide as their order"),
              optional_in<Drawing>("ridges", "lines of ridges"), optional_in<Drawing>("peaks", "points with heights"),
-             optional_in<kinds::Current>("current", "a flow to draw as arrows as long as it is fast")),
+             optional_in<kinds::Current>("current", "a flow to draw as arrows as long as it is fast"),
+             optional_in<kinds::Objects>("objects", "regions, curves and points, in their classes' colours")),
       picture_out(), map));
   add_views(registry);
   registry.add(make_operator<render::ContoursParams>(
