@@ -8,6 +8,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/base/text.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/solve/screened_distance.h"
 #include "seamount/ops/ecosystem/events.h"
 #include "seamount/ops/ecosystem/ground.h"
 #include "seamount/ops/ecosystem/materials.h"
@@ -76,6 +77,28 @@ Digest digest_of(const Scene& scene, Choose choose) {
   return hasher.digest();
 }
 
+/// Of a class, on a frame (P3 eq. 1.39), falling off over a few cells.
+ScalarField screened_distance_to(const geom::SkeletonIndex& index, const GridFrame& frame, const RunContext& run) {
+  constexpr double kLength = 4.0;  // cells
+  Grid<uint8_t> covered(frame);
+  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    std::vector<Vec2> places(static_cast<size_t>(frame.width));
+    std::vector<uint8_t> inside(places.size()), near(places.size());
+    RunContext serial;
+    serial.threads = 1;
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < frame.width; ++x) places[static_cast<size_t>(x)] = {frame.x(x), frame.y(y)};
+      index.inside(places, {}, inside, serial);
+      index.any_within(places, {}, std::sqrt(0.5) * frame.cell_m, near, serial);
+      for (size_t i = 0; i < places.size(); ++i) covered.row(y)[i] = inside[i] != 0 || near[i] != 0 ? 1 : 0;
+    }
+  });
+  ScalarField distance = geom::screened_distance(covered, kLength * frame.cell_m, run);
+  const auto far = static_cast<float>(std::hypot(frame.width_m(), frame.height_m()));
+  for (float& d : distance.cells()) d = std::min(d, far);
+  return distance;
+}
+
 }  // namespace
 
 const GridFrame& frame_of(const Scene& scene, int window) {
@@ -96,7 +119,8 @@ bool changes_surroundings(const ObjectClass& of) {
   return !of.deposits.empty() || !of.absorbs.empty() || of.height.shape != HeightShape::none || !of.currents.empty();
 }
 
-void index_objects(const Scene& scene, int window, Environment& environment) {
+void index_objects(const Scene& scene, const Rules& rules, int window, Environment& environment,
+                   const RunContext& run) {
   const size_t count = scene.catalogue.classes.size();
   std::vector<std::vector<Skeleton>> skeletons(count);
   std::vector<std::vector<int32_t>> owners(count);
@@ -108,6 +132,11 @@ void index_objects(const Scene& scene, int window, Environment& environment) {
   }
   environment.of_class.clear();
   for (size_t c = 0; c < count; ++c) environment.of_class.emplace_back(skeletons[c], owners[c]);
+  environment.screened.assign(count, {});
+  for (size_t c = 0; c < count; ++c) {
+    if (rules.screened[c])
+      environment.screened[c] = screened_distance_to(environment.of_class[c], environment.frame, run);
+  }
 }
 
 Environment make_environment(const Scene& scene, const Rules& rules, const Site& site, int window, double time,
@@ -142,7 +171,7 @@ Environment make_environment(const Scene& scene, const Rules& rules, const Site&
                                                environment.around ? &environment.around->current : nullptr, run);
   if (!same_flow) before.materials.clear();
   bring_to_rest(scene, rules, window, before, environment, run);
-  index_objects(scene, window, environment);
+  index_objects(scene, rules, window, environment, run);
   return environment;
 }
 

@@ -30,6 +30,8 @@ struct Environment {
   double water_level_m = 0.0;
   std::vector<geom::SkeletonIndex> of_class;  ///< owners are indices into the scene's objects
 
+  std::vector<ScalarField> screened;  ///< metres, of the classes for which an expression asks; else empty
+
   /// What the next environment takes over where it would come out the same.
   struct Around {
     VectorField current;                 ///< of the coarser frame, at the cells of this one
@@ -54,7 +56,7 @@ Environment make_environment(const Scene& scene, const Rules& rules, const Site&
                              const RunContext& run, Environment before = {});
 
 /// Finds the objects again, by class, after some came or went that change neither ground nor water nor materials.
-void index_objects(const Scene& scene, int window, Environment& environment);
+void index_objects(const Scene& scene, const Rules& rules, int window, Environment& environment, const RunContext& run);
 
 /// Does the object belong to what is seen from a window?
 bool seen_from(const Scene& scene, const SceneObject& object, int window);

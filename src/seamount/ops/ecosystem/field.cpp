@@ -32,8 +32,9 @@ ScalarField field_of(const Scene& scene, const Site& site, const FieldParams& pa
   check_params(params);
   if (params.of.empty() == params.fitness_of.empty())
     throw InvalidArgument("of", "give either an expression or a class in 'fitness_of'");
-  const Rules rules = compile(scene.catalogue);
+  Rules rules = compile(scene.catalogue);
   const geom::Expression expression = expression_of(scene, rules, params);
+  mark_screened(scene.catalogue, expression, rules);
   const Environment environment =
       make_environment(scene, rules, site, params.window, scene.iteration, run.part(0, 0.6));
   const Survey survey(scene, environment, run);

@@ -120,6 +120,15 @@ TEST(SceneField, IsFiniteForEveryWordAndNaNWhereAnExpressionHasNoValue) {
   EXPECT_TRUE(std::isfinite(logarithm(39, 0)));
 }
 
+TEST(SceneField, TellsScreenedDistancesNearTheExactOnes) {
+  const HeightField ground = slope();
+  const Scene scene = small_scene(ground);
+  const ScalarField exact = of("distance(line)", scene, ground);
+  const ScalarField screened = of("screened(line)", scene, ground);
+  for (size_t i = 0; i < exact.size(); ++i)
+    EXPECT_NEAR(screened.cells()[i], exact.cells()[i], 1.5 * ground.cell_m() + 0.3 * exact.cells()[i]) << i;
+}
+
 TEST(SceneField, IsTheFitnessOfAClass) {
   const HeightField ground = slope();
   Scene scene = small_scene(ground);

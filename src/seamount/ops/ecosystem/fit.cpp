@@ -135,7 +135,7 @@ class Refit {
       ages.push_back(age(i));
     }
     geom::ClimbOptions options = climb_options(of_, cell_m_);
-    options.steps = std::min(options.steps, 2);
+    options.steps = std::min(options.steps, 1);
     const std::vector<geom::Climbed> climbed = geom::hill_climb(places, options, fitting_.seen_by(selves, ages), run_);
     bool any = false;
     for (size_t k = 0; k < free.size(); ++k) {

@@ -187,7 +187,7 @@ class Growth {
     if (changes) {
       environment_ = make(scene_.iteration);
     } else {
-      index_objects(scene_, window_, environment_);
+      index_objects(scene_, rules_, window_, environment_, run_);
     }
     return true;
   }

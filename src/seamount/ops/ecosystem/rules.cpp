@@ -233,11 +233,25 @@ std::vector<CatalogueDefect> find_defects(const Catalogue& catalogue) {
   return std::move(reader.defects);
 }
 
+void mark_screened(const Catalogue& catalogue, const geom::Expression& expression, Rules& rules) {
+  rules.screened.resize(catalogue.classes.size(), false);
+  for (const geom::Term& term : expression.terms()) {
+    if (term.word != kClassWords[static_cast<size_t>(ClassWord::screened)]) continue;
+    for (size_t c = 0; c < catalogue.classes.size(); ++c)
+      if (catalogue.classes[c].name == term.of_class) rules.screened[c] = true;
+  }
+}
+
 Rules compile(const Catalogue& catalogue) {
   Reader reader(catalogue);
   Rules rules = reader.read();
   if (!reader.defects.empty())
     throw InvalidArgument("catalogue", reader.defects[0].pointer + ": " + reader.defects[0].message);
+  rules.screened.resize(catalogue.classes.size(), false);
+  for (const ClassRules& of : rules.classes) {
+    mark_screened(catalogue, of.fitness, rules);
+    mark_screened(catalogue, of.fitting, rules);
+  }
   return rules;
 }
 

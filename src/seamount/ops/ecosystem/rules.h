@@ -13,6 +13,9 @@
 //   inside(CLASS)        1 within a region of the class, else 0
 //   normal_x(CLASS), normal_y(CLASS)   unit vector from the nearest one to the place; 0 where there is none
 //   curvature(CLASS)     1/m, of the nearest curve or outline at its nearest point; above 0 where a region bulges
+//   screened(CLASS)      distance as a field that spreads from the class and decays tells it (eq. 1.39): smooth where
+//   the
+//                        exact one has creases, itself included, 40 ms a class; larger beside single points
 //   noise(METRES)        gradient noise of that wavelength, about -1 to 1, of the scene's seed
 // An object never finds itself.
 #pragma once
@@ -41,6 +44,7 @@ struct ClassRules {
 struct Rules {
   std::vector<ClassRules> classes;
   std::vector<int> material_order;         ///< those that others turn into come after those
+  std::vector<bool> screened;              ///< by class: does an expression ask for screened(CLASS)?
   std::vector<std::pair<int, int>> turns;  ///< from and to of the transformations
 };
 
@@ -52,6 +56,9 @@ std::vector<CatalogueDefect> find_defects(const Catalogue& catalogue);
 
 /// Throws InvalidArgument with the first defect. Linear in the catalogue's text.
 Rules compile(const Catalogue& catalogue);
+
+/// Marks the classes whose screened distance an expression asks for.
+void mark_screened(const Catalogue& catalogue, const geom::Expression& expression, Rules& rules);
 
 /// What an expression over this catalogue may speak of.
 geom::Vocabulary vocabulary_of(const Catalogue& catalogue);

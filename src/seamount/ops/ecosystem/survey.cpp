@@ -151,6 +151,8 @@ class Columns {
   }
 
   void fill_class_word(const geom::Term& term, std::vector<double>& column) {
+    if (term.word == kClassWords[static_cast<size_t>(ClassWord::screened)])
+      return read(environment_.screened[class_index(term.of_class)], 1.0, 0.0, column);
     const std::vector<geom::NearestSkeleton>& found = nearest(term.of_class);
     const auto word = std::find(kClassWords.begin(), kClassWords.end(), term.word) - kClassWords.begin();
     const double far = std::hypot(environment_.frame.width_m(), environment_.frame.height_m());
@@ -175,15 +177,21 @@ class Columns {
         case ClassWord::curvature:
           column[i] = hit.curvature;
           break;
+        case ClassWord::screened:
+          break;  // a field, read above
       }
     }
   }
 
-  /// Of a class; asked once for all its words.
-  const std::vector<geom::NearestSkeleton>& nearest(const std::string& name) {
+  size_t class_index(const std::string& name) const {
     const auto& classes = scene_.catalogue.classes;
     const auto of = std::find_if(classes.begin(), classes.end(), [&](const ObjectClass& c) { return c.name == name; });
-    const auto index = static_cast<size_t>(of - classes.begin());
+    return static_cast<size_t>(of - classes.begin());
+  }
+
+  /// Of a class; asked once for all its words.
+  const std::vector<geom::NearestSkeleton>& nearest(const std::string& name) {
+    const size_t index = class_index(name);
     for (const auto& [number, results] : asked_)
       if (number == index) return results;
     std::vector<geom::NearestSkeleton> results(places_.at.size());

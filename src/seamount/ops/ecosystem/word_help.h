@@ -36,6 +36,10 @@ inline constexpr std::array kWordHelp = {
     WordHelp{"normal_y(CLASS)", "its north component"},
     WordHelp{"curvature(CLASS)",
              "1/m, of the nearest curve or outline at its nearest point; above 0 where a region bulges"},
+    WordHelp{
+        "screened(CLASS)",
+        "distance as a field that spreads from the class and decays tells it (P3 eq. 1.39): smooth where the exact one "
+        "has creases, itself included; larger beside single points"},
     WordHelp{"noise(METRES)", "gradient noise of that wavelength, about -1 to 1, of the scene's seed"},
 };
 

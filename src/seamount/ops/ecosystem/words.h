@@ -28,10 +28,10 @@ inline constexpr std::array<std::string_view, 14> kPlaceWords = {
     "height",    "depth",     "ground", "slope_deg", "gradient_x", "gradient_y", "current",
     "current_x", "current_y", "x",      "y",         "age",        "iteration",  "water_level"};
 
-enum class ClassWord : size_t { distance, border, inside, normal_x, normal_y, curvature };
+enum class ClassWord : size_t { distance, border, inside, normal_x, normal_y, curvature, screened };
 
-inline constexpr std::array<std::string_view, 6> kClassWords = {"distance", "border",   "inside",
-                                                                "normal_x", "normal_y", "curvature"};
+inline constexpr std::array<std::string_view, 7> kClassWords = {"distance", "border",    "inside",  "normal_x",
+                                                                "normal_y", "curvature", "screened"};
 
 inline constexpr std::string_view kNoiseWord = "noise";
 
