@@ -49,7 +49,7 @@ Catalogue reef_life() {
     of.placement.most = 1 << 20;
     of.placement.spacing_m = 4.0;
     of.deposits = {{catalogue.materials[static_cast<size_t>(c)].name, 0.01, 8.0}, {"rubble", 0.002, 12.0}};
-    if (c == 1 || c == 2) of.currents = {{CurrentShape::grab, 0.02, 12.0}};
+    if (c == 1 || c == 2) of.currents = {{CurrentShape::scale, 0.02, 12.0}};
     if (c == 3) of.height = {HeightShape::bump, HeightGroup::surface, 0.5, 16.0};
     catalogue.classes.push_back(of);
   }
