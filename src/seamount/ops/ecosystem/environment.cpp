@@ -144,6 +144,9 @@ Environment make_environment(const Scene& scene, const Rules& rules, const Site&
   if (site.ground.frame() != scene.frame)
     throw IncompatibleInputs("the objects grew on another ground: theirs has " + frame_text(scene.frame) +
                              ", this one " + frame_text(site.ground.frame()));
+  if (site.current != nullptr && site.current->frame() != scene.frame)
+    throw IncompatibleInputs("the current lies elsewhere than the ground: " + frame_text(site.current->frame()) +
+                             ", the ground " + frame_text(scene.frame));
   Environment environment;
   environment.frame = frame_of(scene, window);
   environment.window = window;

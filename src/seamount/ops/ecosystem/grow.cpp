@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "seamount/base/inputs.h"
 #include "seamount/base/text.h"
 #include "seamount/ops/ecosystem/begin_scene.h"
 #include "seamount/ops/ecosystem/births.h"
@@ -131,16 +129,17 @@ class Growth {
       if (most <= 0) continue;
       const std::vector<Vec2> places =
           birth_places({scene_, rules_, environment_, number, window_, most, focus_}, histories_[c].prospects, run_);
-      add_newborn(number, places, newborn);
-      if (placement.reinsert) owed(number) = std::max(0, again - static_cast<int>(places.size()));
+      const int grown = add_newborn(number, places, newborn);
+      if (placement.reinsert) owed(number) = std::max(0, again - grown);
     }
     for (SceneObject& object : newborn) object.id = scene_.next_id++;
     scene_.objects.insert(scene_.objects.end(), newborn.begin(), newborn.end());
     return !newborn.empty();
   }
 
-  void add_newborn(int of_class, const std::vector<Vec2>& places, std::vector<SceneObject>& newborn) {
-    if (places.empty()) return;
+  /// How many of the places a skeleton grew from.
+  int add_newborn(int of_class, const std::vector<Vec2>& places, std::vector<SceneObject>& newborn) {
+    if (places.empty()) return 0;
     const ObjectClass& of = scene_.catalogue.classes[static_cast<size_t>(of_class)];
     const Seed seed = Seed{scene_.seed}
                           .derive("sizes", static_cast<uint64_t>(clock()))
@@ -149,18 +148,22 @@ class Growth {
     for (size_t i = 0; i < places.size(); ++i)
       sizes.push_back(std::exp(of.shape.variation * Rng(seed.derive("size", i)).normal()));
     std::vector<Skeleton> skeletons = first_skeletons(scene_, rules_, environment_, of_class, places, sizes, run_);
+    History& history = histories_[static_cast<size_t>(of_class)];
+    int grown = 0;
     for (size_t i = 0; i < skeletons.size(); ++i) {
       if (skeletons[i].points.empty()) {
-        ++histories_[static_cast<size_t>(of_class)].unfitted;
+        ++history.unfitted;
         continue;
       }
+      ++grown;
       newborn.push_back({.of_class = of_class,
                          .skeleton = std::move(skeletons[i]),
                          .size = sizes[i],
                          .born = clock(),
                          .window = window_});
     }
-    histories_[static_cast<size_t>(of_class)].born += static_cast<int>(skeletons.size());
+    history.born += grown;
+    return grown;
   }
 
   /// Asks every object; takes away those that cannot stay. Returns whether the others must be asked again.
@@ -179,7 +182,8 @@ class Growth {
       dies[active[k]] = any = true;
       changes = changes || changes_surroundings(scene_.catalogue.classes[c]);
       ++histories_[c].died;
-      if (scene_.catalogue.classes[c].placement.reinsert) ++owed(object.of_class);
+      // One that dies as it is born was an attempt: to owe it would try more and more of them.
+      if (scene_.catalogue.classes[c].placement.reinsert && object.born < clock()) ++owed(object.of_class);
     }
     if (!any) return false;
     size_t i = 0;

@@ -143,6 +143,37 @@ TEST(GrowScene, IsLockedIntoTheFocus) {
     EXPECT_TRUE(object.of_class != 0 || object.skeleton.points[0].y > ground.frame().y(21));
 }
 
+TEST(GrowScene, OwesNothingForWhatDiesAsItIsBorn) {
+  Catalogue catalogue = small_catalogue();
+  catalogue.classes = {point("mayfly", "1 - 100 * lime")};
+  catalogue.classes[0].birth = 0.5;
+  catalogue.classes[0].placement.per_iteration = 5;
+  catalogue.classes[0].deposits = {{"lime", 1.0, 20.0}};
+  const Scene scene = grown(shore(), catalogue, some(6)).scene;
+  EXPECT_EQ(count(scene, "mayfly"), 0);
+  for (const Owed& owed : scene.owed) EXPECT_EQ(owed.count, 0);
+}
+
+TEST(GrowScene, SaysThatNoSkeletonCouldGrow) {
+  Catalogue catalogue;
+  catalogue.classes = {curve("endless", "1")};
+  catalogue.classes[0].shape.length_m = 1e6;
+  std::vector<std::string> notes;
+  RunContext run;
+  run.note = [&](const std::string& line) { notes.push_back(line); };
+  const Scene scene = grown(shore(), catalogue, some(2), 7, run).scene;
+  EXPECT_TRUE(scene.objects.empty());
+  EXPECT_THAT(notes, Contains(HasSubstr("endless: none was born: no skeleton could grow where it is fit")));
+}
+
+TEST(GrowScene, RefusesACurrentThatLiesElsewhere) {
+  const HeightField ground = shore(8);
+  const Catalogue catalogue = small_catalogue();
+  const GridFrame other = GridFrame::centred(4, 4, 10.0);
+  const VectorField current{ScalarField(other, 0.1F), ScalarField(other, 0.0F)};
+  EXPECT_THROW(grow({ground, &catalogue, nullptr, nullptr, &current}, some(1), Seed{1}, {}), IncompatibleInputs);
+}
+
 TEST(GrowScene, RefusesWhatItCannotDo) {
   const HeightField ground = shore(8);
   EXPECT_THROW(grow({ground}, some(1), Seed{1}, {}), InvalidArgument);
