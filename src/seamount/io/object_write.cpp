@@ -7,6 +7,7 @@
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/gdal_call.h"
+#include "seamount/io/geopackage_write.h"
 #include "seamount/io/object_fields.h"
 #include "seamount/io/object_file.h"
 #include "seamount/io/projection.h"
@@ -121,23 +122,11 @@ void add_objects(GDALDataset& dataset, const ObjectFile& file, SkeletonKind kind
 }
 
 void write_geopackage(const ObjectFile& file, const std::string& path) {
-  write_atomically(path, [&](const std::string& temporary) {
-    GdalCall call(path);
-    call.hide(temporary);
-    // The time of writing goes into the file: a fixed one, so that the same objects give the same bytes.
-    CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z");
-    const std::unique_ptr<OGRSpatialReference> system = parse_crs(file.crs.empty() ? kLocalMetres : file.crs);
-    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
-    DatasetPtr dataset(driver->Create(temporary.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    if (!dataset || dataset->StartTransaction() != OGRERR_NONE) call.fail("cannot be written");
+  write_new_geopackage(path, file.crs, [&](GDALDataset& dataset, OGRSpatialReference& system, const GdalCall& call) {
     for (const SkeletonKind kind : {SkeletonKind::region, SkeletonKind::curve, SkeletonKind::point})
-      add_objects(*dataset, file, kind, system.get(), call);
-    if (!file.head.empty() && dataset->SetMetadataItem(kSceneItem, file.head.c_str()) != CE_None)
+      add_objects(dataset, file, kind, &system, call);
+    if (!file.head.empty() && dataset.SetMetadataItem(kSceneItem, file.head.c_str()) != CE_None)
       call.fail("cannot be written");
-    if (dataset->CommitTransaction() != OGRERR_NONE) call.fail("cannot be written");
-    dataset.reset();
-    CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr);
-    call.check("cannot be written");
   });
 }
 

@@ -9,7 +9,7 @@
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/gdal_call.h"
-#include "seamount/io/object_fields.h"
+#include "seamount/io/geopackage_write.h"
 #include "seamount/io/projection.h"
 #include "seamount/io/vector.h"
 #include "seamount/io/vector_chains.h"
@@ -241,24 +241,12 @@ void check_drawing(const Drawing& drawing) {
 }
 
 void write_geopackage(const Drawing& drawing, const std::string& path) {
-  write_atomically(path, [&](const std::string& temporary) {
-    GdalCall call(path);
-    call.hide(temporary);
-    // The time of writing goes into the file: a fixed one, so that the same drawing gives the same bytes.
-    CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z");
-    const std::unique_ptr<OGRSpatialReference> system = parse_crs(drawing.crs.empty() ? kLocalMetres : drawing.crs);
-    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
-    DatasetPtr dataset(driver->Create(temporary.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    if (!dataset || dataset->StartTransaction() != OGRERR_NONE) call.fail("cannot be written");
-    if (!drawing.areas.empty()) add_areas(*dataset, drawing, system.get(), call);
-    if (!drawing.lines.empty()) add_lines(*dataset, drawing, system.get(), call);
-    if (!drawing.points.empty()) add_places(*dataset, drawing, system.get(), call);
-    if (drawing.frame && dataset->SetMetadataItem(kFrameItem, frame_text(*drawing.frame).c_str()) != CE_None)
+  write_new_geopackage(path, drawing.crs, [&](GDALDataset& dataset, OGRSpatialReference& system, const GdalCall& call) {
+    if (!drawing.areas.empty()) add_areas(dataset, drawing, &system, call);
+    if (!drawing.lines.empty()) add_lines(dataset, drawing, &system, call);
+    if (!drawing.points.empty()) add_places(dataset, drawing, &system, call);
+    if (drawing.frame && dataset.SetMetadataItem(kFrameItem, frame_text(*drawing.frame).c_str()) != CE_None)
       call.fail("cannot be written");
-    if (dataset->CommitTransaction() != OGRERR_NONE) call.fail("cannot be written");
-    dataset.reset();
-    CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr);
-    call.check("cannot be written");
   });
 }
 

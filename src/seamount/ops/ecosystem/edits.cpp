@@ -9,6 +9,7 @@
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/geom/skeleton/bend.h"
 #include "seamount/ops/ecosystem/environment.h"
+#include "seamount/ops/ecosystem/rules.h"
 
 namespace seamount::ecosystem {
 namespace {
@@ -28,15 +29,6 @@ class Editor {
     throw InvalidArgument(place_ + "." + member, why);
   }
 
-  size_t class_named(const std::string& name, const std::string& member) const {
-    std::vector<std::string> names;
-    for (size_t c = 0; c < scene_.catalogue.classes.size(); ++c) {
-      names.push_back(scene_.catalogue.classes[c].name);
-      if (names.back() == name) return c;
-    }
-    fail(member, "unknown class '" + name + "'" + suggestion(name, names));
-  }
-
   SceneObject& find(const ObjectChoice& choice) {
     if (choice.id != 0) {
       for (SceneObject& object : scene_.objects) {
@@ -49,7 +41,9 @@ class Editor {
       fail("object.id", "there is no object " + std::to_string(choice.id));
     }
     const int of_class =
-        choice.class_name.empty() ? -1 : static_cast<int>(class_named(choice.class_name, "object.class"));
+        choice.class_name.empty()
+            ? -1
+            : static_cast<int>(class_named(scene_.catalogue, choice.class_name, place_ + ".object.class"));
     SceneObject* best = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (SceneObject& object : scene_.objects) {
@@ -67,7 +61,7 @@ class Editor {
   }
 
   void apply(const AddEdit& edit) {
-    const size_t c = class_named(edit.class_name, "class");
+    const size_t c = class_named(scene_.catalogue, edit.class_name, place_ + ".class");
     SceneObject object;
     object.of_class = static_cast<int>(c);
     object.skeleton.kind = scene_.catalogue.classes[c].skeleton;

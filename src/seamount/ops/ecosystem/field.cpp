@@ -2,23 +2,14 @@
 
 #include <algorithm>
 
-#include "seamount/base/inputs.h"
-#include "seamount/base/text.h"
 #include "seamount/ops/ecosystem/survey.h"
 
 namespace seamount::ecosystem {
 namespace {
 
 geom::Expression expression_of(const Scene& scene, const Rules& rules, const FieldParams& params) {
-  if (!params.fitness_of.empty()) {
-    std::vector<std::string> names;
-    for (size_t c = 0; c < scene.catalogue.classes.size(); ++c) {
-      names.push_back(scene.catalogue.classes[c].name);
-      if (names.back() == params.fitness_of) return rules.classes[c].fitness;
-    }
-    throw InvalidArgument("fitness_of",
-                          "unknown class '" + params.fitness_of + "'" + suggestion(params.fitness_of, names));
-  }
+  if (!params.fitness_of.empty())
+    return rules.classes[class_named(scene.catalogue, params.fitness_of, "fitness_of")].fitness;
   try {
     return geom::Expression::parse(params.of, vocabulary_of(scene.catalogue));
   } catch (const geom::ExpressionError& error) {

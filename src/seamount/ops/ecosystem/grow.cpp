@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seamount/base/text.h"
 #include "seamount/ops/ecosystem/begin_scene.h"
 #include "seamount/ops/ecosystem/births.h"
 #include "seamount/ops/ecosystem/edits.h"
@@ -72,20 +71,11 @@ class Growth {
   void find_targets() {
     wanted_.assign(scene_.catalogue.classes.size(), -1);
     for (size_t i = 0; i < params_.targets.size(); ++i)
-      wanted_[class_named(params_.targets[i].class_name, "targets[" + std::to_string(i) + "].class")] =
-          params_.targets[i].count;
+      wanted_[class_named(scene_.catalogue, params_.targets[i].class_name,
+                          "targets[" + std::to_string(i) + "].class")] = params_.targets[i].count;
     chosen_.assign(wanted_.size(), params_.classes.empty());
     for (size_t i = 0; i < params_.classes.size(); ++i)
-      chosen_[class_named(params_.classes[i], "classes[" + std::to_string(i) + "]")] = true;
-  }
-
-  size_t class_named(const std::string& name, const std::string& place) const {
-    std::vector<std::string> names;
-    for (size_t c = 0; c < scene_.catalogue.classes.size(); ++c) {
-      if (scene_.catalogue.classes[c].name == name) return c;
-      names.push_back(scene_.catalogue.classes[c].name);
-    }
-    throw InvalidArgument(place, "unknown class '" + name + "'" + suggestion(name, names));
+      chosen_[class_named(scene_.catalogue, params_.classes[i], "classes[" + std::to_string(i) + "]")] = true;
   }
 
   std::vector<int> count_living() const {

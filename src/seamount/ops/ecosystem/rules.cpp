@@ -233,6 +233,15 @@ std::vector<CatalogueDefect> find_defects(const Catalogue& catalogue) {
   return std::move(reader.defects);
 }
 
+size_t class_named(const Catalogue& catalogue, const std::string& name, const std::string& place) {
+  std::vector<std::string> names;
+  for (size_t c = 0; c < catalogue.classes.size(); ++c) {
+    if (catalogue.classes[c].name == name) return c;
+    names.push_back(catalogue.classes[c].name);
+  }
+  throw InvalidArgument(place, "unknown class '" + name + "'" + suggestion(name, names));
+}
+
 void mark_screened(const Catalogue& catalogue, const geom::Expression& expression, Rules& rules) {
   rules.screened.resize(catalogue.classes.size(), false);
   for (const geom::Term& term : expression.terms()) {

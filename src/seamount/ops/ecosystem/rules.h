@@ -60,6 +60,9 @@ Rules compile(const Catalogue& catalogue);
 /// Marks the classes whose screened distance an expression asks for.
 void mark_screened(const Catalogue& catalogue, const geom::Expression& expression, Rules& rules);
 
+/// Index of a class. Throws InvalidArgument{place} for a name that none has, with the nearest one.
+size_t class_named(const Catalogue& catalogue, const std::string& name, const std::string& place);
+
 /// What an expression over this catalogue may speak of.
 geom::Vocabulary vocabulary_of(const Catalogue& catalogue);
 
