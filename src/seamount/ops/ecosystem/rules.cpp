@@ -75,8 +75,8 @@ class Reader {
                               const std::string& place) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const T& item) { return item.name == name; });
     if (found != items.end()) return static_cast<int>(found - items.begin());
-    std::vector<std::string> names;
-    for (const T& item : items) names.push_back(item.name);
+    std::vector<std::string> names(items.size());
+    std::transform(items.begin(), items.end(), names.begin(), [](const T& item) { return item.name; });
     fail(place, "unknown " + what + " '" + name + "'" + suggestion(name, names));
     return std::nullopt;
   }
