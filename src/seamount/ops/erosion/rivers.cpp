@@ -9,10 +9,11 @@
 namespace seamount::erosion {
 namespace {
 
-/// Rivers of a few cells cut less than their discharge says: a coarse cell is mostly slope, and without this erosion
-/// would grow with the size of the cells. What flows off this many cells does not cut, but for the share below.
-constexpr double kHeadCells = 2.0;
-constexpr float kHeadShare = 0.03F;
+/// What the ground of a cell stands above its channel, for each doubling of the cell, in units of the rate of erosion
+/// over K: by how much the mean height of a range in equilibrium grows when its cells are halved.
+constexpr double kHiddenPerDoubling = 0.6;
+/// Mean height of slopes between channels as far apart as a cell is wide, over that width and their slope.
+constexpr double kHiddenShare = 0.25;
 /// How far a river builds its bed above both of its banks in a step, in cells.
 constexpr float kLevee = 0.25F;
 /// Slope above which a river builds no fan, and the slope of a bank that keeps it from spreading.
@@ -60,6 +61,26 @@ void flow_down(const Drainage& drainage, float* to, const RunContext& run, const
   }
 }
 
+/// What the ground of a cell stands above its channel, in units of the rate of erosion over K sqrt(runoff): the valleys
+/// and the slopes that the cell is too wide to show. Valleys are at least `narrowest` apart: channels begin at
+/// channel_m2, and creep fills what is narrower than sqrt(D / K) (Perron et al. 2009); slopes between them are
+/// parabolas of creep. None where there is no creep, since there are valleys of all sizes.
+double hidden_of(const Rivers& rivers, double cell_m) {
+  const double per_area = rivers.erodibility * std::sqrt(rivers.runoff_m_yr);
+  if (rivers.creep_m2_yr <= 0 || per_area <= 0) return 0.0;
+  const double narrowest = std::sqrt(std::max(rivers.channel_m2, rivers.creep_m2_yr / per_area));
+  const double doublings = std::max(0.0, std::log2(cell_m / narrowest));
+  const double slopes = narrowest * narrowest * per_area / (12.0 * rivers.creep_m2_yr);
+  return kHiddenPerDoubling * doublings + std::min(1.0, doublings) * slopes;
+}
+
+/// Area above which a cell has a channel. On a plane slope a narrow cell drains a strip, and what makes a channel is
+/// how long it is.
+double unchannelled_m2(const Rivers& rivers, double cell_m) {
+  const double length = std::sqrt(rivers.channel_m2);
+  return length * std::min(length, cell_m);
+}
+
 double area_of(const Layers& ground) { return ground.surface.cell_m() * ground.surface.cell_m(); }
 
 /// How fast a layer goes down towards the base level, times the step: K dt sqrt(Q) / dx.
@@ -87,6 +108,11 @@ struct Crept {
   float stiffness;  ///< 1 + D dt (neighbours) / dx^2
 };
 
+/// Heights around a cell, added up.
+struct Around {
+  float sum = 0, count = 0;
+};
+
 /// What a sweep downstream is for: a first guess of the load, where the ground has come to lie without any; the load of
 /// the next sweep; or to move the ground.
 enum class Carry { guess, tell, move };
@@ -109,8 +135,9 @@ class Step {
         rate_(static_cast<float>(rivers.erodibility * rivers.years)),
         debris_ease_(static_cast<float>(rivers.debris_ease)),
         sediment_ease_(static_cast<float>(rivers.sediment_ease)),
-        threshold_(static_cast<float>(rivers.runoff_m_yr * rivers.channel_m2)),
-        heads_(static_cast<float>(rivers.runoff_m_yr * kHeadCells * area_of(ground))),
+        threshold_(static_cast<float>(rivers.runoff_m_yr * unchannelled_m2(rivers, ground.surface.cell_m()))),
+        hidden_(static_cast<float>(hidden_of(rivers, ground.surface.cell_m()) / std::sqrt(rivers.runoff_m_yr))),
+        most_hidden_(static_cast<float>(kHiddenShare * rivers.steepest * ground.surface.cell_m())),
         settling_(static_cast<float>(rivers.deposition * rivers.runoff_m_yr * area_of(ground))),
         fan_(static_cast<float>(rivers.fan_m)),
         creep_(static_cast<float>(rivers.creep_m2_yr * rivers.years / area_of(ground))),
@@ -192,7 +219,7 @@ class Step {
   }
 
   /// Water that cuts and lays down, and what of a cell's discharge it is.
-  float in_channel(int32_t cell) const { return std::max(0.0F, discharge_[cell] - threshold_); }
+  float in_channel(int32_t cell) const { return discharge_[cell] > threshold_ ? discharge_[cell] : 0.0F; }
 
   /// What a river lays down of the load that comes to a cell.
   float settling_share(int32_t cell) const {
@@ -216,27 +243,44 @@ class Step {
     return 1.0F + std::min(1.0F, gentle) * open * fan_ / distance;
   }
 
-  /// K dt sqrt(Q) / dx for bedrock of hardness 1.
-  float cutting(int32_t cell) const {
-    const float water = in_channel(cell);
-    return value_or_one(site_.mask, cell) * rate_ * std::sqrt(std::max(water - heads_, kHeadShare * water)) /
-           drainage_.distance(cell);
+  /// K dt sqrt(Q) / dx for bedrock of hardness 1. `hidden`: what a cell stands over its channel, as hidden_of.
+  float cutting(int32_t cell, float hidden = 0.0F) const {
+    const float root = std::sqrt(in_channel(cell));
+    return value_or_one(site_.mask, cell) * rate_ * root / (drainage_.distance(cell) + hidden * root);
   }
 
+  /// What creeps into a river goes with it: there creep counts only where it takes away.
   float level_of(int32_t cell) const {
     const float base = level_[drainage_.receiver(cell)];
     const float laid = load_[cell] * settling_share(cell);
-    const float before = surface_[cell] + laid;
-    const Crept crept = creep(cell, before, creep_ * value_or_one(site_.mask, cell));
+    const float before = surface_[cell] + laid, number = creep_ * value_or_one(site_.mask, cell);
+    const Around around = number > 0.0F ? around_of(cell) : Around{};
+    const float highest = std::max(base, surface_[cell] + room_below_banks(cell));
+    if (around.count == 0.0F || cutting(cell) > kMinRate) {
+      const float kept = worn_down(cell, base, laid, {before, 1.0F}, highest);
+      if (around.sum >= around.count * kept) return kept;
+    }
+    const float stiffness = 1.0F + number * around.count;
+    return worn_down(cell, base, laid, {(before + number * around.sum) / stiffness, stiffness}, highest);
+  }
+
+  /// Height of a cell with `laid` metres of new sediment after creep, if rivers cut it for the years of a step.
+  float worn_down(int32_t cell, float base, float laid, const Crept& crept, float highest) const {
     if (crept.top <= base) return base;
     const float rate = cutting(cell) / crept.stiffness;
-    const float highest = std::max(base, surface_[cell] + room_below_banks(cell));
     if (rate < kMinRate) return std::min(crept.top, highest);
-    const float gone = std::max(0.0F, before - crept.top);
+    const float gone = std::max(0.0F, surface_[cell] + laid - crept.top);
     const float fine = ground_.sediment.data()[cell] + laid - gone;
     const float coarse = ground_.debris.data()[cell] + std::min(0.0F, fine);
-    const Rates rates{rate * sediment_ease_, rate * debris_ease_, rate / value_or_one(site_.hardness, cell)};
-    return std::min(cut_down(crept.top, base, fine, coarse, rates), highest);
+    const auto reached = [&](float by) {
+      const Rates rates{by * sediment_ease_, by * debris_ease_, by / value_or_one(site_.hardness, cell)};
+      return cut_down(crept.top, base, fine, coarse, rates);
+    };
+    float level = reached(rate);
+    // Land begins as high over its outlets as its cells stand over their channels.
+    if (hidden_ > 0.0F && drainage_.is_root(drainage_.receiver(cell)))
+      level = std::min(reached(cutting(cell, hidden_) / crept.stiffness), level + most_hidden_);
+    return std::min(level, highest);
   }
 
   /// How far a bed may rise: up to its banks and a little, then the river breaks out.
@@ -248,28 +292,26 @@ class Step {
     return levee + std::max(0.0F, bank - surface_[cell]);
   }
 
-  /// The implicit step of diffusion between a cell and its four neighbours on land, the others where they are now. What
-  /// lies in another part may be at work: it is taken to have moved as far as this cell has.
-  Crept creep(int32_t cell, float height, float number) const {
-    if (number <= 0.0F) return {height, 1.0F};
+  /// The four neighbours on land as they come to lie. What lies in another part may be at work: it is taken to have
+  /// moved as far as this cell has.
+  Around around_of(int32_t cell) const {
     const uint8_t part = drainage_.part_of(cell);
     const float moved = level_[cell] - surface_[cell];
     const int x = cell % width_;
-    float sum = 0.0F, count = 0.0F;
+    Around around;
     const auto add = [&](bool exists, int32_t other) {
       if (!exists) return;
       const uint8_t its = drainage_.part_of(other);
       const float there = its == part || its == Drainage::kTrunk ? level_[other] : surface_[other] + moved;
       if (there <= sea_) return;
-      sum += there - height;
-      count += 1.0F;
+      around.sum += there;
+      around.count += 1.0F;
     };
     add(x > 0, cell - 1);
     add(x < width_ - 1, cell + 1);
     add(cell >= width_, cell - width_);
     add(cell < width_ * (height_ - 1), cell + width_);
-    const float stiffness = 1.0F + number * count;
-    return {height + number * sum / stiffness, stiffness};
+    return around;
   }
 
   Layers& ground_;
@@ -280,7 +322,7 @@ class Step {
   float* load_;
   float* level_;
   int32_t width_, height_;
-  float sea_, rate_, debris_ease_, sediment_ease_, threshold_, heads_, settling_, fan_, creep_, trust_;
+  float sea_, rate_, debris_ease_, sediment_ease_, threshold_, hidden_, most_hidden_, settling_, fan_, creep_, trust_;
 };
 
 }  // namespace

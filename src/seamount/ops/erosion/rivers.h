@@ -1,7 +1,7 @@
 // Rivers and the slopes above them: rain gathers, cuts into the ground, carries what it cut, and drops it where the
 // slope gives out; soil creeps, and what stands too steep over the valleys fails.
 //
-//   dh/dt = - K sqrt(Q - Q_c) dh/dx  +  G q_s (Q - Q_c) / Q^2  +  D laplace(h),   |dh/dx| <= S sqrt(hardness)
+//   dh/dt = - K sqrt(Q) dh/dx  +  G q_s / Q  +  D laplace(h),   |dh/dx| <= S sqrt(hardness)
 //
 // (Davy and Lague 2009; Yuan, Braun, Guerit, Rouby, Cordonnier 2019; Culling 1960 for creep) with Q the discharge (m3
 // per year), q_s the load (m3 per year), K by the material on top of each cell, and S the slope at which bedrock fails
@@ -10,10 +10,13 @@
 // that rivers keep open. Gauss-Seidel sweeps make erosion, deposition and creep agree (Yuan et al.), and a last sweep
 // downstream moves exactly what there is, so mass is conserved to rounding: what creep and failing slopes lose goes
 // with the water and comes to lie where creep or rivers ask for it. Departures: the exponents are m = 1/2 and n = 1;
-// layers wear one after the other within a step; no channel starts below a discharge Q_c; lakes are filled up to their
-// water level before anything flows out of them; beds do not rise far above both of their banks; where a river leaves
-// its banks on gentle ground, G grows by the width of the fan over that of a cell, since a river wanders over all of
-// its fan in the years of a step, and a cell's width of bed would let nearly all of the load pass.
+// layers wear one after the other within a step; there is no channel below a discharge Q_c, and what creeps into one
+// is carried off as if it were no part of the bed, whose true width is far below a cell's; land begins as high over
+// its outlets as the ground of a cell stands over its channel, so that coarse cells keep the volume of fine ones;
+// lakes are filled up to their water level before anything flows out of them; beds do not rise far above both of
+// their banks; where a river leaves its banks on gentle ground, G grows by the width of the fan over that of a cell,
+// since a river wanders over all of its fan in the years of a step, and a cell's width of bed would let nearly all
+// of the load pass.
 #pragma once
 
 #include "seamount/base/run_context.h"
@@ -31,7 +34,7 @@ struct Rivers {
   double sediment_ease = 4;  ///< K of sediment over that of bedrock
   double deposition = 1;     ///< G
   double fan_m = 0;          ///< width over which a river lays down its load where no banks hold it and it is not steep
-  double channel_m2 = 0;     ///< area whose runoff is Q_c
+  double channel_m2 = 0;     ///< area whose runoff is Q_c; of a strip as long as its root where cells are narrower
   double creep_m2_yr = 0;    ///< D
   double steepest = 1e9;     ///< S, rise over run
   double uplift_m = 0;       ///< by which the ground has just risen, times the maps; where sweeps begin
