@@ -3,22 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "seamount/base/parallel.h"
+#include "seamount/geom/scalar/noise.h"
 
 namespace seamount::erosion {
 namespace {
 
+/// Share by which each doubling of the water that gathers in it takes away from the steepness of a hollow.
+constexpr float kHollowed = 0.03F;
+/// Joints and weak beds: their largest spacing, and the logarithm of how much steeper rock stands for them, over the
+/// variation of hardness and the noise.
+constexpr double kJoints_m = 200.0, kUnevenness = 2.2;
 constexpr float kHigh = std::numeric_limits<float>::infinity();
 
 /// One step of fast sweeping (Zhao 2005) over a ground whose slope has a limit.
 class Sweep {
  public:
-  Sweep(ScalarField& level, const Drainage& drainage, const Maps& site, double steepest)
-      : level_(level),
-        drainage_(drainage),
-        site_(site),
-        width_(level.width()),
-        height_(level.height()),
-        rise_(static_cast<float>(steepest * level.cell_m())) {}
+  Sweep(ScalarField& level, const Drainage& drainage, const Maps& site, const ScalarField& rise)
+      : level_(level), drainage_(drainage), site_(site), rise_(rise), width_(level.width()), height_(level.height()) {}
 
   /// Both ways along a row; the second only where the first has moved something.
   void row(int y) {
@@ -45,9 +49,9 @@ class Sweep {
   /// differences; so that what stands around a point is a cone, not a pyramid of eight sides.
   bool cell(int32_t index, float& here, float along_x, float along_y) const {
     const float low = std::min(along_x, along_y), above = here - low;
-    const float square = rise_ * rise_ * value_or_one(site_.hardness, index);
+    const float own = rise_.data()[index], square = own * own;
     if (above <= 0.0F || above * above <= 0.5F * square || drainage_.is_root(index)) return false;
-    const float apart = std::abs(along_x - along_y), own = std::sqrt(square);
+    const float apart = std::abs(along_x - along_y);
     const float limit = apart < own ? 0.5F * (along_x + along_y + std::sqrt(2.0F * square - apart * apart)) : low + own;
     if (here <= limit) return false;
     here += value_or_one(site_.mask, index) * (limit - here);
@@ -57,15 +61,36 @@ class Sweep {
   ScalarField& level_;
   const Drainage& drainage_;
   const Maps& site_;
+  const ScalarField& rise_;
   int width_, height_;
-  float rise_;
 };
 
 }  // namespace
 
-void limit_slopes(ScalarField& level, const Drainage& drainage, const Maps& site, double steepest,
+void find_steepest_rise(const ScalarField& discharge, const Maps& site, const Strength& strength, ScalarField& rise,
+                        const RunContext& run) {
+  const GridFrame& frame = rise.frame();
+  const auto most = static_cast<float>(strength.steepest * frame.cell_m);
+  const auto per_hollow = static_cast<float>(1.0 / strength.hollow_m3_yr);
+  const auto uneven = static_cast<float>(kUnevenness * strength.variation);
+  const geom::Fbm joints{.wavelength_m = kJoints_m, .octaves = 5, .gain = 0.8, .cell_m = frame.cell_m};
+  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    std::vector<float> noise(static_cast<size_t>(frame.width));
+    for (int y = begin; y < end; ++y) {
+      if (uneven > 0.0F) geom::fbm_row(strength.seed, joints, frame.x(0), frame.cell_m, frame.y(y), noise);
+      for (int x = 0; x < frame.width; ++x) {
+        const auto cell = static_cast<size_t>(y) * frame.width + x;
+        const float hollow = 1.0F + kHollowed * std::log2(1.0F + discharge.data()[cell] * per_hollow);
+        const float own = uneven > 0.0F ? std::exp(uneven * noise[x]) : 1.0F;
+        rise.data()[cell] = most * own * std::sqrt(value_or_one(site.hardness, cell)) / hollow;
+      }
+    }
+  });
+}
+
+void limit_slopes(ScalarField& level, const Drainage& drainage, const Maps& site, const ScalarField& rise,
                   const RunContext& run) {
-  Sweep sweep(level, drainage, site, steepest);
+  Sweep sweep(level, drainage, site, rise);
   for (int y = 0; y < level.height(); ++y) run.check_cancelled(), sweep.row(y);
   for (int y = level.height() - 1; y >= 0; --y) run.check_cancelled(), sweep.row(y);
 }

@@ -48,7 +48,7 @@ TEST(Repose, IsTheDistanceToTheGroundAround) {
     ScalarField room(z.frame());
     drainage.route(z, border_outlets(z, 60), 10, {}, room, {});
     const HeightField judge = lowered_plainly(z, drainage, 0.7);
-    limit_slopes(z, drainage, {}, 0.7, {});
+    limit_slopes(z, drainage, {}, ScalarField(z.frame(), 7.0F), {});
     for (size_t i = 0; i < z.size(); ++i) EXPECT_NEAR(z.data()[i], judge.data()[i], 0.1) << i;
   }
 }
@@ -62,7 +62,7 @@ TEST(Repose, AroundAPointStandsACone) {
   Drainage drainage;
   ScalarField room(z.frame());
   drainage.route(z, outlets, -1, {}, room, {});
-  limit_slopes(z, drainage, {}, 0.6, {});
+  limit_slopes(z, drainage, {}, ScalarField(z.frame(), 6.0F), {});
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       const double distance = 10 * std::hypot(x - 40, y - 40);
@@ -86,10 +86,42 @@ TEST(Repose, HardRockStandsSteeperAndMasksHold) {
   Drainage drainage;
   ScalarField room(z.frame());
   drainage.route(z, border_outlets(z, 60), -100, {}, room, {});
-  limit_slopes(z, drainage, site, 1.0, {});
+  ScalarField rise(frame);
+  find_steepest_rise(ScalarField(frame, 0.0F), site, {.steepest = 1.0}, rise, {});
+  limit_slopes(z, drainage, site, rise, {});
   EXPECT_NEAR(z(14, 5), 50, 0.01);
   EXPECT_NEAR(z(14, 15), 100, 0.01);
   EXPECT_EQ(z(14, 0), 500);
+}
+
+TEST(Repose, RockIsUnevenAboutItsAngleAndHollowsAreGentler) {
+  const GridFrame frame = GridFrame::centred(200, 150, 20);
+  ScalarField dry(frame, 0.0F), wet(frame, 7.0F), rise(frame), hollow(frame);
+  const Strength strength{.steepest = 0.8, .variation = 0.6, .hollow_m3_yr = 1.0, .seed = Seed{3}};
+  find_steepest_rise(dry, {}, strength, rise, {});
+  find_steepest_rise(wet, {}, strength, hollow, {});
+  double sum = 0, square = 0;
+  for (size_t i = 0; i < rise.size(); ++i) {
+    const double own = std::log(rise.data()[i] / 16.0);
+    sum += own, square += own * own;
+    EXPECT_NEAR(hollow.data()[i], rise.data()[i] / 1.09, 1e-4 * rise.data()[i]);  // three doublings
+  }
+  const double mean = sum / static_cast<double>(rise.size());
+  EXPECT_NEAR(mean, 0.0, 0.05);
+  EXPECT_NEAR(std::sqrt(square / static_cast<double>(rise.size()) - mean * mean), 0.3, 0.15);
+  // The same rock on coarser cells.
+  const GridFrame coarse = GridFrame::centred(100, 75, 40);
+  ScalarField there(coarse);
+  find_steepest_rise(ScalarField(coarse, 0.0F), {}, strength, there, {});
+  double apart = 0;
+  for (int y = 0; y < 75; ++y) {
+    for (int x = 0; x < 100; ++x) {
+      const double means =
+          0.25 * (rise(2 * x, 2 * y) + rise(2 * x + 1, 2 * y) + rise(2 * x, 2 * y + 1) + rise(2 * x + 1, 2 * y + 1));
+      apart += std::abs(there(x, y) / 2 - means) / means;
+    }
+  }
+  EXPECT_LT(apart / 7500, 0.15);
 }
 
 }  // namespace

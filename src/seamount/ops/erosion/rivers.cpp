@@ -14,6 +14,8 @@ namespace {
 constexpr double kHiddenPerDoubling = 0.6;
 /// Mean height of slopes between channels as far apart as a cell is wide, over that width and their slope.
 constexpr double kHiddenShare = 0.25;
+/// Area from which on debris that water gathers cuts hollows into steep slopes.
+constexpr double kHollow_m2 = 1000;
 /// How far a river builds its bed above both of its banks in a step, in cells.
 constexpr float kLevee = 0.25F;
 /// Slope above which a river builds no fan, and the slope of a bank that keeps it from spreading.
@@ -249,6 +251,16 @@ class Step {
     return value_or_one(site_.mask, cell) * rate_ * root / (drainage_.distance(cell) + hidden * root);
   }
 
+  /// How much of what a cell hides stands over its receiver's ground: all of it over an outlet or land that does not
+  /// rise.
+  float steps_up(int32_t cell) const {
+    const int32_t receiver = drainage_.receiver(cell);
+    if (drainage_.is_root(receiver)) return 1.0F;
+    if (site_.uplift.empty()) return 0.0F;
+    const float own = site_.uplift.data()[cell];
+    return own > 0.0F ? std::max(0.0F, 1.0F - site_.uplift.data()[receiver] / own) : 0.0F;
+  }
+
   /// What creeps into a river goes with it: there creep counts only where it takes away.
   float level_of(int32_t cell) const {
     const float base = level_[drainage_.receiver(cell)];
@@ -278,8 +290,8 @@ class Step {
     };
     float level = reached(rate);
     // Land begins as high over its outlets as its cells stand over their channels.
-    if (hidden_ > 0.0F && drainage_.is_root(drainage_.receiver(cell)))
-      level = std::min(reached(cutting(cell, hidden_) / crept.stiffness), level + most_hidden_);
+    if (const float share = hidden_ > 0.0F ? steps_up(cell) : 0.0F; share > 0.0F)
+      level = std::min(reached(cutting(cell, share * hidden_) / crept.stiffness), level + share * most_hidden_);
     return std::min(level, highest);
   }
 
@@ -350,7 +362,10 @@ void run_rivers(Layers& ground, const Maps& site, const Drainage& drainage, cons
     if (rivers.deposition > 0) step.tell(sweep == 0, run);
   }
   step.solve(run);
-  limit_slopes(level, drainage, site, rivers.steepest, run);
+  find_steepest_rise(discharge, site,
+                     {rivers.steepest, rivers.hardness_variation, rivers.runoff_m_yr * kHollow_m2, rivers.rock}, load,
+                     run);
+  limit_slopes(level, drainage, site, load, run);
   step.carry<Carry::move>(ledger, run);
 }
 

@@ -37,7 +37,9 @@ struct Rivers {
   double channel_m2 = 0;     ///< area whose runoff is Q_c; of a strip as long as its root where cells are narrower
   double creep_m2_yr = 0;    ///< D
   double steepest = 1e9;     ///< S, rise over run
-  double uplift_m = 0;       ///< by which the ground has just risen, times the maps; where sweeps begin
+  double hardness_variation = 0;
+  Seed rock;            ///< where rock is weak
+  double uplift_m = 0;  ///< by which the ground has just risen, times the maps; where sweeps begin
   double sea_m = 0;
   int sweeps = 2;  ///< of Gauss-Seidel, >= 1
 };

@@ -13,6 +13,7 @@
 #include "seamount/ops/erosion/fans.h"
 #include "seamount/ops/erosion/hollows.h"
 #include "seamount/ops/erosion/levels.h"
+#include "seamount/ops/erosion/margin.h"
 #include "seamount/ops/erosion/rivers.h"
 #include "seamount/ops/erosion/slopes.h"
 
@@ -23,8 +24,10 @@ constexpr int kCoarsestSide = 64;         // grids are halved until the next one
 constexpr double kShareOfRest = 0.3;      // of the remaining years that a coarse grid takes
 constexpr double kRockBodies_m = 2500.0;  // size of the largest bodies of harder and softer rock
 constexpr int kMostSteps = 24, kFewestSteps = 8;
-constexpr int kSlides = 2;                 // rounds per step
-constexpr double kOutletReach = 1.0 / 16;  // of the map's side along which valleys compete for an outlet
+constexpr int kSlides = 2;                  // rounds per step
+constexpr double kOutletReach = 1.0 / 16;   // of the map's side along which valleys compete for an outlet
+constexpr double kMargin = 1.0 / 24;        // of the map's side: land beyond the border
+constexpr double kMarginOfRise = 1.0 / 64;  // the same, if the land rises up to its border
 
 /// How a grid spends its share of the years.
 struct Stage {
@@ -63,7 +66,7 @@ void vary_hardness(ScalarField& hardness, const GridFrame& frame, double variati
   });
 }
 
-Rivers rivers_of(const RunParams& p, double years) {
+Rivers rivers_of(const RunParams& p, double years, Seed rock) {
   const bool carries = p.method == Method::hydraulic;
   return {.years = years,
           .runoff_m_yr = p.runoff_mm_yr / 1000.0,
@@ -76,16 +79,24 @@ Rivers rivers_of(const RunParams& p, double years) {
           .channel_m2 = p.rivers.channel_m2,
           .creep_m2_yr = p.slopes.creep_m2_yr,
           .steepest = std::tan(p.slopes.bedrock_angle_deg * std::numbers::pi / 180.0),
+          .hardness_variation = p.hardness_variation,
+          .rock = rock,
           .uplift_m = p.uplift_mm_yr * 1e-3 * years,
           .sea_m = p.sea_m,
           .sweeps = carries ? 2 : 1};
+}
+
+/// Bedrock that stands so steep breaks off at once and lies at its foot; what is gentler fails over the years.
+double breaking_angle(const RunParams& p) {
+  const double rise = std::tan(p.slopes.bedrock_angle_deg * std::numbers::pi / 180.0);
+  return std::atan((1.0 + p.hardness_variation) * rise) * 180.0 / std::numbers::pi;
 }
 
 Slopes slopes_of(const RunParams& p, double years) {
   return {.years = years,
           .sediment_angle_deg = p.slopes.sediment_angle_deg,
           .debris_angle_deg = p.slopes.debris_angle_deg,
-          .bedrock_angle_deg = p.slopes.bedrock_angle_deg,
+          .bedrock_angle_deg = breaking_angle(p),
           .weathering_m_yr = p.method == Method::hydraulic ? p.slopes.weathering_mm_yr * 1e-3 : 0.0,
           .slides = kSlides};
 }
@@ -101,10 +112,11 @@ Coast coast_of(const RunParams& p, double years) {
 /// The run on one grid.
 class Level {
  public:
-  Level(Layers& ground, const Maps& site, const Grid<uint8_t>& outlets, const RunParams& params)
+  Level(Layers& ground, const Maps& site, const Grid<uint8_t>& outlets, const RunParams& params, Seed rock)
       : ground_(ground),
         site_(site),
         params_(params),
+        rock_(rock),
         outlets_(outlets),
         flow_(ground.frame()),
         load_(ground.frame()),
@@ -119,7 +131,7 @@ class Level {
     // First, so that rivers clear away what slides into them.
     run_slopes(ground_, site_, slopes_of(params_, years), load_, room_, run);
     clear_outlets(ledger);
-    const Rivers rivers = rivers_of(params_, years);
+    const Rivers rivers = rivers_of(params_, years, rock_);
     drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), seed, room_, run);
     gather(drainage_, site_, rivers, flow_, run);
     run_rivers(ground_, site_, drainage_, flow_, rivers, load_, room_, ledger, run);
@@ -132,7 +144,7 @@ class Level {
   /// Discharge, lakes and the last shallow hollows.
   void finish(bool fill_hollows, Ledger& ledger, ScalarField& flow, ScalarField& lake, const RunContext& run) {
     drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), std::nullopt, room_, run);
-    gather(drainage_, site_, rivers_of(params_, 0), flow_, run);
+    gather(drainage_, site_, rivers_of(params_, 0, rock_), flow_, run);
     run.check_cancelled();
     settle_hollows(ground_, site_, drainage_, static_cast<float>(params_.sea_m), fill_hollows, load_, room_, ledger);
     run.check_cancelled();
@@ -168,6 +180,7 @@ class Level {
   Layers& ground_;
   const Maps& site_;
   const RunParams& params_;
+  Seed rock_;
   const Grid<uint8_t>& outlets_;
   std::vector<std::pair<size_t, float>> base_levels_;
   Drainage drainage_;
@@ -208,28 +221,45 @@ std::vector<Stage> plan(const Pyramid& levels, const RunParams& params) {
   return stages;
 }
 
-}  // namespace
+/// Cells of land beyond the border.
+int margin_of(const GridFrame& frame, const RunParams& params) {
+  if (params.years <= 0) return 0;
+  const double share = params.uplift_mm_yr > 0 ? kMarginOfRise : kMargin;
+  return static_cast<int>(std::ceil(share * std::max(frame.width, frame.height)));
+}
 
-Eroded run(Layers ground, Maps site, const RunParams& params, Seed seed, const RunContext& run) {
-  check_params(params);
+/// Lets land go on beyond the border, where it does not rise.
+void extend(Layers& ground, Maps& site, int cells, const RunParams& params, const RunContext& run) {
   const GridFrame frame = ground.frame();
-  check_map(ground.debris, frame, "debris");
-  check_map(ground.sediment, frame, "sediment");
-  check_map(site.hardness, frame, "hardness");
-  check_map(site.mask, frame, "mask");
-  check_map(site.uplift, frame, "uplift");
-  check_map(site.rain, frame, "rain");
-  if (ground.debris.empty()) ground.debris = ScalarField(frame, 0.0F);
-  if (ground.sediment.empty()) ground.sediment = ScalarField(frame, 0.0F);
-  limit(ground.debris, 0.0F, 1e5F);
-  limit(ground.sediment, 0.0F, 1e5F);
-  vary_hardness(site.hardness, frame, params.hardness_variation, seed.derive("erosion.rock"), run);
-  limit(site.hardness, 0.01F, 1e6F);
-  limit(site.mask, 0.0F, 1.0F);
-  limit(site.uplift, 0.0F, 1e3F);
-  limit(site.rain, 1e-3F, 1e3F);  // every cell has some, which others divide by
-  run.check_cancelled();
+  if (params.uplift_mm_yr > 0 && site.uplift.empty()) site.uplift = ScalarField(frame, 1.0F);
+  for (ScalarField* map :
+       {&ground.surface, &ground.debris, &ground.sediment, &site.hardness, &site.mask, &site.uplift, &site.rain}) {
+    *map = extended(*map, cells, run);
+  }
+  if (site.uplift.empty()) return;
+  const ScalarField inside = cropped(site.uplift, frame, cells);
+  std::fill(site.uplift.cells().begin(), site.uplift.cells().end(), 0.0F);
+  for (int y = 0; y < frame.height; ++y)
+    std::copy(inside.row(y).begin(), inside.row(y).end(), site.uplift.row(y + cells).begin() + cells);
+}
 
+double volume_of(const HeightField& surface) {
+  double sum = 0;
+  for (const float z : surface.cells()) sum += z;
+  return sum * surface.cell_m() * surface.cell_m();
+}
+
+/// Takes the margin away again. What left the map is what it lost but for what the run itself did not keep.
+void crop(Eroded& out, const GridFrame& frame, int cells, double start_m3, double extended_start_m3) {
+  const double run_lost = extended_start_m3 - volume_of(out.terrain);
+  for (ScalarField* field : {&out.terrain, &out.debris, &out.sediment, &out.flow, &out.lake})
+    *field = cropped(*field, frame, cells);
+  out.ledger.exported += start_m3 - volume_of(out.terrain) - run_lost;
+}
+
+/// The run on ground and maps that fit.
+Eroded run_extended(Layers ground, Maps site, const RunParams& params, Seed seed, const RunContext& run) {
+  const GridFrame frame = ground.frame();
   Pyramid levels = pyramid_of(std::move(ground), std::move(site), run);
   const std::vector<Stage> stages = plan(levels, params);
   double cost = 0, done = 0;
@@ -240,7 +270,7 @@ Eroded run(Layers ground, Maps site, const RunParams& params, Seed seed, const R
   Grid<uint8_t> outlets = border_outlets(now.surface, kOutletReach * std::max(frame.width_m(), frame.height_m()));
   for (size_t k = stages.size(); k-- > 0;) {
     {
-      Level level(now, levels.sites[k], outlets, params);
+      Level level(now, levels.sites[k], outlets, params, seed.derive("erosion.joints"));
       for (int i = 0; i < stages[k].steps; ++i) {
         level.step(stages[k].years * share_of_step(i, stages[k].steps), seed.derive("erosion.ways", stages.size() - k),
                    out.ledger, {run.threads, {}, run.cancelled});
@@ -261,6 +291,37 @@ Eroded run(Layers ground, Maps site, const RunParams& params, Seed seed, const R
   out.terrain = std::move(now.surface);
   out.debris = std::move(now.debris);
   out.sediment = std::move(now.sediment);
+  return out;
+}
+
+}  // namespace
+
+Eroded run(Layers ground, Maps site, const RunParams& params, Seed seed, const RunContext& run) {
+  check_params(params);
+  const GridFrame frame = ground.frame();
+  check_map(ground.debris, frame, "debris");
+  check_map(ground.sediment, frame, "sediment");
+  check_map(site.hardness, frame, "hardness");
+  check_map(site.mask, frame, "mask");
+  check_map(site.uplift, frame, "uplift");
+  check_map(site.rain, frame, "rain");
+  if (ground.debris.empty()) ground.debris = ScalarField(frame, 0.0F);
+  if (ground.sediment.empty()) ground.sediment = ScalarField(frame, 0.0F);
+  limit(ground.debris, 0.0F, 1e5F);
+  limit(ground.sediment, 0.0F, 1e5F);
+  const double start_m3 = volume_of(ground.surface);
+  const int margin = margin_of(frame, params);
+  extend(ground, site, margin, params, run);
+  vary_hardness(site.hardness, ground.frame(), params.hardness_variation, seed.derive("erosion.rock"), run);
+  limit(site.hardness, 0.01F, 1e6F);
+  limit(site.mask, 0.0F, 1.0F);
+  limit(site.uplift, 0.0F, 1e3F);
+  limit(site.rain, 1e-3F, 1e3F);  // every cell has some, which others divide by
+  run.check_cancelled();
+
+  const double extended_start_m3 = volume_of(ground.surface);
+  Eroded out = run_extended(std::move(ground), std::move(site), params, seed, run);
+  crop(out, frame, margin, start_m3, extended_start_m3);
   return out;
 }
 

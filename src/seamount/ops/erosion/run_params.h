@@ -44,7 +44,7 @@ struct SlopeParams {
   double debris_angle_deg = 33;
   double sediment_angle_deg = 22;
   double creep_m2_yr = 0.005;
-  double weathering_mm_yr = 0.2;
+  double weathering_mm_yr = 0.1;
 
   static constexpr auto fields() {
     using P = SlopeParams;
@@ -78,10 +78,10 @@ struct CoastParams {
 
 struct RunParams {
   Method method = Method::hydraulic;
-  double years = 100000;
+  double years = 300000;
   double uplift_mm_yr = 0.0;
   double runoff_mm_yr = 1000.0;
-  double erodibility = 5e-5;
+  double erodibility = 1e-5;
   double hardness_variation = 0.6;
   double sea_m = 0.0;
   RiverParams rivers;
@@ -100,7 +100,7 @@ struct RunParams {
               "rain that runs off, times the input `rain`"),
         field(&P::erodibility, "erodibility", "1/sqrt(m yr)", between(0, 0.1),
               "K in K sqrt(discharge) slope, the metres per year that rivers cut into bedrock by their discharge in "
-              "m3/yr; hard rock 1e-6, soft 1e-4"),
+              "m3/yr; hard rock 1e-6, soft 1e-4, loose ground 1e-3"),
         field(&P::hardness_variation, "hardness_variation", "", between(0, 0.95),
               "how much bedrock's hardness varies from place to place: v makes it up to (1 + v) / (1 - v) times as "
               "hard"),

@@ -121,8 +121,10 @@ TEST(Erosion, NothingStaysSteeperThanItsMaterialCanStand) {
   for (int y = 40; y < 60; ++y) {
     for (int x = 40; x < 60; ++x) start(x, y) += 300;  // a tower
   }
-  const RunParams params{
-      .years = 200000, .erodibility = 0, .slopes = {.bedrock_angle_deg = 45, .creep_m2_yr = 0, .weathering_mm_yr = 0}};
+  const RunParams params{.years = 200000,
+                         .erodibility = 0,
+                         .hardness_variation = 0,
+                         .slopes = {.bedrock_angle_deg = 45, .creep_m2_yr = 0, .weathering_mm_yr = 0}};
   const Eroded result = eroded(start, params);
   const double allowed = std::tan((45 + 2.0) * 3.14159265 / 180) * start.cell_m();
   for (int y = 0; y < start.height(); ++y) {
@@ -255,6 +257,47 @@ TEST(Erosion, ValleysRunInAllDirections) {
   for (size_t i = 0; i < sum.size(); ++i) {
     EXPECT_LT(sum[i], 1.25) << i;
     EXPECT_GT(sum[i], 0.8) << i;
+  }
+}
+
+/// Straight crests along a row, a column or a diagonal, ten cells long and more, for every 1000 cells of crests: of
+/// what stands higher than both neighbours across one of these directions, on steep ground.
+double straight_crests(const HeightField& z) {
+  const std::array<std::pair<int, int>, 4> along = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
+  const auto is_steep = [&](int x, int y) {
+    float low = INFINITY, high = -INFINITY;
+    for (int j = -2; j <= 2; ++j) {
+      for (int i = -2; i <= 2; ++i)
+        low = std::min(low, z.clamped(x + i, y + j)), high = std::max(high, z.clamped(x + i, y + j));
+    }
+    return high - low > 0.75 * z.cell_m();
+  };
+  Grid<uint8_t> crest(z.frame(), 0);
+  int straight = 0;
+  for (const auto& [dx, dy] : along) {
+    Grid<int> run(z.frame(), 0);
+    for (int y = 1; y + 1 < z.height(); ++y) {
+      for (int k = 1; k + 1 < z.width(); ++k) {
+        const int x = k;
+        if (z(x, y) <= z(x - dy, y + dx) || z(x, y) <= z(x + dy, y - dx) || !is_steep(x, y)) continue;
+        crest(x, y) = 1;
+        const int bx = dx == 1 && dy == -1 ? x + 1 : x - dx, by = dx == 1 && dy == -1 ? y - 1 : y - dy;
+        run(x, y) = run(bx, by) + 1;
+        straight += run(x, y) == 10 ? 1 : 0;
+      }
+    }
+  }
+  return 1000.0 * straight / std::accumulate(crest.cells().begin(), crest.cells().end(), 1.0);
+}
+
+TEST(Erosion, CrestsAreNotStraight) {
+  // Land that rises so fast over hard rock that nearly all of it stands as steeply as it can.
+  for (uint64_t seed = 1; seed <= 3; ++seed) {
+    HeightField start = hills(256, 256, 60);
+    for (float& z : start.cells()) z = 60 + 0.05F * (z - 60);
+    const RunParams params{.method = Method::stream_power, .years = 5e6, .uplift_mm_yr = 1, .erodibility = 5e-6};
+    const HeightField z = run({std::move(start), {}, {}}, {}, params, Seed{seed}, {}).terrain;
+    EXPECT_LT(straight_crests(z), 5.0) << seed;
   }
 }
 
