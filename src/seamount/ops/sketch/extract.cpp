@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "seamount/base/parallel.h"
-#include "seamount/geom/grid/resample.h"
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/flow_invert.h"
-#include "seamount/geom/water/inland.h"
-#include "seamount/geom/water/skeleton.h"
+#include "seamount/ops/sketch/courses.h"
+#include "seamount/ops/sketch/ground.h"
+#include "seamount/ops/sketch/ink.h"
 #include "seamount/ops/sketch/stochastic_flow.h"
+#include "seamount/ops/sketch/strokes.h"
 
 namespace seamount::sketch {
 namespace {
@@ -22,53 +23,31 @@ struct Cue {
 
 /// What the rain on a coarse terrain shows, of one of the two networks.
 struct Network {
-  Grid<uint8_t> lines;
+  Inked inked;
   std::vector<Cue> cues;
-};
-
-/// The terrain and what of it is land.
-struct Ground {
-  const HeightField& terrain;
-  Mask land;  ///< 1 or 0; empty: all of it
-  float sea;
-
-  Ground(const HeightField& ground, const ExtractParams& params, const RunContext& run)
-      : terrain(ground), sea(params.sea ? 0.0F : geom::kNoSea) {
-    if (!params.sea) return;
-    land = geom::raise_inland(terrain, sea, params.min_sea_m2, run);
-    bool all = true;
-    for (float& z : land.cells()) all = all && z > sea, z = z > sea ? 1.0F : 0.0F;
-    if (all) land = {};
-  }
-  bool is_land(size_t cell) const { return land.empty() || land.data()[cell] != 0.0F; }
-  double land_share() const {
-    double cells = 0;
-    for (const float one : land.cells()) cells += static_cast<double>(one);
-    return land.empty() ? 1.0 : cells / static_cast<double>(land.size());
-  }
 };
 
 struct Scale {
   double coarse_m, blur_m;
-  uint32_t line_drops, cue_drops;
-  int min_cells;  ///< of the terrain, for branches and pieces
+  double line_cells, cue_cells;  ///< of rain, coarse
 };
 
-Scale scale_of(const ExtractParams& params, const Ground& ground) {
-  constexpr double kCoarseCells = 128.0, kBlur = 0.7, kLinePart = 500.0, kCuePart = 150.0;
-  const GridFrame& frame = ground.terrain.frame();
+Scale scale_of(const ExtractParams& params, const GridFrame& frame) {
+  constexpr double kCoarseCells = 128.0, kBlur = 0.7;
   Scale scale{};
   scale.coarse_m =
       std::max(frame.cell_m, params.coarse_m.value_or(std::max(frame.width_m(), frame.height_m()) / kCoarseCells));
   scale.blur_m = params.blur_m.value_or(kBlur * scale.coarse_m);
-  const double area_m2 = frame.width_m() * frame.height_m() * ground.land_share();
-  const auto drops = [&](double from_m2) {
-    return static_cast<uint32_t>(std::clamp(from_m2 / (scale.coarse_m * scale.coarse_m), 2.0, 4e9));
-  };
-  scale.line_drops = drops(params.min_area_m2.value_or(area_m2 / kLinePart));
-  scale.cue_drops = drops(params.cue_area_m2.value_or(area_m2 / kCuePart));
-  scale.min_cells = static_cast<int>(std::min(1e6, params.min_length * scale.coarse_m / frame.cell_m));
   return scale;
+}
+
+void set_thresholds(const ExtractParams& params, const Ground& ground, Scale& scale) {
+  constexpr double kLinePart = 500.0, kCuePart = 150.0;
+  const GridFrame& frame = ground.heights.frame();
+  const double area_m2 = frame.width_m() * frame.height_m() * ground.land_share();
+  const auto cells = [&](double from_m2) { return std::max(2.0, from_m2 / (scale.coarse_m * scale.coarse_m)); };
+  scale.line_cells = cells(params.min_area_m2.value_or(area_m2 / kLinePart));
+  scale.cue_cells = cells(params.cue_area_m2.value_or(area_m2 / kCuePart));
 }
 
 GridFrame coarse_frame(const GridFrame& frame, const Scale& scale) {
@@ -79,118 +58,128 @@ GridFrame coarse_frame(const GridFrame& frame, const Scale& scale) {
   return coarse;
 }
 
-/// Blurred, on cells of about coarse_m that fit the terrain's corner; the sea is level.
-HeightField coarsen(const Ground& ground, const Scale& scale, const RunContext& run) {
-  const GridFrame coarse = coarse_frame(ground.terrain.frame(), scale);
-  const auto resampled = [&](const ScalarField& fine) {
-    return coarse == fine.frame() ? fine : geom::resample(fine, coarse, run);
-  };
-  HeightField blurred = ground.terrain;
-  if (ground.land.empty()) {
-    geom::gaussian_blur(blurred, scale.blur_m, run);
-    return resampled(blurred);
+/// The step in which heights were rounded: whole metres, say. Heights that were resampled have none to speak of.
+double rounding_of(const HeightField& terrain) {
+  float least = std::numeric_limits<float>::infinity();
+  for (int y = 0; y < terrain.height(); ++y) {
+    const auto row = terrain.row(y);
+    for (size_t x = 0; x + 1 < row.size(); ++x)
+      if (row[x] != row[x + 1]) least = std::min(least, std::abs(row[x] - row[x + 1]));
   }
-  ScalarField share = ground.land;
-  for (size_t i = 0; i < blurred.size(); ++i) blurred.data()[i] = ground.is_land(i) ? blurred.data()[i] : 0.0F;
-  geom::gaussian_blur(blurred, scale.blur_m, run);
-  geom::gaussian_blur(share, scale.blur_m, run);
-  constexpr float kSome = 1e-3F;
-  for (size_t i = 0; i < blurred.size(); ++i) {
-    if (share.data()[i] > kSome) blurred.data()[i] /= share.data()[i];
-  }
-  HeightField out = resampled(blurred);
-  const ScalarField land = resampled(ground.land);
-  for (size_t i = 0; i < out.size(); ++i) {
-    float& z = out.data()[i];
-    z = land.data()[i] < 0.5F ? ground.sea : std::max(z, std::nextafter(ground.sea, INFINITY));
-  }
-  return out;
+  return std::isfinite(least) ? static_cast<double>(least) : 0.0;
 }
 
-/// Reads `water`, whose cells lie `shift` further in, back onto the coarse terrain.
-Network read_water(const Water& water, const GridFrame& coarse, int shift, bool basins, const Scale& scale) {
-  Network network{Grid<uint8_t>(coarse), {}};
-  for (int y = 0; y < coarse.height; ++y) {
-    for (int x = 0; x < coarse.width; ++x) {
-      network.lines(x, y) = water.passed(x + shift, y + shift) >= scale.line_drops ? 1 : 0;
-      if (water.ended(x + shift, y + shift) >= scale.cue_drops) network.cues.push_back({x, y, basins});
-    }
-  }
-  return network;
-}
-
-StochasticFlow flow_of(const ExtractParams& params, const HeightField& coarse, float sea) {
-  constexpr double kReliefPart = 200.0;
+/// Height that is no relief.
+double flat_of(const ExtractParams& params, const HeightField& terrain, const HeightField& coarse, float sea) {
+  constexpr double kReliefPart = 200.0, kLeastSlope = 0.01, kMostOfSlope = 10.0, kRoundings = 2.0;
   const auto [low, high] = std::minmax_element(coarse.cells().begin(), coarse.cells().end());
-  const double relief = static_cast<double>(*high) - std::max(sea, *low);
-  return {.leave = params.leave,
-          .shallow_m = static_cast<float>(params.shallow_m.value_or(std::max(0.0, relief) / kReliefPart))};
+  const double relief = static_cast<double>(*high) - static_cast<double>(std::max(sea, *low));
+  return params.shallow_m.value_or(
+      std::max({relief / kReliefPart, std::min(kMostOfSlope, kLeastSlope * coarse.cell_m()),
+                kRoundings * rounding_of(terrain)}));
 }
 
-Network find_rivers(const HeightField& coarse, float sea, const ExtractParams& params, const Scale& scale, Seed seed,
-                    const RunContext& run) {
-  Grid<uint8_t> land(coarse.frame());
-  for (size_t i = 0; i < land.size(); ++i) land.data()[i] = coarse.data()[i] > sea ? 1 : 0;
-  Network rivers = read_water(
-      stochastic_flow(coarse, land, sea, geom::kFlowWall, flow_of(params, coarse, sea), seed.derive("rivers"), run),
-      coarse.frame(), 0, true, scale);
-  for (size_t i = 0; i < land.size(); ++i) rivers.lines.data()[i] &= land.data()[i];
-  return rivers;
-}
-
-Network find_ridges(const HeightField& coarse, float sea, const ExtractParams& params, const Scale& scale, Seed seed,
-                    const RunContext& run) {
-  const HeightField inverted = geom::invert_with_walls(coarse, sea, run);
-  Grid<uint8_t> land(inverted.frame());
-  for (size_t i = 0; i < land.size(); ++i) land.data()[i] = inverted.data()[i] < geom::kFlowWall ? 1 : 0;
-  Network ridges = read_water(stochastic_flow(inverted, land, geom::kNoSea, geom::kFlowWall,
-                                              flow_of(params, coarse, sea), seed.derive("ridges"), run),
-                              coarse.frame(), 1, false, scale);
-  // The edge cuts slopes in two and makes ridges of them that are none.
-  const GridFrame& frame = coarse.frame();
+/// Where a pit of the coarse terrain is one of the terrain too, and not of the blur that dams gorges.
+Grid<uint8_t> find_basins(const Ground& ground, const GridFrame& coarse, double flat_m, const RunContext& run) {
+  const HeightField filled = geom::fill_depressions(ground.heights, ground.sea_m, run);
+  Grid<uint8_t> deep(coarse, 0), near(coarse, 0);
+  const GridFrame& frame = filled.frame();
   for (int y = 0; y < frame.height; ++y) {
+    const int row = std::clamp(static_cast<int>(std::lround(coarse.row(frame.y(y)))), 0, coarse.height - 1);
     for (int x = 0; x < frame.width; ++x) {
-      if (x == 0 || y == 0 || x == frame.width - 1 || y == frame.height - 1) ridges.lines(x, y) = 0;
+      if (!(static_cast<double>(filled(x, y) - ground.heights(x, y)) > flat_m)) continue;
+      deep(std::clamp(static_cast<int>(std::lround(coarse.column(frame.x(x)))), 0, coarse.width - 1), row) = 1;
     }
   }
-  std::erase_if(ridges.cues, [&](const Cue& cue) {
-    return cue.x == 0 || cue.y == 0 || cue.x == frame.width - 1 || cue.y == frame.height - 1;
-  });
-  return ridges;
+  for (int y = 0; y < coarse.height; ++y)
+    for (int x = 0; x < coarse.width; ++x)
+      for (int v = std::max(0, y - 1); v <= std::min(coarse.height - 1, y + 1); ++v)
+        for (int u = std::max(0, x - 1); u <= std::min(coarse.width - 1, x + 1); ++u) near(x, y) |= deep(u, v);
+  return near;
 }
 
-/// Coarse lines as lines one cell wide on the terrain's land.
-Grid<uint8_t> refine(const Grid<uint8_t>& lines, const Ground& ground, const Scale& scale, const RunContext& run) {
-  constexpr float kInside = 0.33F;  // a diagonal of single cells has at least 0.45 along its middle
-  const GridFrame& frame = ground.terrain.frame();
-  ScalarField soft(lines.frame());
-  for (size_t i = 0; i < soft.size(); ++i) soft.data()[i] = lines.data()[i];
-  Grid<uint8_t> fine(frame);
-  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const double row = soft.frame().row(frame.y(y));
-      for (int x = 0; x < frame.width; ++x)
-        fine(x, y) = geom::sample_bspline(soft, soft.frame().column(frame.x(x)), row) > kInside ? 1 : 0;
+/// Where most drops of a coarse terrain stay, `shift` cells further in. A place that hardly differs from its
+/// surroundings is none.
+std::vector<Cue> find_cues(const Water& water, const HeightField& coarse, int shift, bool basins, const Scale& scale,
+                           double flat_m) {
+  constexpr int kReach = 3;
+  constexpr double kStandsOut = 2.0;
+  std::vector<Cue> cues;
+  for (int y = 0; y < coarse.height(); ++y) {
+    for (int x = 0; x < coarse.width(); ++x) {
+      if (water.ended(x + shift, y + shift) < scale.cue_cells) continue;
+      float most = 0.0F;
+      for (int v = -kReach; v <= kReach; ++v)
+        for (int u = -kReach; u <= kReach; ++u)
+          most = std::max(most, std::abs(coarse.clamped(x + u, y + v) - coarse(x, y)));
+      if (static_cast<double>(most) >= kStandsOut * flat_m) cues.push_back({x, y, basins});
     }
-  });
-  geom::thin(fine, run);
-  for (size_t i = 0; i < fine.size(); ++i) fine.data()[i] = ground.is_land(i) ? fine.data()[i] : 0;
-  geom::prune_skeleton(fine, scale.min_cells, scale.min_cells, run);
-  return fine;
-}
-
-void add_lines(const Grid<uint8_t>& skeleton, double value, Drawing& drawing) {
-  for (const geom::CellChain& chain : geom::trace_skeleton(skeleton)) {
-    if (chain.size() < 2) continue;
-    drawing.lines.push_back({geom::smooth_chain(chain, skeleton.frame()), value, false});
   }
+  return cues;
 }
 
-Mask as_mask(const Grid<uint8_t>& cells) {
-  Mask mask(cells.frame());
-  for (size_t i = 0; i < mask.size(); ++i) mask.data()[i] = cells.data()[i];
-  return mask;
-}
+struct Sketcher {
+  const ExtractParams& params;
+  const Ground& ground;
+  const HeightField& coarse;
+  const Scale& scale;
+  double flat_m;
+  Seed seed;
+
+  StochasticFlow flow() const { return {.leave = params.leave, .shallow_m = static_cast<float>(flat_m)}; }
+  CourseParams courses() const {
+    return {.least_cells = scale.line_cells,
+            .flat_m = flat_m,
+            .least_length = params.min_length,
+            .leave = params.leave,
+            .basin_cells = scale.cue_cells};
+  }
+
+  Inked draw(const Courses& courses, bool ridges, const RunContext& run) const {
+    std::vector<Vec2> ends;
+    for (const int32_t cell : courses.basins)
+      ends.push_back({coarse.frame().x(cell % coarse.width()), coarse.frame().y(cell / coarse.width())});
+    return ink(draw_strokes(courses, coarse, ground, ridges, flat_m), ground, !ridges, ends, 1.5 * scale.coarse_m,
+               scale.coarse_m, run);
+  }
+
+  Network rivers(const RunContext& run) const {
+    Grid<uint8_t> land(coarse.frame());
+    for (size_t i = 0; i < land.size(); ++i) land.data()[i] = coarse.data()[i] > ground.sea_m ? 1 : 0;
+    const Water water =
+        stochastic_flow(coarse, land, ground.sea_m, geom::kFlowWall, flow(), seed.derive("rivers"), run);
+    Network out{{}, find_cues(water, coarse, 0, true, scale, flat_m)};
+    CourseParams way = courses();
+    way.basins = find_basins(ground, coarse.frame(), flat_m, run);
+    const Courses found =
+        find_courses({coarse, land, water.passed, ground.sea_m, geom::kFlowWall, coarse, 0, false}, way, run);
+    for (const int32_t cell : found.basins) {
+      const int x = cell % coarse.width(), y = cell / coarse.width();
+      if (std::none_of(out.cues.begin(), out.cues.end(), [&](const Cue& cue) { return cue.x == x && cue.y == y; }))
+        out.cues.push_back({x, y, true});
+    }
+    out.inked = draw(found, false, run);
+    return out;
+  }
+
+  /// The edge cuts slopes in two and makes ridges of them that are none.
+  Network ridges(const RunContext& run) const {
+    const HeightField inverted = geom::invert_with_walls(coarse, ground.sea_m, run);
+    Grid<uint8_t> land(inverted.frame());
+    for (size_t i = 0; i < land.size(); ++i) land.data()[i] = inverted.data()[i] < geom::kFlowWall ? 1 : 0;
+    const Water water =
+        stochastic_flow(inverted, land, geom::kNoSea, geom::kFlowWall, flow(), seed.derive("ridges"), run);
+    Network out{{}, find_cues(water, coarse, 1, false, scale, flat_m)};
+    const GridFrame& frame = coarse.frame();
+    std::erase_if(out.cues, [&](const Cue& cue) {
+      return cue.x == 0 || cue.y == 0 || cue.x == frame.width - 1 || cue.y == frame.height - 1;
+    });
+    const Courses found =
+        find_courses({inverted, land, water.passed, geom::kNoSea, geom::kFlowWall, coarse, 1, true}, courses(), run);
+    out.inked = draw(found, true, run);
+    return out;
+  }
+};
 
 /// The cell of `frame` in which the middle of a coarse cell lies, and its height on the coarse terrain.
 void add_cues(const std::vector<Cue>& cues, const HeightField& coarse, Sketch& sketch) {
@@ -207,55 +196,82 @@ void add_cues(const std::vector<Cue>& cues, const HeightField& coarse, Sketch& s
 }
 
 /// P1's colours; cues are discs so that one can see them.
-Image paint(const Sketch& sketch, const HeightField& coarse) {
+Image paint(const Sketch& sketch) {
   const GridFrame& frame = sketch.river.frame();
-  const auto [low, high] = std::minmax_element(coarse.cells().begin(), coarse.cells().end());
-  const float range = std::max(1e-3F, *high - *low);
   Image image(frame.width, frame.height);
-  const int radius = std::max(1, std::min(frame.width, frame.height) / 128);
   for (int y = 0; y < frame.height; ++y) {
     for (int x = 0; x < frame.width; ++x) {
       if (sketch.ridge(x, y) > 0.0F) image.pixel(x, y)[0] = 255;
       if (sketch.river(x, y) > 0.0F) image.pixel(x, y)[2] = 255;
+    }
+  }
+  const int radius = std::max(1, std::min(frame.width, frame.height) / 128);
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) {
       if (sketch.cue(x, y) <= 0.0F) continue;
-      const float share = std::clamp((sketch.altitude_m(x, y) - *low) / range, 0.0F, 1.0F);
-      const auto green = static_cast<uint8_t>(std::lround(1.0F + 254.0F * share));
-      for (int v = std::max(0, y - radius); v <= std::min(frame.height - 1, y + radius); ++v) {
-        for (int u = std::max(0, x - radius); u <= std::min(frame.width - 1, x + radius); ++u) {
+      const uint8_t green =
+          green_of(static_cast<double>(sketch.altitude_m(x, y)), sketch.lowest_cue_m, sketch.highest_cue_m);
+      for (int v = std::max(0, y - radius); v <= std::min(frame.height - 1, y + radius); ++v)
+        for (int u = std::max(0, x - radius); u <= std::min(frame.width - 1, x + radius); ++u)
           if ((u - x) * (u - x) + (v - y) * (v - y) <= radius * radius + 1) image.pixel(u, v)[1] = green;
-        }
-      }
     }
   }
   return image;
 }
 
+/// The height of each cue's colour is known from its point.
+void colour_cues(Sketch& sketch) {
+  if (sketch.lines.points.empty()) return;
+  const auto [low, high] =
+      std::minmax_element(sketch.lines.points.begin(), sketch.lines.points.end(),
+                          [](const ValuedPoint& a, const ValuedPoint& b) { return a.value < b.value; });
+  sketch.lowest_cue_m = low->value;
+  sketch.highest_cue_m = high->value;
+  for (ValuedPoint& cue : sketch.lines.points)
+    cue.attributes.push_back(
+        {"green", static_cast<double>(green_of(cue.value, sketch.lowest_cue_m, sketch.highest_cue_m))});
+}
+
+void add_lines(std::vector<Polyline> lines, double value, Drawing& drawing) {
+  for (Polyline& line : lines) drawing.lines.push_back({std::move(line), value, false});
+}
+
 }  // namespace
+
+uint8_t green_of(double height_m, double lowest_m, double highest_m) {
+  constexpr double kLowest = 32.0, kHighest = 255.0;
+  const double share = highest_m > lowest_m ? (height_m - lowest_m) / (highest_m - lowest_m) : 1.0;
+  return static_cast<uint8_t>(std::lround(kLowest + (kHighest - kLowest) * std::clamp(share, 0.0, 1.0)));
+}
 
 Sketch extract(const HeightField& terrain, const ExtractParams& params, Seed seed, const RunContext& run) {
   check_params(params);
   const GridFrame& frame = terrain.frame();
-  const Ground ground(terrain, params, run);
-  const Scale scale = scale_of(params, ground);
-  const HeightField coarse = coarsen(ground, scale, run.part(0.0, 0.2));
-  const Network none{Grid<uint8_t>(coarse.frame(), 0), {}};
-  const Network rivers =
-      params.rivers || params.cues ? find_rivers(coarse, ground.sea, params, scale, seed, run.part(0.2, 0.5)) : none;
-  const Network ridges =
-      params.ridges || params.cues ? find_ridges(coarse, ground.sea, params, scale, seed, run.part(0.5, 0.8)) : none;
-  Sketch sketch{{}, {}, ScalarField(frame, 0.0F), Mask(frame, 0.0F), {}, {}};
+  Scale scale = scale_of(params, frame);
+  const Ground ground = find_ground(terrain, params.sea, params.min_sea_m2, run.part(0.0, 0.1));
+  set_thresholds(params, ground, scale);
+  const HeightField coarse = blurred_land(ground, scale.blur_m, coarse_frame(frame, scale), run.part(0.1, 0.2));
+  const Sketcher sketcher{params, ground, coarse, scale, flat_of(params, terrain, coarse, ground.sea_m), seed};
+  Sketch sketch{Mask(frame, 0.0F), Mask(frame, 0.0F), ScalarField(frame, 0.0F), Mask(frame, 0.0F), {}, {}, 0.0, 0.0};
   sketch.lines.crs = frame.crs;
-  const Grid<uint8_t> river = refine(params.rivers ? rivers.lines : none.lines, ground, scale, run.part(0.8, 0.9));
-  const Grid<uint8_t> ridge = refine(params.ridges ? ridges.lines : none.lines, ground, scale, run.part(0.9, 1.0));
-  add_lines(river, 0.0, sketch.lines);
-  add_lines(ridge, 1.0, sketch.lines);
-  sketch.river = as_mask(river);
-  sketch.ridge = as_mask(ridge);
-  if (params.cues) {
-    add_cues(rivers.cues, coarse, sketch);
-    add_cues(ridges.cues, coarse, sketch);
+  if (params.rivers || params.cues) {
+    Network rivers = sketcher.rivers(run.part(0.2, 0.6));
+    if (params.cues) add_cues(rivers.cues, coarse, sketch);
+    if (params.rivers) {
+      sketch.river = std::move(rivers.inked.cells);
+      add_lines(std::move(rivers.inked.lines), 0.0, sketch.lines);
+    }
   }
-  sketch.image = paint(sketch, coarse);
+  if (params.ridges || params.cues) {
+    Network ridges = sketcher.ridges(run.part(0.6, 1.0));
+    if (params.cues) add_cues(ridges.cues, coarse, sketch);
+    if (params.ridges) {
+      sketch.ridge = std::move(ridges.inked.cells);
+      add_lines(std::move(ridges.inked.lines), 1.0, sketch.lines);
+    }
+  }
+  colour_cues(sketch);
+  sketch.image = paint(sketch);
   return sketch;
 }
 

@@ -1,12 +1,16 @@
 // sketch.extract: the sketch that somebody would have drawn of a terrain: rivers, ridges, and altitude cues.
 //
 // Source: P1 sec. 5.1, fig. 6 to 8. The terrain is blurred and down-sampled; drops of rain run from every cell by a
-// stochastic D8 (stochastic_flow.h); where many pass is a river; the rivers are up-sampled and thinned to one pixel.
-// Ridges are the rivers of the inverted terrain. Basins are where many drops disappear, peaks the same upside down;
-// both are altitude cues. Ours: what leaves a minimum runs over its lowest pass; minima no deeper than shallow_m
-// (survey noise, lake surfaces) hold no water; the threshold is applied before up-sampling, by a cubic B-spline, so
-// that thin diagonals hold together; twigs and pieces shorter than a few coarse cells are dropped. Land is blurred with
-// land alone, and a coarse cell is land where half of it is, so that the sketch keeps to the coast.
+// stochastic D8 (stochastic_flow.h). Ridges are the rivers of the inverted terrain. Basins are where many drops
+// disappear, peaks the same upside down; both are altitude cues.
+//
+// Ours: P1 up-samples the cells that many drops pass and thins them, which leaves circles, combs on even slopes and
+// lines along the coarse grid. Here each cell has one way on, where most drops go (courses.h), so that lines are trees;
+// they begin in a valley, or on a crest, that stands out from the ground beside it, so that plains, lakes and a sea
+// without depth stay empty; and they are drawn as smooth strokes in the valley (strokes.h) before they become cells
+// (ink.h). Every river reaches the edge, the sea or a basin that is a cue; in the latter a share of the water stays, if
+// the terrain itself, and not the blur, has a hollow there. Ridges end where they fade. Land is blurred with land
+// alone.
 #pragma once
 
 #include <array>
@@ -50,7 +54,10 @@ struct ExtractParams {
               "ground whose rain ends in one place and makes it a cue; a 150th of the land if absent"),
         field(&P::leave, "leave", "", between(0, 1), "probability with which a drop leaves a local minimum"),
         field(&P::shallow_m, "shallow_m", "m", between(0, 1000),
-              "minima that are no deeper hold no water; a 200th of the relief if absent"),
+              "relief that is none: minima no deeper hold no water, and valleys and crests that stand out no more are "
+              "not "
+              "drawn; a 200th of all relief if absent, but a hundredth of a coarse cell (10 m at most), and two steps "
+              "of rounded heights"),
         field(&P::min_length, "min_length", "", between(0, 100),
               "shortest branch and piece that is kept, in coarse cells"),
         field(&P::sea, "sea",
@@ -64,16 +71,23 @@ struct ExtractParams {
 };
 
 struct Sketch {
-  Mask river;              ///< 1 on the lines, else 0; one cell wide
+  Mask river;              ///< 1 on the lines, else 0; one cell wide, without holes
   Mask ridge;              ///< the same
   ScalarField altitude_m;  ///< height at the cues, 0 elsewhere
   Mask cue;                ///< 1 where altitude_m counts
-  Image image;             ///< ridges red, rivers blue, cues green by height (255 the highest); nothing: black
-  Drawing lines;           ///< value 0: river, 1: ridge; points: cues with height as value, and "basin" (1) or not (0)
+  Image image;             ///< ridges red, rivers blue, cues as discs of green_of() their height; nothing: black
+  Drawing lines;  ///< value 0: river, 1: ridge, both downstream and joined at their ends; points: cues with height
+                  ///< as value, "basin" (1) or not (0), and "green"
+  double lowest_cue_m;   ///< height of green 32; 0 without cues
+  double highest_cue_m;  ///< height of green 255
 };
 
-/// Throws InvalidArgument for params out of range. Parallel; memory 28 bytes per cell of the terrain; time about linear
-/// in the cells, and in coarse cells times the length of a drop's way.
+/// How green a cue is: 32 the lowest, 255 the highest of its sketch, in proportion between; 255 if all are equal. So
+/// height = lowest + (green - 32) / 223 (highest - lowest).
+uint8_t green_of(double height_m, double lowest_m, double highest_m);
+
+/// Throws InvalidArgument for params out of range. Parallel; memory 36 bytes per cell of the terrain with the result;
+/// time about linear in the cells, and in coarse cells times the length of a drop's way.
 Sketch extract(const HeightField& terrain, const ExtractParams& params, Seed seed, const RunContext& run);
 
 }  // namespace seamount::sketch

@@ -5,42 +5,44 @@
 #include <vector>
 
 #include "seamount/geom/contour/contour.h"
-#include "seamount/geom/grid/resample.h"
 #include "seamount/geom/scalar/quantile.h"
+#include "seamount/ops/sketch/ground.h"
 
 namespace seamount::sketch {
-namespace {
-
-float percentile_of(const ScalarField& field, double percentile) {
-  return geom::quantile(std::vector<float>(field.cells().begin(), field.cells().end()), percentile / 100.0);
-}
-
-}  // namespace
 
 Levelset levelset(const HeightField& terrain, const LevelsetParams& params, const RunContext& run) {
   check_params(params);
   const GridFrame& frame = terrain.frame();
   constexpr double kBlurPart = 64.0;
   constexpr float kRounding = 1e-6F;
-  HeightField blurred = terrain;
-  geom::gaussian_blur(blurred, params.blur_m.value_or(std::max(frame.width_m(), frame.height_m()) / kBlurPart), run);
+  const Ground ground = find_ground(terrain, params.sea, params.min_sea_m2, run);
+  const double blur_m = params.blur_m.value_or(std::max(frame.width_m(), frame.height_m()) / kBlurPart);
+  const HeightField blurred = blurred_land(ground, blur_m, frame, run);
   run.check_cancelled();
-  const float level = percentile_of(blurred, params.percentile);
-  // Above it: a sea that is level, up to what a blur rounds, is not.
-  const auto [low, high] = std::minmax_element(blurred.cells().begin(), blurred.cells().end());
-  const float least = std::nextafter(level + kRounding * (*high - *low), INFINITY);
-  Levelset out{Mask(frame), Image(frame.width, frame.height), {}, level};
+  Levelset out{Mask(frame, 0.0F), Image(frame.width, frame.height), {}, 0.0};
+  out.areas.crs = frame.crs;
+  std::vector<float> heights;
+  for (size_t i = 0; i < blurred.size(); ++i)
+    if (ground.is_land(i)) heights.push_back(blurred.data()[i]);
+  if (heights.empty()) {
+    run.say("nothing lies above sea level, so the levelset is empty (\"sea\": false takes the sea floor for land)");
+    return out;
+  }
+  const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
+  const float low = *lowest, high = *highest, level = geom::quantile(std::move(heights), params.percentile / 100.0);
+  out.level_m = static_cast<double>(level);
+  // Above it: a plain that is level, up to what a blur rounds, is not.
+  const float least = std::nextafter(level + kRounding * (high - low), INFINITY);
   for (int y = 0; y < frame.height; ++y) {
     run.check_cancelled();
     for (int x = 0; x < frame.width; ++x) {
-      const bool inside = blurred(x, y) >= least;
-      out.mask(x, y) = inside ? 1.0F : 0.0F;
-      if (inside) std::fill_n(out.image.pixel(x, y), 3, uint8_t{255});
+      if (blurred(x, y) < least) continue;
+      out.mask(x, y) = 1.0F;
+      std::fill_n(out.image.pixel(x, y), 3, uint8_t{255});
     }
   }
-  out.areas.crs = frame.crs;
-  if (*high >= least)
-    out.areas.areas.push_back({"levelset", geom::trace_areas(blurred, least, run), {{"level_m", level}}});
+  if (high >= least)
+    out.areas.areas.push_back({"levelset", geom::trace_areas(blurred, least, run), {{"level_m", out.level_m}}});
   return out;
 }
 

@@ -182,14 +182,35 @@ TEST(Levelset, HoldsTheShareAboveThePercentile) {
     EXPECT_NEAR(inside / static_cast<double>(terrain.size()), 1.0 - percentile / 100, 1e-3);
   }
   EXPECT_EQ(levelset(HeightField(GridFrame::centred(5, 4, 1), 7.0F), {}, {}).level_m, 7.0);
-  HeightField island = hills(200, 200, 4, -60.0F);
-  double land = 0, inside = 0;
-  for (float& z : island.cells()) z = std::max(z, 0.0F), land += z > 0 ? 1 : 0;
-  ASSERT_LT(land, 0.4 * 200 * 200);
-  const Levelset made = levelset(island, {.blur_m = 60}, {});
-  for (size_t i = 0; i < island.size(); ++i) inside += static_cast<double>(made.mask.data()[i]);
-  EXPECT_GT(inside, 0.5 * land);
-  EXPECT_LT(inside, 0.41 * 200 * 200);  // not the level sea
+}
+
+TEST(Levelset, IsOfTheLand) {
+  for (const uint64_t seed : {4, 5, 6}) {
+    HeightField island = hills(200, 160, seed, -60.0F), flat_sea = island;
+    double land = 0;
+    for (float& z : flat_sea.cells()) z = std::max(z, 0.0F), land += z > 0 ? 1 : 0;
+    ASSERT_LT(land, 0.6 * 200 * 160);
+    for (const HeightField& terrain : {island, flat_sea}) {  // the depth of the sea does not count
+      const HeightField ground = geom::raise_inland(terrain, 0.0F, {}, {});
+      double dry = 0, inside = 0;
+      const Levelset made = levelset(terrain, {.blur_m = 200}, {});
+      for (size_t i = 0; i < terrain.size(); ++i) {
+        dry += ground.data()[i] > 0 ? 1 : 0;
+        inside += static_cast<double>(made.mask.data()[i]);
+        ASSERT_TRUE(made.mask.data()[i] == 0.0F || ground.data()[i] > 0.0F) << i;
+      }
+      EXPECT_NEAR(inside / dry, 0.4, 1e-3);
+      EXPECT_GT(made.level_m, 0.0);
+    }
+    const Levelset floor = levelset(island, {.blur_m = 200, .sea = false}, {});
+    double inside = 0;
+    for (const float cell : floor.mask.cells()) inside += static_cast<double>(cell);
+    EXPECT_NEAR(inside / static_cast<double>(island.size()), 0.4, 1e-3);
+    for (float& z : island.cells()) z -= 3000.0F;
+    const Levelset drowned = levelset(island, {}, {});
+    EXPECT_TRUE(drowned.areas.areas.empty());
+    EXPECT_EQ(std::count(drowned.mask.cells().begin(), drowned.mask.cells().end(), 1.0F), 0);
+  }
 }
 
 TEST(SketchOps, TakeOddShapes) {

@@ -74,17 +74,9 @@ class Rain {
 
   /// Moves a drop from a pit over its lowest pass, if it is to leave and there is one.
   bool leave(int64_t& cell, Rng& rng) {
-    const float floor = surface_.data()[cell];
-    float pass = floor;
-    int64_t end = cell;
-    do {
-      if (routes_.data()[end] >= 8) break;
-      end += steps_[routes_.data()[end]];
-      pass = std::max(pass, surface_.data()[end]);
-    } while (surface_.data()[end] >= floor);
-    if (surface_.data()[end] >= floor && routes_.data()[end] == geom::kPit) return false;
-    if (pass - floor > params_.shallow_m && !rng.chance(params_.leave)) return false;
-    for (cell += steps_[routes_.data()[cell]]; cell != end; cell += steps_[routes_.data()[cell]])
+    const std::optional<WayOut> way = way_out(surface_, routes_, cell);
+    if (!way || (way->depth_m > params_.shallow_m && !rng.chance(params_.leave))) return false;
+    for (cell += steps_[routes_.data()[cell]]; cell != way->end; cell += steps_[routes_.data()[cell]])
       count(water_.passed, cell);
     return true;
   }
@@ -99,6 +91,20 @@ class Rain {
 };
 
 }  // namespace
+
+std::optional<WayOut> way_out(const HeightField& surface, const geom::FlowDirections& routes, int64_t pit) {
+  const std::array<int64_t, 8> steps = geom::flow_steps(surface.width());
+  const float floor = surface.data()[pit];
+  float pass = floor;
+  int64_t end = pit;
+  do {
+    if (routes.data()[end] >= 8) break;
+    end += steps[routes.data()[end]];
+    pass = std::max(pass, surface.data()[end]);
+  } while (surface.data()[end] >= floor);
+  if (surface.data()[end] >= floor && routes.data()[end] == geom::kPit) return std::nullopt;
+  return WayOut{end, pass - floor};
+}
 
 Water stochastic_flow(const HeightField& surface, const Grid<uint8_t>& starts, float sea_level_m, float highest_pass_m,
                       const StochasticFlow& params, Seed seed, const RunContext& run) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
@@ -15,6 +16,16 @@ struct StochasticFlow {
   float shallow_m = 2.0F;  ///< minima that are not deeper hold no water: every drop leaves them
   int drops = 1;           ///< per cell
 };
+
+/// How water leaves a pit.
+struct WayOut {
+  int64_t end;    ///< the first cell on its way that is lower than the pit, or where flow ends
+  float depth_m;  ///< of the pit below the highest place on the way
+};
+
+/// Along `routes`, in which route_through_pits() has turned the way from pit to pass round; nothing where no way leads
+/// to lower ground or an outlet.
+std::optional<WayOut> way_out(const HeightField& surface, const geom::FlowDirections& routes, int64_t pit);
 
 struct Water {
   Grid<uint32_t> passed;  ///< drops that came through a cell, its own included

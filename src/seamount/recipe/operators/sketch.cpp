@@ -24,19 +24,23 @@ std::tuple<Image, Drawing, ScalarField> levelset(const sketch::LevelsetParams& p
 void add_sketch_operators(Registry& registry) {
   registry.add(make_operator<sketch::ExtractParams>(
       {.name = "sketch.extract",
-       .revision = 2,
+       .revision = 3,
        .summary = "The sketch of a terrain: coarse rivers and ridges, one pixel wide, and heights of peaks and basins",
        .source = "P1 sec. 5.1, fig. 6-8",
        .stochastic = true},
       inputs(in<kinds::Terrain>("terrain", "heights in metres")),
-      outputs(out<kinds::Image>("image", "ridges red, rivers blue, cues green by height, nothing black"),
-              out<kinds::Drawing>("lines", "lines of value 0 (river) or 1 (ridge), and cues as points"),
+      outputs(out<kinds::Image>(
+                  "image",
+                  "ridges red 255, rivers blue 255, cues green by height: 32 the lowest, 255 the highest; nothing 0"),
+              out<kinds::Drawing>(
+                  "lines",
+                  "lines of value 0 (river) or 1 (ridge), and cues as points with height, basin (1 or 0) and green"),
               out<kinds::Field>("river", "1 on rivers, else 0"), out<kinds::Field>("ridge", "1 on ridges, else 0"),
               out<kinds::Field>("altitude", "height in metres at the cues, 0 elsewhere"),
               out<kinds::Field>("cue", "1 where altitude counts, else 0")),
       extract));
   registry.add(make_operator<sketch::LevelsetParams>({.name = "sketch.levelset",
-                                                      .revision = 2,
+                                                      .revision = 3,
                                                       .summary = "The high part of a terrain as an area",
                                                       .source = "P1 sec. 5.2, fig. 9"},
                                                      inputs(in<kinds::Terrain>("terrain", "heights in metres")),
