@@ -38,16 +38,14 @@ GridFrame frame_at(const GridFrame& frame, double cell_m) {
   return out;
 }
 
-SurveyPlan make_plan(const std::vector<HeightField>& terrains, float sea_level_m, double relief_window_m,
+SurveyPlan make_plan(const std::vector<Land>& lands, float sea_level_m, double relief_window_m,
                      std::optional<double> channel_m2, std::optional<double> min_prominence_m) {
   constexpr double kChannelPart = 2000.0, kProminencePart = 50.0, kMinProminence = 1e-3;
   double land_m2 = std::numeric_limits<double>::infinity(), map_m2 = land_m2, relief = 0.0;
-  for (const HeightField& terrain : terrains) {
-    const double cell_m2 = terrain.cell_m() * terrain.cell_m();
-    map_m2 = std::min(map_m2, static_cast<double>(terrain.frame().cells()) * cell_m2);
-    const Land land = find_land(terrain, sea_level_m);
+  for (const Land& land : lands) {
+    map_m2 = std::min(map_m2, static_cast<double>(land.of_cells) * land.cell_m2);
     if (land.cells == 0) continue;
-    land_m2 = std::min(land_m2, static_cast<double>(land.cells) * cell_m2);
+    land_m2 = std::min(land_m2, static_cast<double>(land.cells) * land.cell_m2);
     relief = static_cast<double>(land.high_m) - static_cast<double>(land.low_m);  // the reference comes last
   }
   SurveyPlan plan;

@@ -17,9 +17,9 @@ double comparison_cell(const std::vector<GridFrame>& frames, std::optional<doubl
 GridFrame frame_at(const GridFrame& frame, double cell_m);
 
 /// Fills in what was not asked for: a channel begins with a 2000th of the smaller land's area, a peak has a 50th of the
-/// relief of the reference's land; of all the terrain and of the other where there is no land. REQUIRES: the terrain
-/// and, where there is one, the reference.
-SurveyPlan make_plan(const std::vector<HeightField>& terrains, float sea_level_m, double relief_window_m,
+/// relief of the reference's land; of all the terrain and of the other where there is no land. REQUIRES: the land of
+/// the terrain and, where there is one, of the reference.
+SurveyPlan make_plan(const std::vector<Land>& lands, float sea_level_m, double relief_window_m,
                      std::optional<double> channel_m2, std::optional<double> min_prominence_m);
 
 }  // namespace seamount::hydrology

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "seamount/base/text.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/inland.h"
@@ -41,6 +42,14 @@ Drawing draw_peaks(const std::vector<Peak>& peaks, const GridFrame& frame) {
   return drawing;
 }
 
+/// Where no river is large enough for the usual fit.
+void say_small_rivers(const Survey& one, const RunContext& run) {
+  constexpr double kRiver = 1e6;
+  if (one.has_land() && std::isfinite(one.channels.concavity) && one.channels.from_m2 < kRiver)
+    run.say("no river drains 10 km2: concavity is that of streams from " +
+            format_number(std::round(one.channels.from_m2)) + " m2 on");
+}
+
 }  // namespace
 
 Described describe(const HeightField& terrain, const HeightField* reference, const DescribeParams& params,
@@ -55,16 +64,27 @@ Described describe(const HeightField& terrain, const HeightField* reference, con
   for (const HeightField* input : inputs) frames.push_back(input->frame());
   const double cell_m = comparison_cell(frames, params.cell_m);
   for (GridFrame& frame : frames) frame = frame_at(frame, cell_m);
-  std::vector<HeightField> terrains;
-  for (size_t i = 0; i < inputs.size(); ++i)
-    terrains.push_back(prepare(*inputs[i], frames[i], sea_level_m, params.min_sea_m2, run));
-  const SurveyPlan plan =
-      make_plan(terrains, sea_level_m, params.relief_window_m, params.channel_m2, params.min_prominence_m);
-  std::vector<Survey> surveys;
-  for (size_t i = 0; i < terrains.size(); ++i) {
-    const double share = 1.0 / static_cast<double>(terrains.size()), from = static_cast<double>(i) * share;
-    surveys.push_back(survey(terrains[i], plan, run.part(from, from + share)));
+  // One at a time, the terrain last: one prepared terrain is in memory, whether there is a reference or not.
+  const auto prepared = [&](size_t i) { return prepare(*inputs[i], frames[i], sea_level_m, params.min_sea_m2, run); };
+  std::vector<Land> lands(inputs.size());
+  HeightField ground;
+  for (size_t i = inputs.size(); i-- > 0;) {
+    ground = {};
+    ground = prepared(i);
+    lands[i] = find_land(ground, sea_level_m);
   }
+  const SurveyPlan plan =
+      make_plan(lands, sea_level_m, params.relief_window_m, params.channel_m2, params.min_prominence_m);
+  std::vector<Survey> surveys;
+  for (size_t i = 0; i < inputs.size(); ++i) {
+    const double share = 1.0 / static_cast<double>(inputs.size()), from = static_cast<double>(i) * share;
+    if (i > 0) {
+      ground = {};
+      ground = prepared(i);
+    }
+    surveys.push_back(survey(ground, plan, run.part(from, from + share)));
+  }
+  for (const Survey& one : surveys) say_small_rivers(one, run);
   Described out{{}, draw_peaks(surveys.front().peaks, frames.front())};
   Report& report = out.report;
   report.title = "Terrain descriptors";

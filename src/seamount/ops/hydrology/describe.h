@@ -12,7 +12,8 @@
 //   the distributions, divided by the reference's standard deviation (by the terrain's where the reference's is 0)
 //   aspect: circular Wasserstein distance, over a half turn
 //   hypsometry: area between the two hypsometric curves, of heights and areas from 0 to 1
-//   slope_area, roughness: mean |log10 of the ratio| where both curves are defined
+//   slope_area (fall along the flow over its way, channel_slopes.h), roughness: mean |log10 of the ratio| where both
+//   curves are defined
 //   strahler: mean over orders of |log10 of the ratio| of streams per area; an order that one lacks counts as half
 //   a stream
 //   prominence: mean over thresholds of |log10 of the ratio| of peaks per area; half a peak where one has none
@@ -69,7 +70,7 @@ struct Described {
 
 /// `reference` may be null. Throws InvalidArgument for params out of range, and for a cell_m that is finer than the
 /// coarser input's cells or makes more than 2^31 - 1 of them. Parallel in part; linear but for the sorting of passes
-/// between catchments; 45 bytes per cell.
+/// between catchments; at most 24 bytes per cell besides the inputs (six height fields).
 Described describe(const HeightField& terrain, const HeightField* reference, const DescribeParams& params,
                    const RunContext& run);
 

@@ -30,26 +30,28 @@ std::optional<double> log_gap(const PlotLine& a, const PlotLine& b) {
 
 }  // namespace
 
-Descriptor describe_slope_area(const Surveys& surveys, const SurveyPlan& plan) {
+Descriptor describe_slope_area(const Surveys& surveys) {
   Descriptor out{
       "slope_area",
       "Slope and drainage area",
-      "Mean slope of the cells with a drainage area. Rivers that carve obey slope ~ area^-concavity. Distance: "
-      "mean |log10 of the ratio|.",
+      "Fall along the flow over its way, where so much ground drains. Rivers that carve obey slope ~ area^-concavity, "
+      "fitted from 1 km2 on, or from a tenth of the largest catchment's area where that is less. Distance: mean |log10 "
+      "of the ratio|.",
       {PlotKind::curve, "drainage area (m2)", "slope", true, true},
       {},
       {}};
-  Measure concavity{"concavity", "", {}};
+  Measure concavity{"concavity", "", {}}, from{"concavity_from", "m2", {}};
   for (const Survey& one : surveys) {
     PlotLine line;
-    for (const SlopeOfArea& point : one.slope_of_area) {
+    for (const SlopeOfArea& point : one.channels.curve) {
       line.x.push_back(point.area_m2);
       line.y.push_back(point.slope);
     }
-    concavity.values.push_back(-log_slope(line, plan.channel_m2, std::numeric_limits<double>::infinity()));
+    concavity.values.push_back(one.has_land() ? one.channels.concavity : kNaN);
+    from.values.push_back(one.has_land() ? one.channels.from_m2 : kNaN);
     out.plot.lines.push_back(std::move(line));
   }
-  out.measures.push_back(std::move(concavity));
+  out.measures = {std::move(concavity), std::move(from)};
   if (surveys.size() == 2) out.distance = log_gap(out.plot.lines[0], out.plot.lines[1]);
   return out;
 }

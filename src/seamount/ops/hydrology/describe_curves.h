@@ -5,7 +5,7 @@
 
 namespace seamount::hydrology {
 
-Descriptor describe_slope_area(const Surveys& surveys, const SurveyPlan& plan);
+Descriptor describe_slope_area(const Surveys& surveys);
 Descriptor describe_roughness(const Surveys& surveys);
 
 }  // namespace seamount::hydrology

@@ -346,14 +346,16 @@ TEST(Comparison, AnIslandIsMeasuredAsOneHoweverWideTheSea) {
   HeightField island = hills(40, 40, 3), sea(GridFrame::centred(120, 120, 30), -100.0F);
   for (int y = 0; y < 40; ++y)
     for (int x = 0; x < 40; ++x) sea(x + 40, y + 40) = island(x, y);
-  const SurveyPlan near = make_plan({island}, 0.0F, 500.0, {}, {}), far = make_plan({sea}, 0.0F, 500.0, {}, {});
+  const SurveyPlan near = make_plan({find_land(island, 0.0F)}, 0.0F, 500.0, {}, {}),
+                   far = make_plan({find_land(sea, 0.0F)}, 0.0F, 500.0, {}, {});
   EXPECT_NEAR(near.channel_m2, 1600 * 900 / 2000.0, 1e-9);
   EXPECT_EQ(near.channel_m2, far.channel_m2);
   EXPECT_EQ(near.min_prominence_m, far.min_prominence_m);
   const HeightField water(GridFrame::centred(10, 10, 30), -5.0F);
-  EXPECT_EQ(make_plan({sea, water}, 0.0F, 500.0, {}, {}).min_prominence_m, far.min_prominence_m);
-  EXPECT_EQ(make_plan({water}, 0.0F, 500.0, {}, {}).channel_m2, 100 * 900 / 2000.0);
-  EXPECT_EQ(make_plan({water}, 0.0F, 500.0, 7.0, 8.0).channel_m2, 7.0);
+  EXPECT_EQ(make_plan({find_land(sea, 0.0F), find_land(water, 0.0F)}, 0.0F, 500.0, {}, {}).min_prominence_m,
+            far.min_prominence_m);
+  EXPECT_EQ(make_plan({find_land(water, 0.0F)}, 0.0F, 500.0, {}, {}).channel_m2, 100 * 900 / 2000.0);
+  EXPECT_EQ(make_plan({find_land(water, 0.0F)}, 0.0F, 500.0, 7.0, 8.0).channel_m2, 7.0);
 }
 
 TEST(Describe, BearsWhatHasNothingToMeasure) {

@@ -39,7 +39,7 @@ std::vector<Descriptor> make_descriptors(const std::vector<Survey>& surveys, con
                        "relief (m)", &Survey::relief),
           distribution("drainage_area", "Drainage area", "m2", "Ground whose water passes through a cell, as log10.",
                        "drainage area (m2)", &Survey::area, true),
-          describe_slope_area(surveys, plan),
+          describe_slope_area(surveys),
           describe_strahler(surveys),
           describe_ridges(surveys),
           describe_prominence(surveys, plan),

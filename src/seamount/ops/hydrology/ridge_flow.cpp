@@ -7,9 +7,10 @@ namespace seamount::hydrology {
 
 RidgeFlow ridge_flow(const HeightField& terrain, float sea_level_m, const RunContext& run) {
   const GridFrame& frame = terrain.frame();
-  const HeightField inverted = geom::invert_with_walls(terrain, sea_level_m, run.part(0.0, 0.1));
+  HeightField inverted = geom::invert_with_walls(terrain, sea_level_m, run.part(0.0, 0.1));
   geom::FlowDirections directions = geom::flow_directions(inverted, geom::kNoSea, run.part(0.1, 0.3));
   geom::route_through_pits(inverted, directions, geom::kFlowWall, run.part(0.3, 0.8));
+  inverted = {};
   RidgeFlow out{geom::FlowDirections(frame), ScalarField(frame), Grid<uint8_t>(frame)};
   ScalarField weights(frame);
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/surface.h"
@@ -20,41 +19,11 @@
 namespace seamount::hydrology {
 namespace {
 
-constexpr int kAreaBinsPerDecade = 4;
-
 /// Length of the lines through a network's links, in metres.
 double length_of(const std::vector<Link>& links, const GridFrame& frame) {
   double length = 0.0;
   for (const Link& link : links) length += geom::line_length(geom::smooth_chain(link.cells, frame));
   return length;
-}
-
-std::vector<SlopeOfArea> slope_by_area(const ScalarField& slope_deg, const ScalarField& cells, float sea,
-                                       const HeightField& terrain) {
-  struct Sum {
-    double slope = 0.0, log_area = 0.0;
-    int64_t count = 0;
-  };
-  constexpr size_t kDecades = 16;
-  constexpr int64_t kFewest = 8;
-  std::vector<Sum> sums(kDecades * kAreaBinsPerDecade);
-  const double cell_m2 = terrain.cell_m() * terrain.cell_m();
-  for (size_t i = 0; i < terrain.size(); ++i) {
-    if (terrain.data()[i] <= sea) continue;
-    const double log_area = std::log10(static_cast<double>(cells.data()[i]) * cell_m2);
-    const double bin = std::floor(std::max(0.0, log_area) * kAreaBinsPerDecade);
-    Sum& sum = sums[static_cast<size_t>(std::min(bin, static_cast<double>(sums.size() - 1)))];
-    sum.slope += std::tan(static_cast<double>(slope_deg.data()[i]) * std::numbers::pi / 180.0);
-    sum.log_area += log_area;
-    ++sum.count;
-  }
-  std::vector<SlopeOfArea> line;
-  for (const Sum& sum : sums) {
-    if (sum.count < kFewest || !(sum.slope > 0.0)) continue;
-    const auto count = static_cast<double>(sum.count);
-    line.push_back({std::pow(10.0, sum.log_area / count), sum.slope / count});
-  }
-  return line;
 }
 
 /// Where both ends are land.
@@ -101,26 +70,33 @@ std::vector<Unevenness> unevenness_of(const HeightField& terrain, float sea, con
 }
 
 /// Rivers with their orders, drainage areas, and slope over area.
-void survey_rivers(const HeightField& terrain, const ScalarField& slope_deg, const SurveyPlan& plan, Survey& out,
-                   const RunContext& run) {
+void survey_rivers(const HeightField& terrain, const SurveyPlan& plan, Survey& out, const RunContext& run) {
   const GridFrame& frame = terrain.frame();
   const double cell_m2 = frame.cell_m * frame.cell_m;
-  const HeightField filled = geom::fill_depressions(terrain, plan.sea_level_m, run);
+  HeightField filled = geom::fill_depressions(terrain, plan.sea_level_m, run);
   const geom::FlowDirections directions = geom::flow_directions(filled, plan.sea_level_m, run);
-  ScalarField cells(frame);
-  {
-    const Grid<uint32_t> counts = geom::flow_accumulation(directions, run);
-    std::transform(counts.cells().begin(), counts.cells().end(), cells.cells().begin(),
-                   [](uint32_t count) { return static_cast<float>(count); });
-  }
+  Grid<uint32_t> counts = geom::flow_accumulation(directions, run);
+  out.channels = channel_slopes(terrain, filled, directions, counts, plan.sea_level_m, run);
+  filled = {};
   const auto is_land = [&](int64_t i) { return terrain.data()[i] > plan.sea_level_m; };
   out.area = gather(
-                 Tally(0.0F, true), frame.cells(), is_land, [&](int64_t i) { return cells.data()[i]; }, run)
+                 Tally(0.0F, true), frame.cells(), is_land,
+                 [&](int64_t i) { return static_cast<float>(counts.data()[i]); }, run)
                  .logarithmic(cell_m2);
-  out.slope_of_area = slope_by_area(slope_deg, cells, plan.sea_level_m, terrain);
+  ScalarField cells(frame);
+  std::transform(counts.cells().begin(), counts.cells().end(), cells.cells().begin(),
+                 [](uint32_t count) { return static_cast<float>(count); });
+  counts = {};
   const std::vector<Link> links = find_links(directions, cells, std::max(2.0, plan.channel_m2 / cell_m2), nullptr, run);
   out.streams = streams_by_order(links);
   out.river_m = length_of(links, frame);
+}
+
+double ridge_length(const HeightField& terrain, const SurveyPlan& plan, const RunContext& run) {
+  const GridFrame& frame = terrain.frame();
+  const RidgeFlow ridges = ridge_flow(terrain, plan.sea_level_m, run);
+  const double threshold = std::max(2.0, plan.channel_m2 / (frame.cell_m * frame.cell_m));
+  return length_of(find_links(ridges.directions, ridges.cells, threshold, &ridges.land, run), frame);
 }
 
 /// The terrain with something in its unknown cells, so that slopes and windows beside them are not cliffs; empty if all
@@ -134,10 +110,28 @@ HeightField fill_unknown(const HeightField& terrain, const RunContext& run) {
   return filled;
 }
 
+Distribution distribution_on(const HeightField& terrain, float sea, float origin, const ScalarField& field,
+                             const RunContext& run) {
+  const auto is_land = [&](int64_t i) { return terrain.data()[i] > sea; };
+  return gather(
+      Tally(origin, false), terrain.frame().cells(), is_land, [&](int64_t i) { return field.data()[i]; }, run);
+}
+
+/// What is found around each cell. One field at a time: with what follows they would be the peak of memory.
+void survey_surface(const HeightField& terrain, float sea, int radius, Survey& out, const RunContext& run) {
+  const HeightField filled = fill_unknown(terrain, run);
+  const HeightField& surface = filled.empty() ? terrain : filled;
+  const auto distribution = [&](const ScalarField& field) { return distribution_on(terrain, sea, 0.0F, field, run); };
+  out.slope = distribution(geom::slope_deg(surface, run));
+  out.aspect = aspects(terrain, surface, sea, run);
+  out.curvature = distribution(geom::curvature(surface, geom::Curvature::mean, run));
+  out.relief = distribution(local_relief(surface, radius, run));
+}
+
 }  // namespace
 
 Land find_land(const HeightField& terrain, float sea_level_m) {
-  Land land;
+  Land land{terrain.cell_m() * terrain.cell_m(), terrain.frame().cells()};
   for (const float z : terrain.cells()) {
     if (z <= sea_level_m) continue;
     land.low_m = land.cells == 0 ? z : std::min(land.low_m, z);
@@ -150,7 +144,6 @@ Land find_land(const HeightField& terrain, float sea_level_m) {
 Survey survey(const HeightField& terrain, const SurveyPlan& plan, const RunContext& run) {
   const float sea = plan.sea_level_m;
   const GridFrame& frame = terrain.frame();
-  const double cell_m2 = frame.cell_m * frame.cell_m;
   const int radius =
       std::max(1, static_cast<int>(std::lround(0.5 * std::min(plan.relief_window_m, 1e7) / frame.cell_m)));
   const Land land = find_land(terrain, sea);
@@ -158,24 +151,11 @@ Survey survey(const HeightField& terrain, const SurveyPlan& plan, const RunConte
   out.cell_m = frame.cell_m;
   out.relief_window_m = (2 * radius + 1) * frame.cell_m;
   if (land.cells == 0) return out;
-  out.land_m2 = static_cast<double>(land.cells) * cell_m2;
-  const auto is_land = [&](int64_t i) { return terrain.data()[i] > sea; };
-  const auto distribution = [&](float origin, const ScalarField& field) {
-    return gather(
-        Tally(origin, false), frame.cells(), is_land, [&](int64_t i) { return field.data()[i]; }, run);
-  };
-  out.elevation = distribution(land.low_m, terrain);
-  const HeightField filled = fill_unknown(terrain, run);
-  const HeightField& surface = filled.empty() ? terrain : filled;
-  const ScalarField slope = geom::slope_deg(surface, run);
-  out.slope = distribution(0.0F, slope);
-  out.aspect = aspects(terrain, surface, sea, run);
-  out.curvature = distribution(0.0F, geom::curvature(surface, geom::Curvature::mean, run));
-  out.relief = distribution(0.0F, local_relief(surface, radius, run));
-  survey_rivers(terrain, slope, plan, out, run);
-  RidgeFlow ridges = ridge_flow(terrain, sea, run);
-  out.ridge_m = length_of(
-      find_links(ridges.directions, ridges.cells, std::max(2.0, plan.channel_m2 / cell_m2), &ridges.land, run), frame);
+  out.land_m2 = static_cast<double>(land.cells) * land.cell_m2;
+  out.elevation = distribution_on(terrain, sea, land.low_m, terrain, run);
+  survey_surface(terrain, sea, radius, out, run);
+  survey_rivers(terrain, plan, out, run);
+  out.ridge_m = ridge_length(terrain, plan, run);
   out.peaks = find_peaks(terrain, sea, plan.min_prominence_m, run);
   out.unevenness = unevenness_of(terrain, sea, run);
   return out;

@@ -7,6 +7,7 @@
 #include "seamount/base/run_context.h"
 #include "seamount/model/grid.h"
 #include "seamount/ops/hydrology/bearings.h"
+#include "seamount/ops/hydrology/channel_slopes.h"
 #include "seamount/ops/hydrology/distribution.h"
 #include "seamount/ops/hydrology/peaks.h"
 
@@ -25,13 +26,10 @@ struct Unevenness {
   double lag_m, rms_m;
 };
 
-/// Mean slope of the cells with about this catchment.
-struct SlopeOfArea {
-  double area_m2, slope;  ///< slope: rise over run, mean over a quarter of a decade of area
-};
-
 /// What lies above the sea.
 struct Land {
+  double cell_m2 = 0.0;
+  int64_t of_cells = 0;  ///< of the terrain
   int64_t cells = 0;
   float low_m = 0.0F, high_m = 0.0F;  ///< 0 without land
 };
@@ -42,7 +40,7 @@ struct Survey {
   double relief_window_m = 0.0;                            ///< as whole cells make it
   Distribution elevation, slope, curvature, relief, area;  ///< slope in degrees; area: log10 of square metres
   Bearings aspect;
-  std::vector<SlopeOfArea> slope_of_area;
+  ChannelSlopes channels;
   std::vector<int> streams;  ///< of the river network by Strahler order, from 1 on
   double river_m = 0.0, ridge_m = 0.0;
   std::vector<Peak> peaks;
@@ -54,8 +52,8 @@ struct Survey {
 
 Land find_land(const HeightField& terrain, float sea_level_m);
 
-/// What it finds depends on the terrain and the plan alone; geom::kUnknownGround is no land. Parallel; 40 bytes per
-/// cell.
+/// What it finds depends on the terrain and the plan alone; geom::kUnknownGround is no land. Parallel; 22 bytes per
+/// cell besides.
 Survey survey(const HeightField& terrain, const SurveyPlan& plan, const RunContext& run);
 
 }  // namespace seamount::hydrology

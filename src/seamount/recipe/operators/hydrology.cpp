@@ -84,7 +84,7 @@ void add_hydrology_operators(Registry& registry) {
   add_networks(registry);
   registry.add(make_operator<hydrology::DescribeParams>(
       {.name = "hydrology.describe",
-       .revision = 2,
+       .revision = 3,
        .summary = "What a terrain is like in numbers and curves, and how far it is from a reference",
        .source = "P2 sec. 6.5; Argudo, Guerin, Schott and Galin 2025"},
       inputs(
