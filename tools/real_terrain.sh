@@ -22,7 +22,7 @@ for key, first in reports[ways[0]].items():
     own = [reports[way][key]["distance"] for way in ways]
     print(f"| {key} | " + " | ".join("-" if one is None else f"{one:.3f}" for one in own) + " |")
 print("\nin numbers\n\n| measure | terrain | " + " | ".join(ways) + " |\n|---|---|" + "---|" * len(ways))
-for key, measure in [("slope", "mean"), ("curvature", "deviation"), ("strahler", "highest_order"), ("prominence", "peaks")]:
+for key, measure in [("slope", "mean"), ("curvature", "deviation"), ("slope_area", "concavity"), ("strahler", "highest_order"), ("prominence", "peaks")]:
     both = [reports[way][key]["measures"][measure]["values"] for way in ways]
     print(f"| {key} {measure} | {both[0][1]:.4g} | " + " | ".join(f"{own:.4g}" for own, _ in both) + " |")
 TABLE

@@ -101,11 +101,11 @@ TEST_P(RealRivers, RiversAreTheNetwork) {
 
 TEST_P(RealRivers, FineSketchFollowsTheNetwork) {
   const Overlap found = overlap(sketched(dem_.cell_m()), "fine_sketch", network_, kTolerance);
-  // Measured: at least 0.974 and 0.927; on made ranges 0.939 and 0.883, which have more of what is missing: short
+  // Measured: at least 0.968 and 0.933; on made ranges 0.927 and 0.912, which have more of what is missing: short
   // heads.
   const bool made = GetParam().starts_with("made_");
-  EXPECT_GT(found.precision, made ? 0.92 : 0.95);
-  EXPECT_GT(found.recall, made ? 0.85 : 0.9);
+  EXPECT_GT(found.precision, made ? 0.9 : 0.95);
+  EXPECT_GT(found.recall, made ? 0.88 : 0.91);
 }
 
 TEST_P(RealRivers, SketchFollowsTheNetworkAsFarAsItsCoarseCellsShow) {

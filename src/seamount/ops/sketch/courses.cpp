@@ -158,7 +158,7 @@ class Finder {
       low = std::min(low, z);
       high = std::max(high, z);
     }
-    return static_cast<double>(high - low) < kPart * params_.flat_m;
+    return static_cast<double>(high - low) < kPart * params_.stands_out_m;
   }
 
   /// How far a cell lies below the ground on both sides of the line, or above it.
@@ -199,7 +199,7 @@ class Finder {
       const int32_t stem = stem_[i] >= 0 ? stem_[i] : cell, next = down(cell) >= 0 ? down(cell) : cell;
       const double mean =
           (depth_of[static_cast<size_t>(stem)] + depth_of[i] + depth_of[static_cast<size_t>(next)]) / 3.0;
-      if (mean >= params_.flat_m) since[i] = until[i] = 0;
+      if (mean >= params_.stands_out_m) since[i] = until[i] = 0;
       if (next != cell) since[static_cast<size_t>(next)] = std::min(since[static_cast<size_t>(next)], since[i] + 1);
     }
     for (auto it = order_.rbegin(); it != order_.rend(); ++it) {

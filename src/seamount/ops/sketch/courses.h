@@ -27,7 +27,8 @@ struct Runoff {
 
 struct CourseParams {
   double least_cells = 2.0;   ///< of rain, for a line
-  double flat_m = 1.0F;       ///< what does not lie deeper than the ground beside it is no valley
+  double flat_m = 1.0;        ///< a pit that is no deeper is no basin
+  double stands_out_m = 1.0;  ///< what lies no deeper than the ground on both sides is no valley
   double least_length = 4.0;  ///< of a branch, in cells
   double leave = 0.3;         ///< share of the water that leaves a basin in which lines may end
   double basin_cells = 2.0;   ///< of rain that stays, for such a basin

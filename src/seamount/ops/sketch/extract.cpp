@@ -69,14 +69,20 @@ double rounding_of(const HeightField& terrain) {
   return std::isfinite(least) ? static_cast<double>(least) : 0.0;
 }
 
-/// Height that is no relief.
-double flat_of(const ExtractParams& params, const HeightField& terrain, const HeightField& coarse, float sea) {
-  constexpr double kReliefPart = 200.0, kLeastSlope = 0.01, kMostOfSlope = 10.0, kRoundings = 2.0;
+/// Relief that is none: of pits, and of valleys and crests, which on small cells have less of it.
+struct Flat {
+  double pit_m, side_m;
+};
+
+Flat flat_of(const ExtractParams& params, const HeightField& terrain, const HeightField& coarse, float sea) {
+  constexpr double kReliefPart = 200.0, kSideSlope = 0.05, kLeastSlope = 0.01, kMostOfSlope = 10.0, kRoundings = 2.0;
+  if (params.shallow_m) return {*params.shallow_m, *params.shallow_m};
   const auto [low, high] = std::minmax_element(coarse.cells().begin(), coarse.cells().end());
   const double relief = static_cast<double>(*high) - static_cast<double>(std::max(sea, *low));
-  return params.shallow_m.value_or(
-      std::max({relief / kReliefPart, std::min(kMostOfSlope, kLeastSlope * coarse.cell_m()),
-                kRoundings * rounding_of(terrain)}));
+  const double least =
+      std::max(std::min(kMostOfSlope, kLeastSlope * coarse.cell_m()), kRoundings * rounding_of(terrain));
+  const double part = relief / kReliefPart;
+  return {std::max(part, least), std::max(std::min(part, kSideSlope * coarse.cell_m()), least)};
 }
 
 /// Where a pit of the coarse terrain is one of the terrain too, and not of the blur that dams gorges.
@@ -123,13 +129,14 @@ struct Sketcher {
   const Ground& ground;
   const HeightField& coarse;
   const Scale& scale;
-  double flat_m;
+  Flat flat;
   Seed seed;
 
-  StochasticFlow flow() const { return {.leave = params.leave, .shallow_m = static_cast<float>(flat_m)}; }
+  StochasticFlow flow() const { return {.leave = params.leave, .shallow_m = static_cast<float>(flat.pit_m)}; }
   CourseParams courses() const {
     return {.least_cells = scale.line_cells,
-            .flat_m = flat_m,
+            .flat_m = flat.pit_m,
+            .stands_out_m = flat.side_m,
             .least_length = params.min_length,
             .leave = params.leave,
             .basin_cells = scale.cue_cells};
@@ -139,7 +146,7 @@ struct Sketcher {
     std::vector<Vec2> ends;
     for (const int32_t cell : courses.basins)
       ends.push_back({coarse.frame().x(cell % coarse.width()), coarse.frame().y(cell / coarse.width())});
-    return ink(draw_strokes(courses, coarse, ground, ridges, flat_m), ground, !ridges, ends, 1.5 * scale.coarse_m,
+    return ink(draw_strokes(courses, coarse, ground, ridges, flat.side_m), ground, !ridges, ends, 1.5 * scale.coarse_m,
                scale.coarse_m, run);
   }
 
@@ -148,9 +155,9 @@ struct Sketcher {
     for (size_t i = 0; i < land.size(); ++i) land.data()[i] = coarse.data()[i] > ground.sea_m ? 1 : 0;
     const Water water =
         stochastic_flow(coarse, land, ground.sea_m, geom::kFlowWall, flow(), seed.derive("rivers"), run);
-    Network out{{}, find_cues(water, coarse, 0, true, scale, flat_m)};
+    Network out{{}, find_cues(water, coarse, 0, true, scale, flat.pit_m)};
     CourseParams way = courses();
-    way.basins = find_basins(ground, coarse.frame(), flat_m, run);
+    way.basins = find_basins(ground, coarse.frame(), flat.pit_m, run);
     const Courses found =
         find_courses({coarse, land, water.passed, ground.sea_m, geom::kFlowWall, coarse, 0, false}, way, run);
     for (const int32_t cell : found.basins) {
@@ -169,7 +176,7 @@ struct Sketcher {
     for (size_t i = 0; i < land.size(); ++i) land.data()[i] = inverted.data()[i] < geom::kFlowWall ? 1 : 0;
     const Water water =
         stochastic_flow(inverted, land, geom::kNoSea, geom::kFlowWall, flow(), seed.derive("ridges"), run);
-    Network out{{}, find_cues(water, coarse, 1, false, scale, flat_m)};
+    Network out{{}, find_cues(water, coarse, 1, false, scale, flat.pit_m)};
     const GridFrame& frame = coarse.frame();
     std::erase_if(out.cues, [&](const Cue& cue) {
       return cue.x == 0 || cue.y == 0 || cue.x == frame.width - 1 || cue.y == frame.height - 1;

@@ -53,11 +53,12 @@ struct ExtractParams {
         field(&P::cue_area_m2, "cue_area_m2", "m2", between(1, 1e13),
               "ground whose rain ends in one place and makes it a cue; a 150th of the land if absent"),
         field(&P::leave, "leave", "", between(0, 1), "probability with which a drop leaves a local minimum"),
-        field(&P::shallow_m, "shallow_m", "m", between(0, 1000),
-              "relief that is none: minima no deeper hold no water, and valleys and crests that stand out no more are "
-              "not "
-              "drawn; a 200th of all relief if absent, but a hundredth of a coarse cell (10 m at most), and two steps "
-              "of rounded heights"),
+        field(
+            &P::shallow_m, "shallow_m", "m", between(0, 1000),
+            "relief that is none: minima no deeper hold no water, and valleys and crests that stand out no more are "
+            "not "
+            "drawn; if absent, a 200th of all relief (for valleys and crests a twentieth of a coarse cell if less), at "
+            "least a hundredth of a coarse cell (10 m at most) and two steps of rounded heights"),
         field(&P::min_length, "min_length", "", between(0, 100),
               "shortest branch and piece that is kept, in coarse cells"),
         field(&P::sea, "sea",

@@ -115,7 +115,10 @@ Ground find_ground(const HeightField& terrain, bool sea, const std::optional<dou
               " km2 of level ground within 5 m of sea level are taken for sea (\"sea\": false takes them for land)");
     }
   }
-  if (ground.land_share() == 1.0) ground.land = {};
+  const double share = ground.land_share();
+  if (share == 0.0)
+    run.say("nothing lies above sea level, so nothing is drawn (\"sea\": false takes the sea floor for land)");
+  if (share == 1.0) ground.land = {};
   return ground;
 }
 

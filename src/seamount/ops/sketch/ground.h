@@ -21,7 +21,8 @@ struct Ground {
 /// What lies above sea level, or everything. A terrain of which less than a hundredth is sea may have one that is none
 /// by its heights, since radar sees water as some metres of noise: ground within 5 m of sea level that is level (within
 /// 2 m over a 128th of the terrain's longer side all around, blurred by 0.7 of that), covers at least `min_sea_m2` (a
-/// hundredth of the terrain if absent) and touches the edge is taken for it, which is said. Linear; 12 bytes per cell.
+/// hundredth of the terrain if absent) and touches the edge is taken for it. Says so, and where there is no land.
+/// Linear; 12 bytes per cell.
 Ground find_ground(const HeightField& terrain, bool sea, const std::optional<double>& min_sea_m2,
                    const RunContext& run);
 

@@ -24,10 +24,7 @@ Levelset levelset(const HeightField& terrain, const LevelsetParams& params, cons
   std::vector<float> heights;
   for (size_t i = 0; i < blurred.size(); ++i)
     if (ground.is_land(i)) heights.push_back(blurred.data()[i]);
-  if (heights.empty()) {
-    run.say("nothing lies above sea level, so the levelset is empty (\"sea\": false takes the sea floor for land)");
-    return out;
-  }
+  if (heights.empty()) return out;
   const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
   const float low = *lowest, high = *highest, level = geom::quantile(std::move(heights), params.percentile / 100.0);
   out.level_m = static_cast<double>(level);
