@@ -134,7 +134,7 @@ class Finder {
     stem_.assign(cells(), kNone);
     for (const int32_t cell : order_) {
       const auto i = static_cast<size_t>(cell);
-      line_[i] = rain_[i] >= params_.least_cells && from_.starts.data()[i] != 0 && !is_cut(cell) ? 1 : 0;
+      line_[i] = rain_[i] >= params_.least_cells && from_.starts.data()[i] != 0 && !is_rim(cell) ? 1 : 0;
       const int32_t next = down(cell);
       if (line_[i] == 0 || next < 0) continue;
       int32_t& stem = stem_[static_cast<size_t>(next)];
@@ -142,10 +142,9 @@ class Finder {
     }
   }
 
-  /// The edge cuts slopes in two and makes ridges of them that are none.
-  bool is_cut(int32_t cell) const {
-    const int x = cell % width_ - from_.frame_cells, y = cell / width_ - from_.frame_cells;
-    return from_.ridges && (x == 0 || y == 0 || x == from_.coarse.width() - 1 || y == from_.coarse.height() - 1);
+  bool is_rim(int32_t cell) const {
+    return !params_.rims.empty() &&
+           params_.rims(cell % width_ - from_.frame_cells, cell / width_ - from_.frame_cells) != 0;
   }
 
   /// Lakes lie deep below their shores, but nothing runs on them.

@@ -33,6 +33,7 @@ struct CourseParams {
   double leave = 0.3;         ///< share of the water that leaves a basin in which lines may end
   double basin_cells = 2.0;   ///< of rain that stays, for such a basin
   Grid<uint8_t> basins = {};  ///< cells of `coarse` where a pit may be one; empty: none
+  Grid<uint8_t> rims = {};    ///< cells of `coarse` on which no line runs; empty: none
 };
 
 /// Cells of the coarse terrain, and for each the index of the one downstream; -1 at ends.

@@ -6,6 +6,7 @@
 
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/flow_invert.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/ops/sketch/courses.h"
 #include "seamount/ops/sketch/ground.h"
 #include "seamount/ops/sketch/ink.h"
@@ -64,7 +65,7 @@ double rounding_of(const HeightField& terrain) {
   for (int y = 0; y < terrain.height(); ++y) {
     const auto row = terrain.row(y);
     for (size_t x = 0; x + 1 < row.size(); ++x)
-      if (row[x] != row[x + 1]) least = std::min(least, std::abs(row[x] - row[x + 1]));
+      if (const float step = std::abs(row[x] - row[x + 1]); step > 0.0F) least = std::min(least, step);
   }
   return std::isfinite(least) ? static_cast<double>(least) : 0.0;
 }
@@ -102,6 +103,27 @@ Grid<uint8_t> find_basins(const Ground& ground, const GridFrame& coarse, double 
       for (int v = std::max(0, y - 1); v <= std::min(coarse.height - 1, y + 1); ++v)
         for (int u = std::max(0, x - 1); u <= std::min(coarse.width - 1, x + 1); ++u) near(x, y) |= deep(u, v);
   return near;
+}
+
+/// Coarse cells on the edge of what is known, which cuts slopes in two and makes ridges of them that are none.
+Grid<uint8_t> find_rims(const Ground& ground, const GridFrame& coarse) {
+  constexpr int kReach = 2;
+  Grid<uint8_t> rims(coarse, 0);
+  const GridFrame& frame = ground.heights.frame();
+  const auto mark = [&](int x, int y) {
+    for (int v = std::max(0, y - kReach); v <= std::min(coarse.height - 1, y + kReach); ++v)
+      for (int u = std::max(0, x - kReach); u <= std::min(coarse.width - 1, x + kReach); ++u) rims(u, v) = 1;
+  };
+  for (int y = 0; y < frame.height && !ground.land.empty(); ++y) {
+    const int row = static_cast<int>(std::lround(coarse.row(frame.y(y))));
+    for (int x = 0; x < frame.width; ++x)
+      if (ground.heights(x, y) == geom::kUnknownGround)
+        mark(static_cast<int>(std::lround(coarse.column(frame.x(x)))), row);
+  }
+  for (int y = 0; y < coarse.height; ++y)
+    for (int x = 0; x < coarse.width; ++x)
+      if (x == 0 || y == 0 || x == coarse.width - 1 || y == coarse.height - 1) rims(x, y) = 1;
+  return rims;
 }
 
 /// Where most drops of a coarse terrain stay, `shift` cells further in. A place that hardly differs from its
@@ -169,7 +191,6 @@ struct Sketcher {
     return out;
   }
 
-  /// The edge cuts slopes in two and makes ridges of them that are none.
   Network ridges(const RunContext& run) const {
     const HeightField inverted = geom::invert_with_walls(coarse, ground.sea_m, run);
     Grid<uint8_t> land(inverted.frame());
@@ -177,12 +198,11 @@ struct Sketcher {
     const Water water =
         stochastic_flow(inverted, land, geom::kNoSea, geom::kFlowWall, flow(), seed.derive("ridges"), run);
     Network out{{}, find_cues(water, coarse, 1, false, scale, flat.pit_m)};
-    const GridFrame& frame = coarse.frame();
-    std::erase_if(out.cues, [&](const Cue& cue) {
-      return cue.x == 0 || cue.y == 0 || cue.x == frame.width - 1 || cue.y == frame.height - 1;
-    });
+    CourseParams way = courses();
+    way.rims = find_rims(ground, coarse.frame());
+    std::erase_if(out.cues, [&](const Cue& cue) { return way.rims(cue.x, cue.y) != 0; });
     const Courses found =
-        find_courses({inverted, land, water.passed, geom::kNoSea, geom::kFlowWall, coarse, 1, true}, courses(), run);
+        find_courses({inverted, land, water.passed, geom::kNoSea, geom::kFlowWall, coarse, 1, true}, way, run);
     out.inked = draw(found, true, run);
     return out;
   }

@@ -87,8 +87,9 @@ struct Sketch {
 /// height = lowest + (green - 32) / 223 (highest - lowest).
 uint8_t green_of(double height_m, double lowest_m, double highest_m);
 
-/// Throws InvalidArgument for params out of range. Parallel; memory 36 bytes per cell of the terrain with the result;
-/// time about linear in the cells, and in coarse cells times the length of a drop's way.
+/// Unknown cells (NaN) are not drawn on; water leaves there. Throws InvalidArgument for params out of range. Parallel;
+/// memory 36 bytes per cell of the terrain with the result; time about linear in the cells, and in coarse cells times
+/// the length of a drop's way.
 Sketch extract(const HeightField& terrain, const ExtractParams& params, Seed seed, const RunContext& run);
 
 }  // namespace seamount::sketch

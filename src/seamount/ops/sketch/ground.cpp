@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "seamount/base/text.h"
@@ -89,6 +90,24 @@ void drown(const HeightField& heights, const Grid<uint8_t>& sea, float sea_m, Ma
   }
 }
 
+/// Everything that is known; what is not lies a metre below it, where flow ends.
+Ground all_known(const HeightField& terrain) {
+  float lowest = std::numeric_limits<float>::infinity();
+  bool all = true;
+  for (const float z : terrain.cells()) {
+    all = all && !std::isnan(z);
+    lowest = std::min(lowest, std::isnan(z) ? lowest : z);
+  }
+  if (all) return {terrain, {}, geom::kNoSea};
+  Ground ground{terrain, Mask(terrain.frame()), std::isfinite(lowest) ? lowest - 1.0F : 0.0F};
+  for (size_t i = 0; i < terrain.size(); ++i) {
+    float& z = ground.heights.data()[i];
+    ground.land.data()[i] = std::isnan(z) ? 0.0F : 1.0F;
+    if (std::isnan(z)) z = geom::kUnknownGround;
+  }
+  return ground;
+}
+
 }  // namespace
 
 double Ground::land_share() const {
@@ -99,7 +118,7 @@ double Ground::land_share() const {
 
 Ground find_ground(const HeightField& terrain, bool sea, const std::optional<double>& min_sea_m2,
                    const RunContext& run) {
-  if (!sea) return {terrain, {}, geom::kNoSea};
+  if (!sea) return all_known(terrain);
   Ground ground{geom::raise_inland(terrain, 0.0F, min_sea_m2, run), {}, 0.0F};
   ground.land = land_of(ground.heights, ground.sea_m);
   const GridFrame& frame = terrain.frame();

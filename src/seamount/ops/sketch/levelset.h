@@ -40,7 +40,8 @@ struct Levelset {
   double level_m;  ///< the height at the percentile, of the blurred land; 0 where there is none, which is said
 };
 
-/// Throws InvalidArgument for params out of range. Parallel but for finding the percentile; 24 bytes per cell.
+/// Unknown cells (NaN) are not drawn on; water leaves there. Throws InvalidArgument for params out of range. Parallel
+/// but for finding the percentile; 24 bytes per cell.
 Levelset levelset(const HeightField& terrain, const LevelsetParams& params, const RunContext& run);
 
 }  // namespace seamount::sketch

@@ -13,6 +13,7 @@
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/ops/sketch/extract.h"
+#include "seamount/ops/sketch/levelset.h"
 
 namespace seamount::sketch {
 namespace {
@@ -229,6 +230,34 @@ TEST(SketchLaws, NothingBeginsOnALake) {
     for (int y = 0; y < 300; ++y)
       for (int x = 0; x < 300; ++x) ridge += from_shore(x, y) < -8.0 && sketch.ridge(x, y) > 0.0F ? 1 : 0;
     EXPECT_EQ(ridge, 0) << seed;
+  }
+}
+
+TEST(SketchLaws, NothingIsDrawnOnTheUnknown) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    for (const bool sea : {true, false}) {
+      HeightField terrain = hills(220, 200, seed);
+      for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 220; ++x)
+          if (std::hypot(x - 120, y - 100) > 85 || std::hypot(x - 90, y - 90) < 12) terrain(x, y) = NAN;
+      const Sketch sketch = extract(terrain, {.sea = sea}, Seed{seed}, {});
+      int lines = 0;
+      for (size_t i = 0; i < terrain.size(); ++i) {
+        const bool drawn = sketch.river.data()[i] + sketch.ridge.data()[i] > 0.0F;
+        ASSERT_FALSE(drawn && std::isnan(terrain.data()[i]));
+        ASSERT_TRUE(std::isfinite(sketch.altitude_m.data()[i]));
+        lines += drawn ? 1 : 0;
+      }
+      EXPECT_GT(lines, 200);
+      for (const auto& [piece, ends] : Graph(sketch.lines, 0.0).pieces()) {
+        EXPECT_TRUE(std::any_of(ends.begin(), ends.end(), [&](Vec2 end) { return is_outlet(terrain, sketch, end); }));
+      }
+      for (const ValuedPoint& cue : sketch.lines.points) EXPECT_TRUE(std::isfinite(cue.value));
+      const Levelset high = levelset(terrain, {.sea = sea}, {});
+      for (size_t i = 0; i < terrain.size(); ++i)
+        ASSERT_FALSE(high.mask.data()[i] > 0.0F && std::isnan(terrain.data()[i]));
+      EXPECT_TRUE(std::isfinite(high.level_m));
+    }
   }
 }
 

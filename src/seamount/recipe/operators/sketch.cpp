@@ -28,7 +28,7 @@ void add_sketch_operators(Registry& registry) {
        .summary = "The sketch of a terrain: coarse rivers and ridges, one pixel wide, and heights of peaks and basins",
        .source = "P1 sec. 5.1, fig. 6-8",
        .stochastic = true},
-      inputs(in<kinds::Terrain>("terrain", "heights in metres")),
+      inputs(with_voids(in<kinds::Terrain>("terrain", "heights in metres"))),
       outputs(out<kinds::Image>(
                   "image",
                   "ridges red 255, rivers blue 255, cues green by height: 32 the lowest, 255 the highest; nothing 0"),
@@ -39,15 +39,16 @@ void add_sketch_operators(Registry& registry) {
               out<kinds::Field>("altitude", "height in metres at the cues, 0 elsewhere"),
               out<kinds::Field>("cue", "1 where altitude counts, else 0")),
       extract));
-  registry.add(make_operator<sketch::LevelsetParams>({.name = "sketch.levelset",
-                                                      .revision = 3,
-                                                      .summary = "The high part of a terrain as an area",
-                                                      .source = "P1 sec. 5.2, fig. 9"},
-                                                     inputs(in<kinds::Terrain>("terrain", "heights in metres")),
-                                                     outputs(out<kinds::Image>("image", "white inside, black outside"),
-                                                             out<kinds::Drawing>("areas", "the area, with level_m"),
-                                                             out<kinds::Field>("levelset", "1 inside, 0 outside")),
-                                                     levelset));
+  registry.add(
+      make_operator<sketch::LevelsetParams>({.name = "sketch.levelset",
+                                             .revision = 3,
+                                             .summary = "The high part of a terrain as an area",
+                                             .source = "P1 sec. 5.2, fig. 9"},
+                                            inputs(with_voids(in<kinds::Terrain>("terrain", "heights in metres"))),
+                                            outputs(out<kinds::Image>("image", "white inside, black outside"),
+                                                    out<kinds::Drawing>("areas", "the area, with level_m"),
+                                                    out<kinds::Field>("levelset", "1 inside, 0 outside")),
+                                            levelset));
 }
 
 }  // namespace seamount::recipe
