@@ -163,8 +163,8 @@ class Finder {
   /// How far a cell lies below the ground on both sides of the line, or above it.
   double depth(int32_t cell) const {
     const auto place = [&](int32_t at) {
-      return Vec2{static_cast<double>(at % width_ - from_.frame_cells),
-                  static_cast<double>(at / width_ - from_.frame_cells)};
+      const int32_t x = at % width_ - from_.frame_cells, y = at / width_ - from_.frame_cells;
+      return Vec2{static_cast<double>(x), static_cast<double>(y)};
     };
     const auto after = [&](int32_t at) { return down(at) >= 0 ? down(at) : at; };
     const auto before = [&](int32_t at) {

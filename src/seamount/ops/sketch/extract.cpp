@@ -166,8 +166,10 @@ struct Sketcher {
 
   Inked draw(const Courses& courses, bool ridges, const RunContext& run) const {
     std::vector<Vec2> ends;
-    for (const int32_t cell : courses.basins)
-      ends.push_back({coarse.frame().x(cell % coarse.width()), coarse.frame().y(cell / coarse.width())});
+    for (const int32_t cell : courses.basins) {
+      const int32_t x = cell % coarse.width(), y = cell / coarse.width();
+      ends.push_back({coarse.frame().x(x), coarse.frame().y(y)});
+    }
     return ink(draw_strokes(courses, coarse, ground, ridges, flat.side_m), ground, !ridges, ends, 1.5 * scale.coarse_m,
                scale.coarse_m, run);
   }

@@ -32,7 +32,8 @@ class Hand {
  private:
   double cell_m() const { return coarse_.cell_m(); }
   Vec2 middle(int32_t cell) const {
-    return {coarse_.frame().x(cell % coarse_.width()), coarse_.frame().y(cell / coarse_.width())};
+    const int32_t x = cell % coarse_.width(), y = cell / coarse_.width();
+    return {coarse_.frame().x(x), coarse_.frame().y(y)};
   }
   int32_t add(Vec2 place, int32_t down) {
     out_.places.push_back(place);
