@@ -6,6 +6,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/geom/water/flow.h"
+#include "seamount/ops/erosion/beds.h"
 
 namespace seamount::erosion {
 namespace {
@@ -73,7 +74,8 @@ void cut(Layers& ground, const Maps& site, const Coast& coast, const ScalarField
   };
   const auto attack = [&](size_t cell) {
     const float loose = ground.debris.data()[cell] + ground.sediment.data()[cell] > 0.5F ? 2.0F : 1.0F;
-    return exposure_of(open.data()[cell]) * value_or_one(site.mask, cell) * loose / value_or_one(site.hardness, cell);
+    return exposure_of(open.data()[cell]) * value_or_one(site.mask, cell) * loose /
+           bedrock_hardness(ground, site, cell);
   };
   const std::vector<Shore> shore = find_shore(ground.surface, sea);
   for (size_t i = 0; i < ground.surface.size(); ++i) {

@@ -27,6 +27,8 @@ struct Layers {
     float& coarse = debris.data()[cell];
     coarse -= std::min(coarse, depth - from_fine);
   }
+  /// Height of the bedrock's top.
+  float bedrock(size_t cell) const { return surface.data()[cell] - debris.data()[cell] - sediment.data()[cell]; }
   /// Lays `depth` >= 0 metres of fine sediment on a cell.
   void bury(size_t cell, float depth) {
     surface.data()[cell] += depth;
@@ -39,12 +41,15 @@ SEAMOUNT_INLINE float value_or_one(const ScalarField& map, size_t cell) {
   return map.empty() ? 1.0F : map.data()[cell];
 }
 
+class Beds;
+
 /// Where and how fast a terrain wears and rises, each empty where it was not given.
 struct Maps {
-  ScalarField hardness;  ///< how many times as hard as the erodibility says; > 0
-  Mask mask;             ///< where erosion acts: 0 nowhere, 1 fully
-  ScalarField uplift;    ///< share of the uplift
-  ScalarField rain;      ///< share of the rain; > 0
+  ScalarField hardness;        ///< how many times as hard as the erodibility says; > 0
+  Mask mask;                   ///< where erosion acts: 0 nowhere, 1 fully
+  ScalarField uplift;          ///< share of the uplift
+  ScalarField rain;            ///< share of the rain; > 0
+  const Beds* beds = nullptr;  ///< what lies under each cell, in three dimensions (beds.h); the map is times theirs
 
   /// What a cell rises when the land rises by `uplift_m`.
   float rise(size_t cell, float uplift_m) const {

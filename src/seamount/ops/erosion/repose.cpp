@@ -8,6 +8,8 @@
 #include "seamount/base/parallel.h"
 #include "seamount/geom/scalar/noise.h"
 
+#include "seamount/ops/erosion/beds.h"
+
 namespace seamount::erosion {
 namespace {
 
@@ -49,10 +51,16 @@ class Sweep {
   /// differences; so that what stands around a point is a cone, not a pyramid of eight sides.
   bool cell(int32_t index, float& here, float along_x, float along_y) const {
     const float low = std::min(along_x, along_y), above = here - low;
+    if (above <= 0.0F || drainage_.is_root(index)) return false;
     const float own = rise_.data()[index], square = own * own;
-    if (above <= 0.0F || above * above <= 0.5F * square || drainage_.is_root(index)) return false;
-    const float apart = std::abs(along_x - along_y);
-    const float limit = apart < own ? 0.5F * (along_x + along_y + std::sqrt(2.0F * square - apart * apart)) : low + own;
+    float limit = here;
+    if (site_.beds != nullptr) {
+      limit = site_.beds->stand(static_cast<size_t>(index), low, std::max(along_x, along_y), here, own);
+    } else {
+      if (above * above <= 0.5F * square) return false;
+      const float apart = std::abs(along_x - along_y);
+      limit = apart < own ? 0.5F * (along_x + along_y + std::sqrt(2.0F * square - apart * apart)) : low + own;
+    }
     if (here <= limit) return false;
     here += value_or_one(site_.mask, index) * (limit - here);
     return true;

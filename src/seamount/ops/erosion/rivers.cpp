@@ -5,6 +5,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/ops/erosion/repose.h"
+#include "seamount/ops/erosion/undermining.h"
 
 namespace seamount::erosion {
 namespace {
@@ -91,9 +92,11 @@ struct Rates {
 };
 
 /// Height after a step of dh/dt = -F (h - base), F by layer: backward Euler, in which every layer wears at the slope
-/// that the step ends with, so that a metre of it counts as F_below / F metres of the layer below. `top` > base.
-float cut_down(float top, float base, float sediment, float debris, const Rates& rates) {
-  float bottom = top, worn = 0.0F;  // how long the layers above took, times the slope at the end
+/// that the step ends with, so that a metre of it counts as F_below / F metres of the layer below. `top` > base; `worn`
+/// is how long something took before, times the slope at the end.
+float cut_down(float top, float base, float sediment, float debris, const Rates& rates, const Beds* beds, int32_t cell,
+               float worn) {
+  float bottom = top;
   for (const auto& [thickness, rate] : {std::pair{sediment, rates.sediment}, {debris, rates.debris}}) {
     if (thickness <= 0.0F) continue;
     const float reached = (bottom + rate * (base + worn)) / (1.0F + rate);
@@ -101,6 +104,7 @@ float cut_down(float top, float base, float sediment, float debris, const Rates&
     if (reached >= bottom) return reached;
     worn += thickness / rate;
   }
+  if (beds != nullptr) return beds->cut(static_cast<size_t>(cell), bottom, base, worn, rates.bedrock);
   return (bottom + rates.bedrock * (base + worn)) / (1.0F + rates.bedrock);
 }
 
@@ -143,7 +147,8 @@ class Step {
         settling_(static_cast<float>(rivers.deposition * rivers.runoff_m_yr * area_of(ground))),
         fan_(static_cast<float>(rivers.fan_m)),
         creep_(static_cast<float>(rivers.creep_m2_yr * rivers.years / area_of(ground))),
-        trust_(static_cast<float>(1.0 / (1.0 + 0.5 * rivers.deposition))) {}
+        trust_(static_cast<float>(1.0 / (1.0 + 0.5 * rivers.deposition))),
+        undermining_(ground, site, drainage, rivers.steepest, rivers.debris_ease) {}
 
   /// Where each cell would come to lie, from the outlets up, given the load. Below a lake's level: that level.
   void solve(const RunContext& run) {
@@ -199,7 +204,11 @@ class Step {
   template <Carry what>
   float pass_on(int32_t cell, Ledger& ledger) {
     constexpr bool moving = what == Carry::move;
-    const float change = level_[cell] - surface_[cell];
+    float change = level_[cell] - surface_[cell];
+    if (!moving && change < 0.0F) {  // what fails is no load that rivers drop on their way, with beds or without
+      const float top = surface_[cell], stands = undermining_.standing(cell, level_[drainage_.receiver(cell)], top);
+      change = std::min(0.0F, change + (top - stands));
+    }
     float leaving = load_[cell];
     if (moving) level_[cell] = 0.0F;
     if (what == Carry::guess) leaving -= leaving * settling_share(cell) / (1.0F + cutting(cell) * sediment_ease_);
@@ -262,7 +271,7 @@ class Step {
   }
 
   /// What creeps into a river goes with it: there creep counts only where it takes away.
-  float level_of(int32_t cell) const {
+  float level_of(int32_t cell) {
     const float base = level_[drainage_.receiver(cell)];
     const float laid = load_[cell] * settling_share(cell);
     const float before = surface_[cell] + laid, number = creep_ * value_or_one(site_.mask, cell);
@@ -277,16 +286,19 @@ class Step {
   }
 
   /// Height of a cell with `laid` metres of new sediment after creep, if rivers cut it for the years of a step.
-  float worn_down(int32_t cell, float base, float laid, const Crept& crept, float highest) const {
+  float worn_down(int32_t cell, float base, float laid, const Crept& crept, float highest) {
     if (crept.top <= base) return base;
-    const float rate = cutting(cell) / crept.stiffness;
-    if (rate < kMinRate) return std::min(crept.top, highest);
-    const float gone = std::max(0.0F, surface_[cell] + laid - crept.top);
+    const float stands = undermining_.standing(cell, base, crept.top);
+    float rate = cutting(cell) / crept.stiffness;
+    if (rate < kMinRate) return std::min(stands, highest);
+    const float gone = std::max(0.0F, surface_[cell] + laid - stands);
     const float fine = ground_.sediment.data()[cell] + laid - gone;
     const float coarse = ground_.debris.data()[cell] + std::min(0.0F, fine);
+    const Undermining::Work work = undermining_.work(cell, base, stands, crept.top, rate);
+    rate = std::max(kMinRate, rate * work.share);
     const auto reached = [&](float by) {
       const Rates rates{by * sediment_ease_, by * debris_ease_, by / value_or_one(site_.hardness, cell)};
-      return cut_down(crept.top, base, fine, coarse, rates);
+      return cut_down(stands, base, fine, coarse, rates, site_.beds, cell, work.rubble / by);
     };
     float level = reached(rate);
     // Land begins as high over its outlets as its cells stand over their channels.
@@ -334,7 +346,9 @@ class Step {
   float* load_;
   float* level_;
   int32_t width_, height_;
-  float sea_, rate_, debris_ease_, sediment_ease_, threshold_, hidden_, most_hidden_, settling_, fan_, creep_, trust_;
+  float sea_, rate_, debris_ease_, sediment_ease_, threshold_, hidden_, most_hidden_, settling_, fan_, creep_, trust_,
+      steepest_;
+  Undermining undermining_;
 };
 
 }  // namespace

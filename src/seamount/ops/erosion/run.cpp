@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include <numbers>
+#include <optional>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/model/same_size.h"
+#include "seamount/ops/erosion/beds.h"
 #include "seamount/ops/erosion/coast.h"
 #include "seamount/ops/erosion/drainage.h"
 #include "seamount/ops/erosion/fans.h"
@@ -112,7 +114,9 @@ Coast coast_of(const RunParams& p, double years) {
 /// The run on one grid.
 class Level {
  public:
-  Level(Layers& ground, const Maps& site, const Grid<uint8_t>& outlets, const RunParams& params, Seed rock)
+  /// `done` years have gone by.
+  Level(Layers& ground, Maps& site, const Grid<uint8_t>& outlets, const RunParams& params, const Lithology& beds,
+        Seed rock, double done, const RunContext& run)
       : ground_(ground),
         site_(site),
         params_(params),
@@ -120,14 +124,20 @@ class Level {
         outlets_(outlets),
         flow_(ground.frame()),
         load_(ground.frame()),
-        room_(ground.frame()) {
+        room_(ground.frame()),
+        done_(done) {
+    if (!beds.beds().empty()) site.beds = &beds_.emplace(beds, ground.frame(), run);
     for (size_t i = 0; i < outlets.size(); ++i) {
       if (outlets.data()[i] != 0) base_levels_.emplace_back(i, ground.surface.data()[i]);
     }
   }
 
+  double done() const { return done_; }
+
   void step(double years, Seed seed, Ledger& ledger, const RunContext& run) {
     uplift(years, ledger);
+    done_ += years;
+    settle_beds(run);
     // First, so that rivers clear away what slides into them.
     run_slopes(ground_, site_, slopes_of(params_, years), load_, room_, run);
     clear_outlets(ledger);
@@ -142,7 +152,8 @@ class Level {
   }
 
   /// Discharge, lakes and the last shallow hollows.
-  void finish(bool fill_hollows, Ledger& ledger, ScalarField& flow, ScalarField& lake, const RunContext& run) {
+  void finish(bool fill_hollows, Ledger& ledger, ScalarField& flow, ScalarField& lake, ScalarField& bed,
+              const RunContext& run) {
     drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), std::nullopt, room_, run);
     gather(drainage_, site_, rivers_of(params_, 0, rock_), flow_, run);
     run.check_cancelled();
@@ -150,9 +161,20 @@ class Level {
     run.check_cancelled();
     flow = std::move(flow_);
     lake = std::move(load_);
+    bed = std::move(room_);
+    std::fill(bed.cells().begin(), bed.cells().end(), 0.0F);
+    if (!beds_) return;
+    settle_beds(run);
+    for (size_t i = 0; i < bed.size(); ++i) {
+      bed.data()[i] = static_cast<float>(1 + beds_->bed(i, ground_.bedrock(i)));
+    }
   }
 
  private:
+  void settle_beds(const RunContext& run) {
+    if (beds_) beds_->settle(ground_, site_, static_cast<float>(params_.uplift_mm_yr * 1e-3 * done_), run);
+  }
+
   void uplift(double years, Ledger& ledger) {
     const auto rise = static_cast<float>(params_.uplift_mm_yr * 1e-3 * years);
     if (rise <= 0.0F) return;
@@ -185,6 +207,8 @@ class Level {
   std::vector<std::pair<size_t, float>> base_levels_;
   Drainage drainage_;
   ScalarField flow_, load_, room_;
+  double done_;
+  std::optional<Beds> beds_;
 };
 
 /// Grounds and sites from fine to coarse; index 0 is the finest.
@@ -252,7 +276,7 @@ double volume_of(const HeightField& surface) {
 /// Takes the margin away again. What left the map is what it lost but for what the run itself did not keep.
 void crop(Eroded& out, const GridFrame& frame, int cells, double start_m3, double extended_start_m3) {
   const double run_lost = extended_start_m3 - volume_of(out.terrain);
-  for (ScalarField* field : {&out.terrain, &out.debris, &out.sediment, &out.flow, &out.lake})
+  for (ScalarField* field : {&out.terrain, &out.debris, &out.sediment, &out.flow, &out.lake, &out.bed})
     *field = cropped(*field, frame, cells);
   out.ledger.exported += start_m3 - volume_of(out.terrain) - run_lost;
 }
@@ -260,9 +284,10 @@ void crop(Eroded& out, const GridFrame& frame, int cells, double start_m3, doubl
 /// The run on ground and maps that fit.
 Eroded run_extended(Layers ground, Maps site, const RunParams& params, Seed seed, const RunContext& run) {
   const GridFrame frame = ground.frame();
+  const Lithology beds(params.lithology, seed.derive("erosion.beds"));
   Pyramid levels = pyramid_of(std::move(ground), std::move(site), run);
   const std::vector<Stage> stages = plan(levels, params);
-  double cost = 0, done = 0;
+  double cost = 0, done = 0, years = 0;
   for (size_t k = 0; k < stages.size(); ++k) cost += static_cast<double>(stages[k].steps) / std::pow(4.0, k);
 
   Eroded out;
@@ -270,14 +295,15 @@ Eroded run_extended(Layers ground, Maps site, const RunParams& params, Seed seed
   Grid<uint8_t> outlets = border_outlets(now.surface, kOutletReach * std::max(frame.width_m(), frame.height_m()));
   for (size_t k = stages.size(); k-- > 0;) {
     {
-      Level level(now, levels.sites[k], outlets, params, seed.derive("erosion.joints"));
+      Level level(now, levels.sites[k], outlets, params, beds, seed.derive("erosion.joints"), years, run);
       for (int i = 0; i < stages[k].steps; ++i) {
         level.step(stages[k].years * share_of_step(i, stages[k].steps), seed.derive("erosion.ways", stages.size() - k),
                    out.ledger, {run.threads, {}, run.cancelled});
         done += std::pow(0.25, k);
         run.report(std::min(1.0, done / cost));
       }
-      if (k == 0) level.finish(params.years > 0, out.ledger, out.flow, out.lake, run);
+      if (k == 0) level.finish(params.years > 0, out.ledger, out.flow, out.lake, out.bed, run);
+      years = level.done();
     }
     if (k == 0) break;
     Layers finer = k > 1 ? levels.starts[k - 1] : std::move(levels.starts[0]);

@@ -27,6 +27,7 @@ struct Eroded {
   ScalarField sediment;  ///< thickness of fine sediment, m
   ScalarField flow;      ///< discharge, m3 per year, at the end
   ScalarField lake;      ///< depth of standing water on land, m
+  ScalarField bed;       ///< number of the bed at the top of the bedrock, from 1; 0 where no beds were given
   Ledger ledger;
 };
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "seamount/base/fields.h"
+#include "seamount/ops/erosion/lithology_params.h"
 
 namespace seamount::erosion {
 
@@ -87,6 +88,7 @@ struct RunParams {
   RiverParams rivers;
   SlopeParams slopes;
   CoastParams coast;
+  LithologyParams lithology;
 
   static constexpr auto fields() {
     using P = RunParams;
@@ -107,7 +109,8 @@ struct RunParams {
         field(&P::sea_m, "sea_m", "m", between(-12000, 9000), "level of the sea; far below the terrain for none"),
         field(&P::rivers, "rivers", "what rivers carry and where they drop it"),
         field(&P::slopes, "slopes", "what slopes can stand and how they wear"),
-        field(&P::coast, "coast", "what waves do to the coast"));
+        field(&P::coast, "coast", "what waves do to the coast"),
+        field(&P::lithology, "lithology", "beds of harder and softer rock in three dimensions"));
   }
 
   static constexpr std::array kFormerNames = {FormerName{"uplift_mm", "uplift_mm_yr"},

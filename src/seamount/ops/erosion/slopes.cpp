@@ -6,6 +6,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/water/flow.h"
+#include "seamount/ops/erosion/beds.h"
 #include "seamount/ops/erosion/slides.h"
 
 namespace seamount::erosion {
@@ -47,7 +48,7 @@ void weather(Layers& ground, const Maps& site, const Slopes& slopes, const RunCo
     const float dy = (z.clamped(x, y + 1) - z.clamped(x, y - 1)) * steep;
     const float bare = kCover_m / (kCover_m + ground.debris.data()[cell] + ground.sediment.data()[cell]);
     ground.debris.data()[cell] += depth * std::min(1.0F, dx * dx + dy * dy) * bare * value_or_one(site.mask, cell) /
-                                  value_or_one(site.hardness, cell);
+                                  bedrock_hardness(ground, site, cell);
   });
 }
 
@@ -58,8 +59,9 @@ void run_slopes(Layers& ground, const Maps& site, const Slopes& slopes, ScalarFi
   if (slopes.weathering_m_yr > 0) weather(ground, site, slopes, run);
   const double speed = kSlidePerRound * std::min(1.0, slopes.years / kSlideTime_yr);
   for (int k = 0; k < slopes.slides; ++k) {
-    slide(ground.surface, ground.debris, Sliding::bedrock_below, site, slopes.bedrock_angle_deg, speed, share, next,
-          run);
+    if (site.beds == nullptr)  // each bed stands as steep as it can (repose.h), which differs from the angle
+      slide(ground.surface, ground.debris, Sliding::bedrock_below, site, slopes.bedrock_angle_deg, speed, share, next,
+            run);
     slide(ground.surface, ground.debris, Sliding::layer, site, slopes.debris_angle_deg, speed, share, next, run);
     slide(ground.surface, ground.sediment, Sliding::layer, site, slopes.sediment_angle_deg, speed, share, next, run);
   }

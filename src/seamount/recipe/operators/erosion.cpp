@@ -7,7 +7,7 @@ namespace seamount::recipe {
 namespace {
 
 using kinds::Field;
-using Parts = std::tuple<HeightField, ScalarField, ScalarField, ScalarField, ScalarField, Report>;
+using Parts = std::tuple<HeightField, ScalarField, ScalarField, ScalarField, ScalarField, ScalarField, Report>;
 
 Parts run(const erosion::RunParams& params, const Call& call, const HeightField& terrain, const ScalarField* hardness,
           const ScalarField* mask, const ScalarField* uplift, const ScalarField* rain, const ScalarField* debris,
@@ -17,8 +17,8 @@ Parts run(const erosion::RunParams& params, const Call& call, const HeightField&
   erosion::Maps site{copy_of(hardness), copy_of(mask), copy_of(uplift), copy_of(rain)};
   erosion::Eroded made = erosion::run(std::move(ground), std::move(site), params, call.seed, call.run);
   Report balance = erosion::balance_report({terrain, debris, sediment}, made, params, call.run);
-  return {std::move(made.terrain), std::move(made.debris), std::move(made.sediment),
-          std::move(made.flow),    std::move(made.lake),   std::move(balance)};
+  return {std::move(made.terrain), std::move(made.debris), std::move(made.sediment), std::move(made.flow),
+          std::move(made.lake),    std::move(made.bed),    std::move(balance)};
 }
 
 }  // namespace
@@ -44,6 +44,7 @@ void add_erosion_operators(Registry& registry) {
               out<Field>("sediment", "thickness of fine sediment in metres"),
               out<Field>("flow", "discharge in m3 per year"),
               out<Field>("lake", "depth of standing water on land in metres"),
+              out<Field>("bed", "number of the bed at the top of the bedrock, from 1 for the first; 0 without beds"),
               out<kinds::Report>("balance",
                                  "volumes in m3: bedrock worn, laid down on land and under water, left over "
                                  "the border; and the error")),
