@@ -284,6 +284,8 @@ void crop(Eroded& out, const GridFrame& frame, int cells, double start_m3, doubl
 /// The run on ground and maps that fit.
 Eroded run_extended(Layers ground, Maps site, const RunParams& params, Seed seed, const RunContext& run) {
   const GridFrame frame = ground.frame();
+  if (params.lithology.beds.empty() && !params.lithology.faults.empty())
+    run.say("lithology: faults move nothing without beds");
   const Lithology beds(params.lithology, seed.derive("erosion.beds"));
   Pyramid levels = pyramid_of(std::move(ground), std::move(site), run);
   const std::vector<Stage> stages = plan(levels, params);
