@@ -126,18 +126,6 @@ float Beds::cut(size_t cell, float top, float base, float worn, float rate) cons
   return std::max(base, reached_at(mean));
 }
 
-float Beds::rubble(size_t cell, float low, float high, float blocks) const {
-  const Column column = this->column(cell);
-  float sum = 0.0F;
-  Bed bed = column.above(low);
-  for (int i = 0; i < column.most_beds() && low < high; ++i, bed = column.beds.over(bed)) {
-    const float top = std::min(high, column.height(bed.top));
-    sum += std::max(0.0F, top - low) * std::min(bed.hardness, blocks);
-    low = std::max(low, top);
-  }
-  return sum + std::max(0.0F, high - low) * std::min(column.beds.mean_hardness(), blocks);
-}
-
 float Beds::stand(size_t cell, float low, float other, float here, float rise) const {
   const Column column = this->column(cell);
   const float softest = rise * rise * column.beds.softest(), above = here - low;

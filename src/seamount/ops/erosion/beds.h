@@ -30,10 +30,6 @@ class Beds {
   /// `rate` is F dt for a hardness of 1, `worn` what the loose layers took (rivers.cpp).
   float cut(size_t cell, float top, float base, float worn, float rate) const;
 
-  /// Metres of rock of hardness 1 that wear as slowly as what lies between two heights, once it has broken: blocks of
-  /// rock harder than `blocks` wear as rock of that hardness.
-  float rubble(size_t cell, float low, float high, float blocks) const;
-
   /// Height up to which rock stands between two neighbours of heights low <= other, or `here` if that is lower; over a
   /// cell rock of hardness 1 rises by `rise`. Godunov's upwind differences of the distance that beds take.
   float stand(size_t cell, float low, float other, float here, float rise) const;

@@ -92,11 +92,10 @@ struct Rates {
 };
 
 /// Height after a step of dh/dt = -F (h - base), F by layer: backward Euler, in which every layer wears at the slope
-/// that the step ends with, so that a metre of it counts as F_below / F metres of the layer below. `top` > base; `worn`
-/// is how long something took before, times the slope at the end.
-float cut_down(float top, float base, float sediment, float debris, const Rates& rates, const Beds* beds, int32_t cell,
-               float worn) {
-  float bottom = top;
+/// that the step ends with, so that a metre of it counts as F_below / F metres of the layer below. `top` > base.
+float cut_down(float top, float base, float sediment, float debris, const Rates& rates, const Beds* beds,
+               int32_t cell) {
+  float bottom = top, worn = 0.0F;  // how long the layers above took, times the slope at the end
   for (const auto& [thickness, rate] : {std::pair{sediment, rates.sediment}, {debris, rates.debris}}) {
     if (thickness <= 0.0F) continue;
     const float reached = (bottom + rate * (base + worn)) / (1.0F + rate);
@@ -148,7 +147,7 @@ class Step {
         fan_(static_cast<float>(rivers.fan_m)),
         creep_(static_cast<float>(rivers.creep_m2_yr * rivers.years / area_of(ground))),
         trust_(static_cast<float>(1.0 / (1.0 + 0.5 * rivers.deposition))),
-        undermining_(ground, site, drainage, rivers.steepest, rivers.debris_ease) {}
+        undermining_(site, drainage, rivers.steepest) {}
 
   /// Where each cell would come to lie, from the outlets up, given the load. Below a lake's level: that level.
   void solve(const RunContext& run) {
@@ -294,11 +293,10 @@ class Step {
     const float gone = std::max(0.0F, surface_[cell] + laid - stands);
     const float fine = ground_.sediment.data()[cell] + laid - gone;
     const float coarse = ground_.debris.data()[cell] + std::min(0.0F, fine);
-    const Undermining::Work work = undermining_.work(cell, base, stands, crept.top, rate);
-    rate = std::max(kMinRate, rate * work.share);
+    rate = std::max(kMinRate, rate * undermining_.time_left(cell, stands, crept.top, rate));
     const auto reached = [&](float by) {
       const Rates rates{by * sediment_ease_, by * debris_ease_, by / value_or_one(site_.hardness, cell)};
-      return cut_down(stands, base, fine, coarse, rates, site_.beds, cell, work.rubble / by);
+      return cut_down(stands, base, fine, coarse, rates, site_.beds, cell);
     };
     float level = reached(rate);
     // Land begins as high over its outlets as its cells stand over their channels.

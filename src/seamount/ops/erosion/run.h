@@ -4,9 +4,8 @@
 // that drained valleys, filled valley floors and fans appear; soil creeps, and rock that stands too steep over its
 // valley fails (rivers.h); bare rock weathers, and debris slides to its angle (slopes.h); waves cut the coast and
 // sediment settles under water (coast.h). Rock may lie in beds, hard and soft (lithology.h). Water always finds a way
-// out (drainage.h). Cf. P1 sec. 5.4, which simulates
-// interleaved hydraulic and thermal erosion of the same three layers by stochastic events after Cordonnier et al. 2017;
-// we solve for the same processes with implicit steps of many years.
+// out (drainage.h). Cf. P1 sec. 5.4, which simulates interleaved hydraulic and thermal erosion of the same three layers
+// by stochastic events after Cordonnier et al. 2017; we solve for the same processes with implicit steps of many years.
 //
 // The run goes from coarse to fine (levels.h): it begins on a grid of about 64 cells a side and each finer grid takes a
 // share of the remaining years, so that valleys of all sizes have had their time, and a small grid previews a large
@@ -36,8 +35,7 @@ struct Eroded {
 /// >= 0; debris and sediment are what already lies on the bedrock. Zero years change nothing. The terrain loses to
 /// the border what ledger.exported says, and nothing else (to 1e-4). Throws InvalidArgument for params out of range,
 /// IncompatibleInputs for maps of another size. Parallel but for the order of the rivers; about 3 us and 46 bytes per
-/// cell;
-/// with beds half as much again.
+/// cell, with beds half as much again.
 Eroded run(Layers ground, Maps site, const RunParams& params, Seed seed, const RunContext& run);
 
 }  // namespace seamount::erosion
