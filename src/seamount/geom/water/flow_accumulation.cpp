@@ -113,16 +113,21 @@ ScalarField flow_accumulation(const FlowDirections& directions, const ScalarFiel
 void label_upstream(const FlowDirections& directions, Grid<int32_t>& labels, const RunContext& run) {
   const std::array<int64_t, 8> steps = flow_steps(directions.width());
   const uint8_t* code = directions.data();
-  const auto label_of = [&](int64_t i) { return std::atomic_ref(labels.data()[i]); };
-  parallel_rows(run, directions.width(), directions.height(), [&](int begin, int end) {
-    const int64_t stop = static_cast<int64_t>(end) * directions.width();
-    for (int64_t i = static_cast<int64_t>(begin) * directions.width(); i < stop; ++i) {
-      int64_t last = i;
-      int32_t label;
-      // Threads that walk the same way write the same labels.
-      while ((label = label_of(last).load(std::memory_order_relaxed)) < 0) last += steps[code[last]];
-      for (int64_t cell = i; cell != last; cell += steps[code[cell]])
-        label_of(cell).store(label, std::memory_order_relaxed);
+  const int64_t width = directions.width();
+  // Until it has its label, a cell holds the one that it drains to, as ~cell.
+  parallel_rows(run.part(0.0, 0.2), directions.width(), directions.height(), [&](int begin, int end) {
+    for (int64_t i = begin * width; i < end * width; ++i)
+      if (labels.data()[i] < 0) labels.data()[i] = ~static_cast<int32_t>(i + steps[code[i]]);
+  });
+  const auto at = [&](int32_t i) { return std::atomic_ref(labels.data()[i]); };
+  parallel_rows(run.part(0.2, 1.0), directions.width(), directions.height(), [&](int begin, int end) {
+    for (auto i = static_cast<int32_t>(begin * width); i < static_cast<int32_t>(end * width); ++i) {
+      int32_t label = at(i).load(std::memory_order_relaxed);
+      if (label >= 0) continue;
+      while (label < 0) label = at(~label).load(std::memory_order_relaxed);
+      // Who finds a label on its way leaves the rest to the thread that wrote it.
+      for (int32_t cell = i, next; (next = at(cell).load(std::memory_order_relaxed)) < 0; cell = ~next)
+        at(cell).store(label, std::memory_order_relaxed);
     }
   });
 }

@@ -5,6 +5,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/flow_passes.h"
+#include "seamount/geom/water/groups.h"
 
 namespace seamount::geom {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 /// Kruskal: when a group of basins first meets the outside, the pass where it does is the water level of all of them.
 std::vector<float> water_levels(const std::vector<Pass>& passes, int32_t count) {
   std::vector<float> levels(static_cast<size_t>(count), kNoSea);
-  BasinGroups groups(count);
+  Groups groups(count);
   for (const Pass& pass : passes) {
     const int32_t a = groups.find(pass.a), b = groups.find(pass.b);
     if (a == b) continue;

@@ -32,22 +32,4 @@ Basins find_basins(const FlowDirections& directions, const RunContext& run);
 /// linear in the cells, n log n in the cells where basins meet.
 std::vector<Pass> find_passes(const HeightField& terrain, const Basins& basins, const RunContext& run);
 
-/// Basins that are joined at passes so far, each group with the list of its members. The smallest index leads, so that
-/// the outside stays its group's leader.
-class BasinGroups {
- public:
-  explicit BasinGroups(int32_t count);
-  int32_t find(int32_t basin);
-  /// REQUIRES: two different leaders.
-  void join(int32_t a, int32_t b);
-
-  template <class Visit>
-  void for_each_member(int32_t leader, const Visit& visit) const {
-    for (int32_t i = leader; i >= 0; i = next_[static_cast<size_t>(i)]) visit(i);
-  }
-
- private:
-  std::vector<int32_t> leader_, next_, last_;
-};
-
 }  // namespace seamount::geom

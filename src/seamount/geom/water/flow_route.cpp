@@ -3,6 +3,7 @@
 
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/flow_passes.h"
+#include "seamount/geom/water/groups.h"
 
 namespace seamount::geom {
 namespace {
@@ -52,7 +53,7 @@ class PassForest {
   }
 
  private:
-  BasinGroups groups_;
+  Groups groups_;
   std::vector<Pass> passes_;
   std::vector<int32_t> start_;
   std::vector<const Pass*> items_;

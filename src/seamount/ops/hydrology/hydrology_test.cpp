@@ -10,7 +10,6 @@
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/water/flow.h"
-#include "seamount/ops/hydrology/breach.h"
 #include "seamount/ops/hydrology/fill.h"
 #include "seamount/ops/hydrology/flow.h"
 #include "seamount/ops/hydrology/flow_spread.h"
@@ -94,20 +93,6 @@ TEST(Fill, BreachingCutsLessThanFillingRaises) {
   EXPECT_LT(cut, raised);
   EXPECT_LT(left, 0.01 * raised);
   EXPECT_EQ(geom::count_pits(geom::flow_directions(breached.terrain, geom::kNoSea, {})), 0);
-}
-
-TEST(Fill, BreachTakesTheCheapestWay) {
-  // A pit behind a wall that is thin in the east (cut 5) and has a gap in the south two cells away (cut 2 twice).
-  HeightField terrain(GridFrame::centred(9, 9, 1), 20.0F);
-  for (int y = 3; y < 6; ++y)
-    for (int x = 3; x < 6; ++x) terrain(x, y) = 5.0F;
-  terrain(4, 4) = 3.0F;
-  for (int x = 6; x < 9; ++x) terrain(x, 4) = x == 6 ? 9.0F : 1.0F;
-  for (int y = 6; y < 9; ++y) terrain(4, y) = y < 8 ? 5.0F : 1.0F;
-  breach_depressions(terrain, geom::kNoSea, 100, 100.0F, {});
-  EXPECT_EQ(terrain(6, 4), 9.0F);
-  EXPECT_EQ(terrain(4, 6), 3.0F);
-  EXPECT_EQ(terrain(4, 7), 3.0F);
 }
 
 TEST(FlowOp, EveryMethodAddsUpToTheWholeMap) {

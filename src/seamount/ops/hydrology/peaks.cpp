@@ -6,6 +6,7 @@
 
 #include "seamount/geom/water/flow_invert.h"
 #include "seamount/geom/water/flow_passes.h"
+#include "seamount/geom/water/groups.h"
 
 namespace seamount::hydrology {
 namespace {
@@ -80,7 +81,7 @@ std::vector<double> prominences(const HeightField& inverted, const geom::Basins&
   const auto depth = [&](int32_t basin) {
     return static_cast<double>(inverted.data()[basins.pits[static_cast<size_t>(basin)]]);
   };
-  geom::BasinGroups groups(basins.count());
+  geom::Groups groups(basins.count());
   for (const geom::Pass& pass : geom::find_passes(inverted, basins, run)) {
     run.check_cancelled();
     if (!(pass.height < geom::kFlowWall)) break;

@@ -60,7 +60,7 @@ void add_networks(Registry& registry) {
 void add_hydrology_operators(Registry& registry) {
   registry.add(make_operator<hydrology::FillParams>(
       {.name = "hydrology.fill",
-       .revision = 2,
+       .revision = 3,
        .summary = "A terrain without depressions: filled to their outlets, or breached; and the lakes",
        .source = "Barnes, Lehman and Mulla 2014; Lindsay and Dhun 2015"},
       inputs(with_voids(in<Terrain>("terrain", kHeights))),
