@@ -53,6 +53,11 @@ FlowDirections flow_directions(const HeightField& terrain, float sea_level_m, co
 /// and 16 per pass besides the terrain.
 HeightField fill_depressions(const HeightField& terrain, float sea_level_m, const RunContext& run);
 
+/// Fills only what is shallower than min_depth_m between its lowest ground and the pass where it overflows; of two
+/// depressions that meet, the one with the higher ground is measured to where they meet. Cost as above.
+HeightField fill_shallow_depressions(const HeightField& terrain, float sea_level_m, float min_depth_m,
+                                     const RunContext& run);
+
 /// The other way out of a depression: the ground stays and water runs from the pit to the lowest pass as if there were
 /// a gorge. Turns the directions of the way from pass to pit round, so that flow may climb there and nowhere else. Only
 /// passes below `highest_pass_m` are ways; depressions that are joined without a way to an outlet keep the pit of the

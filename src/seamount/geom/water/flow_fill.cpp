@@ -25,14 +25,31 @@ std::vector<float> water_levels(const std::vector<Pass>& passes, int32_t count) 
   return levels;
 }
 
-}  // namespace
+/// The same for groups that are shallow where they meet a group with lower ground; the others keep kNoSea.
+std::vector<float> shallow_levels(const HeightField& terrain, const Basins& basins, const std::vector<Pass>& passes,
+                                  float min_depth_m) {
+  std::vector<float> levels(static_cast<size_t>(basins.count()), kNoSea), lowest(levels.size(), kNoSea);
+  for (size_t i = 1; i < lowest.size(); ++i) lowest[i] = terrain.data()[basins.pits[i]];
+  Groups groups(basins.count());
+  for (const Pass& pass : passes) {
+    const int32_t a = groups.find(pass.a), b = groups.find(pass.b);
+    if (a == b) continue;
+    const auto low_of = [&](int32_t group) -> float& { return lowest[static_cast<size_t>(group)]; };
+    const int32_t higher = low_of(a) > low_of(b) ? a : b;  // never the outside
+    if (pass.height - low_of(higher) < min_depth_m) {
+      groups.for_each_member(higher, [&](int32_t basin) { levels[static_cast<size_t>(basin)] = pass.height; });
+    }
+    const float low = std::min(low_of(a), low_of(b));
+    groups.join(a, b);
+    low_of(std::min(a, b)) = low;
+  }
+  return levels;
+}
 
-HeightField fill_depressions(const HeightField& terrain, float sea_level_m, const RunContext& run) {
+HeightField raise_to(const HeightField& terrain, const Basins& basins, const std::vector<float>& levels,
+                     const RunContext& run) {
   HeightField filled = terrain;
-  const Basins basins = find_basins(flow_directions(terrain, sea_level_m, run.part(0.0, 0.3)), run.part(0.3, 0.6));
-  if (basins.count() == 1) return filled;
-  const std::vector<float> levels = water_levels(find_passes(terrain, basins, run.part(0.6, 0.9)), basins.count());
-  parallel_rows(run.part(0.9, 1.0), terrain.width(), terrain.height(), [&](int begin, int end) {
+  parallel_rows(run, terrain.width(), terrain.height(), [&](int begin, int end) {
     for (int64_t i = static_cast<int64_t>(begin) * terrain.width(); i < static_cast<int64_t>(end) * terrain.width();
          ++i) {
       const float level = levels[static_cast<size_t>(basins.of.data()[i])];
@@ -40,6 +57,24 @@ HeightField fill_depressions(const HeightField& terrain, float sea_level_m, cons
     }
   });
   return filled;
+}
+
+}  // namespace
+
+HeightField fill_depressions(const HeightField& terrain, float sea_level_m, const RunContext& run) {
+  const Basins basins = find_basins(flow_directions(terrain, sea_level_m, run.part(0.0, 0.3)), run.part(0.3, 0.6));
+  if (basins.count() == 1) return terrain;
+  const std::vector<float> levels = water_levels(find_passes(terrain, basins, run.part(0.6, 0.9)), basins.count());
+  return raise_to(terrain, basins, levels, run.part(0.9, 1.0));
+}
+
+HeightField fill_shallow_depressions(const HeightField& terrain, float sea_level_m, float min_depth_m,
+                                     const RunContext& run) {
+  const Basins basins = find_basins(flow_directions(terrain, sea_level_m, run.part(0.0, 0.3)), run.part(0.3, 0.6));
+  if (basins.count() == 1) return terrain;
+  const std::vector<float> levels =
+      shallow_levels(terrain, basins, find_passes(terrain, basins, run.part(0.6, 0.9)), min_depth_m);
+  return raise_to(terrain, basins, levels, run.part(0.9, 1.0));
 }
 
 void tilt_flats(HeightField& filled, const FlowDirections& directions, const RunContext& run) {

@@ -6,7 +6,7 @@
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/inland.h"
 #include "seamount/ops/hydrology/breach.h"
-#include "seamount/ops/hydrology/lakes.h"
+#include "seamount/ops/hydrology/lake_areas.h"
 #include "seamount/ops/hydrology/mostly_sea.h"
 
 namespace seamount::hydrology {

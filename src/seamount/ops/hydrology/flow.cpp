@@ -9,6 +9,7 @@
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/inland.h"
 #include "seamount/ops/hydrology/catchments.h"
+#include "seamount/ops/hydrology/ends_of_flow.h"
 #include "seamount/ops/hydrology/flow_spread.h"
 #include "seamount/ops/hydrology/mostly_sea.h"
 
@@ -33,24 +34,67 @@ void map_cells(const Grid<From>& from, Grid<To>& to, const RunContext& run, cons
   });
 }
 
-/// Catchments by number, from the largest on.
-ScalarField number_basins(const FlowDirections& directions, const Grid<uint32_t>& cells, float sea,
-                          const HeightField& terrain, const RunContext& run) {
-  std::vector<int32_t> mouths;
-  Grid<int32_t> basins(directions.frame(), -1);
+/// Where a catchment's water arrives: a cell, or sinks that hang together.
+struct Mouth {
+  int32_t first;  ///< in `members`
+  int32_t count;
+  uint64_t drained;
+};
+
+/// Every end of flow that has a catchment; open water that only takes itself gets basin 0.
+struct Mouths {
+  std::vector<Mouth> all;
+  std::vector<int32_t> members;
+};
+
+Mouths find_mouths(const FlowDirections& directions, const Grid<uint32_t>& cells, const ScalarField* sinks, float sea,
+                   const HeightField& terrain, Grid<int32_t>& basins) {
+  Mouths mouths;
+  const auto join = [&](int32_t cell) {
+    basins.data()[cell] = 0;  // taken; numbered later
+    mouths.members.push_back(cell);
+  };
+  const int width = terrain.width();
   for (int64_t i = 0; i < directions.frame().cells(); ++i) {
-    if (directions.data()[i] != geom::kOutlet) continue;
-    if (terrain.data()[i] <= sea && cells.data()[i] == 1)
+    if (directions.data()[i] != geom::kOutlet || basins.data()[i] >= 0) continue;
+    const bool sink = sinks != nullptr && is_sink(*sinks, i);
+    if (!sink && terrain.data()[i] <= sea && cells.data()[i] == 1) {
       basins.data()[i] = 0;
-    else
-      mouths.push_back(static_cast<int32_t>(i));
+      continue;
+    }
+    const auto first = static_cast<int32_t>(mouths.members.size());
+    join(static_cast<int32_t>(i));
+    for (auto next = static_cast<size_t>(first); sink && next < mouths.members.size(); ++next) {
+      const int32_t cell = mouths.members[next];
+      for (size_t k = 0; k < 8; ++k) {
+        const int x = cell % width + geom::kFlowDx[k], y = cell / width + geom::kFlowDy[k];
+        if (terrain.contains(x, y) && is_sink(*sinks, y * width + x) && basins(x, y) < 0) join(y * width + x);
+      }
+    }
+    Mouth mouth{first, static_cast<int32_t>(mouths.members.size()) - first, 0};
+    for (int32_t k = first; k < first + mouth.count; ++k)
+      mouth.drained += cells.data()[mouths.members[static_cast<size_t>(k)]];
+    mouths.all.push_back(mouth);
   }
-  std::stable_sort(mouths.begin(), mouths.end(),
-                   [&](int32_t a, int32_t b) { return cells.data()[a] > cells.data()[b]; });
-  for (size_t i = 0; i < mouths.size(); ++i) basins.data()[mouths[i]] = static_cast<int32_t>(i + 1);
+  return mouths;
+}
+
+/// Catchments by number, from the largest on.
+ScalarField number_basins(const FlowDirections& directions, const Grid<uint32_t>& cells, const ScalarField* sinks,
+                          float sea, const HeightField& terrain, const RunContext& run) {
+  Grid<int32_t> basins(directions.frame(), -1);
+  Mouths mouths = find_mouths(directions, cells, sinks, sea, terrain, basins);
+  std::stable_sort(mouths.all.begin(), mouths.all.end(),
+                   [](const Mouth& a, const Mouth& b) { return a.drained > b.drained; });
+  const auto number = [&](size_t mouth, int32_t basin) {
+    const Mouth& here = mouths.all[mouth];
+    for (int32_t k = here.first; k < here.first + here.count; ++k)
+      basins.data()[mouths.members[static_cast<size_t>(k)]] = basin;
+  };
+  for (size_t i = 0; i < mouths.all.size(); ++i) number(i, static_cast<int32_t>(i + 1));
   geom::label_upstream(directions, basins, run);
-  for (const int32_t mouth : mouths)
-    if (terrain.data()[mouth] == geom::kUnknownGround) basins.data()[mouth] = 0;
+  for (const int32_t cell : mouths.members)
+    if (terrain.data()[cell] == geom::kUnknownGround) basins.data()[cell] = 0;
   ScalarField numbers(directions.frame());
   map_cells(basins, numbers, run, [](int32_t basin) { return static_cast<float>(basin); });
   return numbers;
@@ -58,20 +102,22 @@ ScalarField number_basins(const FlowDirections& directions, const Grid<uint32_t>
 
 }  // namespace
 
-Flow flow(const HeightField& terrain, const FlowParams& params, const RunContext& run) {
+Flow flow(const HeightField& terrain, const ScalarField* sinks, const FlowParams& params, const RunContext& run) {
   check_params(params);
   say_mostly_sea(terrain, params.sea, run);
-  const float sea = params.sea ? 0.0F : geom::kNoSea;
+  EndsOfFlow ends = ends_of_flow(terrain, sinks, params.sea, params.min_sea_m2, run);
+  const float sea = ends.sea;
   const GridFrame& frame = terrain.frame();
-  Flow out{geom::fill_depressions(geom::raise_inland(terrain, sea, params.min_sea_m2, run), sea, run.part(0.0, 0.4)),
+  Flow out{geom::fill_depressions(ends.ground, sea, run.part(0.0, 0.4)),
            ScalarField(frame),
            ScalarField(frame),
            ScalarField(frame),
            {},
            {}};
+  ends.ground = {};
   const FlowDirections d8 = geom::flow_directions(out.terrain, sea, run.part(0.4, 0.5));
   const Grid<uint32_t> cells = geom::flow_accumulation(d8, run.part(0.5, 0.6));
-  out.basins = number_basins(d8, cells, sea, out.terrain, run);
+  out.basins = number_basins(d8, cells, sinks, sea, out.terrain, run);
   constexpr double kCatchmentPart = 500.0;
   out.catchments = trace_catchments(
       out.basins, cells, params.min_catchment_m2.value_or(frame.width_m() * frame.height_m() / kCatchmentPart), run);
@@ -89,6 +135,7 @@ Flow flow(const HeightField& terrain, const FlowParams& params, const RunContext
   const auto cell_m2 = static_cast<float>(frame.cell_m * frame.cell_m);
   map_cells(eighths, out.direction_deg, run, bearing_deg);
   map_cells(out.cells, out.area_m2, run.part(0.9, 1.0), [&](float count) { return count * cell_m2; });
+  restore_lowered(out.terrain, terrain, sinks, sea);
   geom::forget_unknown(out.terrain);
   for (size_t i = 0; i < out.terrain.size(); ++i) {
     if (!std::isnan(out.terrain.data()[i])) continue;

@@ -50,10 +50,15 @@ struct Flow {
   Drawing catchments;  ///< the larger of them as areas "catchment 1", ... with area_m2, mouth_x and mouth_y
 };
 
-/// A catchment is what drains through one cell of the border or of the sea. The sum of `cells` over the ends of flow is
-/// the number of cells. Throws InvalidArgument for params out of range. Parallel, linear; 17 bytes per cell besides the
-/// results.
-Flow flow(const HeightField& terrain, const FlowParams& params, const RunContext& run);
+/// A catchment is what drains through one cell of the border or of the sea, or into sinks that hang together: cells
+/// where `sinks` (may be null) is above 0, in which flow ends, as in the closed lakes of hydrology.lakes. The sum of
+/// `cells` over the ends of flow is the number of cells. Throws InvalidArgument for params out of range,
+/// IncompatibleInputs for sinks of another size. Parallel, linear; 17 bytes per cell besides the results.
+Flow flow(const HeightField& terrain, const ScalarField* sinks, const FlowParams& params, const RunContext& run);
+/// Without sinks.
+inline Flow flow(const HeightField& terrain, const FlowParams& params, const RunContext& run) {
+  return flow(terrain, nullptr, params, run);
+}
 
 }  // namespace seamount::hydrology
 

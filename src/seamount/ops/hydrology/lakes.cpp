@@ -1,82 +1,86 @@
 #include "seamount/ops/hydrology/lakes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
-#include "seamount/ops/hydrology/outline.h"
+#include "seamount/base/text.h"
+#include "seamount/geom/water/flow.h"
+#include "seamount/geom/water/lake_levels.h"
+#include "seamount/model/same_size.h"
+#include "seamount/ops/hydrology/lake_areas.h"
+#include "seamount/ops/hydrology/mostly_sea.h"
 
 namespace seamount::hydrology {
 namespace {
 
-struct Lake {
-  std::vector<int32_t> cells;
-  double level = 0.0, depth = 0.0, volume = 0.0;
-};
+constexpr double kSecondsPerYear = 365.25 * 86400.0;
 
-/// The cells of one level that hang together, found by walking from `first`.
-Lake walk_lake(const HeightField& terrain, const HeightField& filled, int32_t first, Grid<uint8_t>& seen) {
-  Lake lake;
-  lake.level = filled.data()[first];
-  lake.cells.push_back(first);
-  seen.data()[first] = 1;
-  const int width = terrain.width();
-  for (size_t next = 0; next < lake.cells.size(); ++next) {
-    const int32_t cell = lake.cells[next];
-    const double depth = lake.level - static_cast<double>(terrain.data()[cell]);
-    lake.depth = std::max(lake.depth, depth);
-    lake.volume += depth;
-    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-      const int x = cell % width + dx, y = cell / width + dy;
-      if (!terrain.contains(x, y) || seen(x, y) != 0) continue;
-      if (filled(x, y) != filled.data()[first] || !(terrain(x, y) < filled(x, y))) continue;
-      seen(x, y) = 1;
-      lake.cells.push_back(y * width + x);
-    }
-  }
-  return lake;
+void check_runoff(const ScalarField* runoff, const GridFrame& frame) {
+  if (runoff == nullptr) return;
+  check_same_size("runoff", runoff->frame(), frame);
+  for (const float value : runoff->cells())
+    if (!(value >= 0.0F) || std::isinf(value))
+      throw InvalidArgument("runoff", format_number(static_cast<double>(value)) + " mm/yr is no amount of water");
 }
 
-std::vector<Polygon> trace_shore(const Lake& lake, const GridFrame& frame, const RunContext& run) {
-  CellWindow window;
-  std::vector<int32_t> cells = lake.cells;
-  std::sort(cells.begin(), cells.end());
-  for (const int32_t cell : cells) window.add(cell % frame.width, cell / frame.width);
-  const auto belongs = [&](int x, int y) {
-    return std::binary_search(cells.begin(), cells.end(), y * frame.width + x);
-  };
-  return outline_of(window, frame, belongs, run);
+Drawing draw(const geom::LakeLevels& levels, const ScalarField& depth, double min_lake_m2, const RunContext& run) {
+  const GridFrame& frame = depth.frame();
+  std::vector<LakeArea> areas(levels.lakes.size());
+  for (size_t i = 0; i < depth.size(); ++i) {
+    const int32_t lake = levels.lake.data()[i];
+    if (lake < 0) continue;
+    LakeArea& area = areas[static_cast<size_t>(lake)];
+    area.cells.push_back(static_cast<int32_t>(i));
+    area.depth_m = std::max(area.depth_m, static_cast<double>(depth.data()[i]));
+    area.volume_m += static_cast<double>(depth.data()[i]);
+  }
+  for (size_t i = 0; i < areas.size(); ++i) {
+    const geom::StandingLake& lake = levels.lakes[i];
+    areas[i].level_m = static_cast<double>(lake.level_m);
+    areas[i].more = {{"closed", lake.closed ? 1.0 : 0.0},
+                     {"inflow_m3_s", lake.inflow / kSecondsPerYear},
+                     {"outflow_m3_s", lake.outflow / kSecondsPerYear}};
+  }
+  std::erase_if(areas, [&](const LakeArea& area) {
+    return area.cells.empty() || static_cast<double>(area.cells.size()) * frame.cell_m * frame.cell_m < min_lake_m2;
+  });
+  return draw_lakes(std::move(areas), frame, run);
 }
 
 }  // namespace
 
-Drawing trace_lakes(const HeightField& terrain, const HeightField& filled, double min_area_m2, const RunContext& run) {
-  const GridFrame& frame = terrain.frame();
-  const double cell_m2 = frame.cell_m * frame.cell_m;
-  Grid<uint8_t> seen(frame, 0);
-  std::vector<Lake> lakes;
-  for (int y = 0; y < frame.height; ++y) {
-    run.check_cancelled();
-    for (int x = 0; x < frame.width; ++x) {
-      if (seen(x, y) != 0 || !(terrain(x, y) < filled(x, y))) continue;
-      Lake lake = walk_lake(terrain, filled, y * frame.width + x, seen);
-      if (static_cast<double>(lake.cells.size()) * cell_m2 >= min_area_m2) lakes.push_back(std::move(lake));
+Lakes lakes(const HeightField& terrain, const ScalarField* runoff, const LakesParams& params, const RunContext& run) {
+  check_params(params);
+  check_runoff(runoff, terrain.frame());
+  say_mostly_sea(terrain, params.sea, run);
+  float sea = params.sea ? 0.0F : geom::kNoSea;
+  const HeightField open = geom::lower_sea(terrain, sea, params.min_sea_m2, run);
+  const HeightField ground =
+      geom::fill_shallow_depressions(open, sea, static_cast<float>(params.min_depth_m), run.part(0.0, 0.4));
+  const geom::LakeLevels levels = geom::lake_levels(ground, sea,
+                                                    {.runoff_mm_yr = params.runoff_mm_yr,
+                                                     .runoff_map = runoff,
+                                                     .loss_mm_yr = params.evaporation_mm_yr - params.rain_mm_yr},
+                                                    run.part(0.4, 0.9));
+  Lakes out{terrain, ScalarField(terrain.frame(), 0.0F), ScalarField(terrain.frame(), 0.0F), {}};
+  for (size_t i = 0; i < terrain.size(); ++i) {
+    if (const int32_t number = levels.lake.data()[i]; number >= 0) {
+      const geom::StandingLake& lake = levels.lakes[static_cast<size_t>(number)];
+      out.surface.data()[i] = lake.level_m;
+      out.depth_m.data()[i] = lake.level_m - terrain.data()[i];
+      out.sinks.data()[i] = lake.closed ? 1.0F : 0.0F;
     }
+    if (std::isnan(terrain.data()[i]))
+      out.depth_m.data()[i] = out.sinks.data()[i] = std::numeric_limits<float>::quiet_NaN();
   }
-  std::stable_sort(lakes.begin(), lakes.end(),
-                   [](const Lake& a, const Lake& b) { return a.cells.size() > b.cells.size(); });
-  Drawing drawing;
-  drawing.crs = frame.crs;
-  for (const Lake& lake : lakes) {
-    run.check_cancelled();
-    drawing.areas.push_back({"lake " + std::to_string(drawing.areas.size() + 1),
-                             trace_shore(lake, frame, run),
-                             {{"level_m", lake.level},
-                              {"depth_m", lake.depth},
-                              {"area_m2", static_cast<double>(lake.cells.size()) * cell_m2},
-                              {"volume_m3", lake.volume * cell_m2}}});
-  }
-  return drawing;
+  for (const geom::StandingLake& lake : levels.lakes)
+    if (lake.closed) out.sinks.data()[lake.pit] = 1.0F;
+  out.lakes = draw(levels, out.depth_m, params.min_lake_m2, run.part(0.9, 1.0));
+  if (out.lakes.areas.empty()) run.say("no lake: no depression of min_depth_m keeps min_lake_m2 wet");
+  return out;
 }
 
 }  // namespace seamount::hydrology

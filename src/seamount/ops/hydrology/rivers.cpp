@@ -8,6 +8,7 @@
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/inland.h"
 #include "seamount/geom/water/skeleton.h"
+#include "seamount/ops/hydrology/ends_of_flow.h"
 #include "seamount/ops/hydrology/mostly_sea.h"
 #include "seamount/ops/hydrology/network.h"
 #include "seamount/ops/hydrology/ridge_flow.h"
@@ -57,13 +58,15 @@ double fall(const Link& link, const HeightField& terrain) {
 
 }  // namespace
 
-Drawing rivers(const HeightField& terrain, const RiversParams& params, const RunContext& run) {
+Drawing rivers(const HeightField& terrain, const ScalarField* sinks, const RiversParams& params,
+               const RunContext& run) {
   check_params(params);
   say_mostly_sea(terrain, params.sea, run);
   const GridFrame& frame = terrain.frame();
-  const float sea = params.sea ? 0.0F : geom::kNoSea;
-  const HeightField filled =
-      geom::fill_depressions(geom::raise_inland(terrain, sea, params.min_sea_m2, run), sea, run.part(0.0, 0.5));
+  EndsOfFlow ends = ends_of_flow(terrain, sinks, params.sea, params.min_sea_m2, run);
+  const float sea = ends.sea;
+  HeightField filled = geom::fill_depressions(ends.ground, sea, run.part(0.0, 0.5));
+  ends.ground = {};
   const geom::FlowDirections directions = geom::flow_directions(filled, sea, run.part(0.5, 0.6));
   ScalarField cells(frame);
   {
@@ -71,9 +74,11 @@ Drawing rivers(const HeightField& terrain, const RiversParams& params, const Run
     std::transform(counts.cells().begin(), counts.cells().end(), cells.cells().begin(),
                    [](uint32_t count) { return static_cast<float>(count); });
   }
+  const double least = threshold(params.min_area_m2, filled, sea);
+  restore_lowered(filled, terrain, sinks, sea);
   Drawing drawing;
   drawing.crs = frame.crs;
-  for (Link& link : find_links(directions, cells, threshold(params.min_area_m2, filled, sea), nullptr, run)) {
+  for (Link& link : find_links(directions, cells, least, nullptr, run)) {
     end_on_known_ground(link, filled);
     ValuedLine line = describe_link(link, frame);
     const double discharge = link.drained * frame.cell_m * frame.cell_m * 1e-3 * params.runoff_mm_yr / kSecondsPerYear;

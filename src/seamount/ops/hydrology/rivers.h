@@ -58,8 +58,14 @@ struct RidgesParams {
 
 /// One line per reach between confluences, downstream, tributaries first. Its value is the Strahler order; it carries
 /// order, length_m, area_m2, discharge_m3_s, width_m and fall_m at its lower end. From point to point the filled
-/// terrain never climbs. Throws InvalidArgument for params out of range. About the cost of hydrology.flow.
-Drawing rivers(const HeightField& terrain, const RiversParams& params, const RunContext& run);
+/// terrain never climbs. Rivers end where `sinks` (may be null) is above 0, as in the closed lakes of hydrology.lakes.
+/// Throws InvalidArgument for params out of range, IncompatibleInputs for sinks of another size. About the cost of
+/// hydrology.flow.
+Drawing rivers(const HeightField& terrain, const ScalarField* sinks, const RiversParams& params, const RunContext& run);
+/// Without sinks.
+inline Drawing rivers(const HeightField& terrain, const RiversParams& params, const RunContext& run) {
+  return rivers(terrain, nullptr, params, run);
+}
 
 /// One line per reach, from the ridge's foot up; value and order as above, with length_m, area_m2 (of the ground whose
 /// ways up pass there) and rise_m (from the line's start to its end).

@@ -9,6 +9,7 @@
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/scalar/spline.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/model/same_size.h"
 
 namespace seamount::reef {
@@ -260,7 +261,8 @@ Habitat find_habitat(const HeightField& terrain, const HabitatInputs& in, double
   check_size(in.start, terrain, "start");
   Habitat out;
   out.lattice = lattice_frame(terrain.frame(), lattice_m);
-  const HeightField ground = geom::resample(terrain, out.lattice, run);
+  constexpr float kLand_m = 1.0F;  // no reef grows where the sea does not reach
+  const HeightField ground = geom::resample(geom::fill_hollows(terrain, 0.0F, kLand_m, run), out.lattice, run);
   ScalarField share;
   if (in.habitat != nullptr) share = on_lattice(*in.habitat, terrain, out.lattice, run);
   out.suitable = suitable_cells(ground, in.habitat != nullptr ? &share : nullptr, margin_m, bounds, seed);

@@ -9,28 +9,45 @@
 #include "seamount/model/same_size.h"
 #include "seamount/ops/render/detail_noise.h"
 #include "seamount/ops/render/lava.h"
+#include "seamount/ops/render/standing_water.h"
 #include "seamount/ops/render/style.h"
 
 namespace seamount::render {
 namespace {
 
-/// Heights over the water, exaggerated, reduced; single rows and columns are doubled so that there is a surface.
-HeightField drawn_heights(const HeightField& terrain, const GroundOptions& options, const RunContext& run) {
+/// Single rows and columns are doubled so that there is a surface.
+Grid<float> padded(Grid<float> values) {
+  if (values.width() >= 2 && values.height() >= 2) return values;
+  GridFrame frame = values.frame();
+  frame.width = std::max(2, frame.width);
+  frame.height = std::max(2, frame.height);
+  Grid<float> result(frame);
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) result(x, y) = values.clamped(x, y);
+  }
+  return result;
+}
+
+/// On the grid of the heights that are drawn.
+Grid<float> drawn_cover(const Grid<float>& values, const GroundOptions& options, const RunContext& run) {
+  return values.empty() ? values : padded(reduce(values, options.limit, run));
+}
+
+Mask drawn_dry(const HeightField& terrain, const GroundOptions& options, const RunContext& run) {
+  if (options.water_level_m != 0.0) return {};
+  return drawn_cover(dry_below_sea(terrain, options.min_sea_m2, run), options, run);
+}
+
+/// Heights over the water, with the surfaces of lakes, exaggerated, reduced.
+HeightField drawn_heights(const HeightField& terrain, const ScalarField& lakes, const GroundOptions& options,
+                          const RunContext& run) {
   HeightField heights = reduce(terrain, options.limit, run);
   if (options.water_level_m == 0.0) {
     const Grid<uint8_t> sea = geom::flat_sea(heights, run);
     if (!sea.empty()) geom::sink_flat_sea(heights, sea, run);
   }
-  if (heights.width() < 2 || heights.height() < 2) {
-    GridFrame frame = heights.frame();
-    frame.width = std::max(2, frame.width);
-    frame.height = std::max(2, frame.height);
-    HeightField padded(frame);
-    for (int y = 0; y < frame.height; ++y) {
-      for (int x = 0; x < frame.width; ++x) padded(x, y) = heights.clamped(x, y);
-    }
-    heights = std::move(padded);
-  }
+  heights = padded(std::move(heights));
+  if (!lakes.empty()) raise_to_lakes(heights, lakes);
   parallel_rows(run, heights.width(), heights.height(), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (float& h : heights.row(y)) {
@@ -41,12 +58,14 @@ HeightField drawn_heights(const HeightField& terrain, const GroundOptions& optio
   return heights;
 }
 
-Grid<FormTexel> form_texels(const HeightField& heights, const SunDirection& sun, const RunContext& run) {
+Grid<FormTexel> form_texels(const HeightField& heights, const Mask& dry, const SunDirection& sun,
+                            const RunContext& run) {
   // Shadows fall on the water as on the land, so the sea is level for the sun.
   HeightField surface = heights;
   parallel_rows(run, surface.width(), surface.height(), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      for (float& h : surface.row(y)) h = std::max(h, 0.0F);
+      for (int x = 0; x < surface.width(); ++x)
+        if (dry.empty() || dry(x, y) < 0.5F) surface(x, y) = std::max(surface(x, y), 0.0F);
     }
   });
   const Grid<float> lit = sun_visibility(surface, sun, 0.012, run);
@@ -130,16 +149,20 @@ Ground::Ground(const HeightField& terrain, const LabelMap* labels, const GroundO
 Ground::Ground(Filled filled, const HeightField& terrain, const LabelMap* labels, const GroundOptions& options,
                const RunContext& run)
     : unknown_(std::move(filled.unknown)),
-      heights_((check_visible(terrain, labels, run),
-                drawn_heights(filled.terrain.empty() ? terrain : filled.terrain, options, run))),
-      form_(form_texels(heights_, options.sun, run), run),
+      depth_((check_visible(terrain, labels, run),
+              drawn_cover(depth_around_lakes(terrain, options.lake, run), options, run))),
+      dry_(drawn_dry(terrain, options, run)),
+      heights_(drawn_heights(filled.terrain.empty() ? terrain : filled.terrain, depth_, options, run)),
+      form_(form_texels(heights_, dry_, options.sun, run), run),
       cover_(cover_texels(heights_, labels, options.exaggeration, run), run),
       half_columns_(0.5F * static_cast<float>(heights_.width() - 1)),
       half_rows_(0.5F * static_cast<float>(heights_.height() - 1)),
       cover_scale_(static_cast<float>(heights_.cell_m() / cover_.base().cell_m())),
       exaggeration_(static_cast<float>(options.exaggeration)),
+      has_lakes_(!depth_.empty()),
       labelled_(labels != nullptr),
       layered_(options.style != Style::natural) {
+  if (!depth_.empty()) lake_ = MipMap<float>(std::move(depth_), run);
   if (layered_) layers_ = MipMap<LayerTexel>(layer_texels(heights_, options, run), run);
 }
 
@@ -149,6 +172,15 @@ bool Ground::is_unknown(float x, float y) const {
   const float column = x / cell + 0.5F * static_cast<float>(unknown_.width() - 1);
   const float row = 0.5F * static_cast<float>(unknown_.height() - 1) - y / cell;
   return unknown_.clamped(static_cast<int>(std::lround(column)), static_cast<int>(std::lround(row))) != 0;
+}
+
+bool Ground::is_dry(float x, float y) const {
+  if (dry_.empty()) return false;
+  const float c = column(x), r = row(y);
+  if (!(c >= 0.0F && r >= 0.0F && c <= static_cast<float>(dry_.width() - 1) &&
+        r <= static_cast<float>(dry_.height() - 1)))
+    return false;
+  return dry_(static_cast<int>(std::lround(c)), static_cast<int>(std::lround(r))) >= 0.5F;
 }
 
 FormTexel Ground::form(float x, float y, float footprint) const {
@@ -171,6 +203,9 @@ GroundSample Ground::sample(float x, float y, float footprint) const {
   p.concavity = s.cover.concavity;
   p.footprint = footprint;
   p.unknown = is_unknown(x, y);
+  if (has_lakes_) p.lake = lake_.sample(c, r, lod);
+  constexpr float kDry_m = 5.0F;  // above the wash of waves
+  if (p.z < kDry_m && (p.lake > 0.0F || is_dry(x, y))) p.z = kDry_m;
   p.labelled = labelled_ ? 1.0F : 0.0F;
   p.beach = s.cover.beach;
   p.lagoon = s.cover.lagoon;

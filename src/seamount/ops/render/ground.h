@@ -2,6 +2,8 @@
 // scale. Shared by perspective pictures and mesh textures.
 #pragma once
 
+#include <optional>
+
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
 #include "seamount/model/layer_borders.h"
@@ -49,7 +51,9 @@ struct GroundOptions {
   SunDirection sun;
   int limit = 2048;  ///< cells of the larger side to keep
   Style style = Style::natural;
-  LayerBorders layers;  ///< of a style other than natural; heights over the water
+  LayerBorders layers;                ///< of a style other than natural; heights over the water
+  const ScalarField* lake = nullptr;  ///< metres of standing water over the terrain; may be null
+  std::optional<double> min_sea_m2;   ///< of geom/water/inland.h
 };
 
 /// A place on the ground with all that shading needs.
@@ -61,11 +65,15 @@ struct GroundSample {
 
 class Ground {
  public:
-  /// Throws InvalidArgument for an empty terrain or heights that are infinite, IncompatibleInputs for labels of another
-  /// size. Unknown cells (NaN) are blank ground. About 60 ns a cell of the kept size.
+  /// Lakes are part of the surface. With the water at 0 m, ground below it that is no sea is dry.
+  /// Throws InvalidArgument for an empty terrain or heights that are infinite, IncompatibleInputs for labels
+  /// or a lake of another size. Unknown cells (NaN) are blank ground. About 60 ns a cell of the kept size.
   Ground(const HeightField& terrain, const LabelMap* labels, const GroundOptions& options, const RunContext& run);
 
   const HeightField& heights() const { return heights_; }  ///< over the water, exaggerated, at least 2 x 2 cells
+  bool has_dry() const { return !dry_.empty(); }
+  /// Whether the ground there is no sea floor though it lies lower than the water. False outside the terrain.
+  bool is_dry(float x, float y) const;
   float cell_m() const { return static_cast<float>(heights_.cell_m()); }
   /// Fractional column and row of a place in metres from the terrain's middle (x east, y north).
   float column(float x) const { return x / cell_m() + half_columns_; }
@@ -85,12 +93,15 @@ class Ground {
   bool is_unknown(float x, float y) const;
 
   Grid<uint8_t> unknown_;  ///< empty: all is known
+  ScalarField depth_;      ///< of lakes as depth_around_lakes(), on the grid of heights_; empty: none
+  Mask dry_;               ///< on the grid of heights_; empty: none
   HeightField heights_;
+  MipMap<float> lake_;
   MipMap<FormTexel> form_;
   MipMap<CoverTexel> cover_;
   MipMap<LayerTexel> layers_;  ///< of styles other than natural
   float half_columns_, half_rows_, cover_scale_, exaggeration_;
-  bool labelled_, layered_;
+  bool has_lakes_, labelled_, layered_;
 };
 
 /// Throws InvalidArgument unless the terrain has cells and no height is infinite, IncompatibleInputs unless the labels

@@ -16,6 +16,7 @@
 #include "seamount/ops/render/map_object_legend.h"
 #include "seamount/ops/render/relief.h"
 #include "seamount/ops/render/shading.h"
+#include "seamount/ops/render/standing_water.h"
 #include "seamount/ops/render/style_tints.h"
 #include "seamount/ops/render/unknown.h"
 
@@ -27,33 +28,48 @@ struct Sheet {
   HeightField ground;
   Grid<uint8_t> unknown_sea;  ///< 1: sea without depths; empty: none
   Grid<uint8_t> unknown;      ///< 1: nothing is known; empty: nowhere
+  Grid<uint8_t> dry;          ///< 1: land that lies lower than the sea; empty: none
+  ScalarField lakes;          ///< depth of lakes as depth_around_lakes(), which `ground` includes; empty: none
   Grid<float> shade;
-  double low = 0.0, high = 0.0;
+  LowestGround lowest;
+  double high = 0.0;
+  double low() const { return std::min(lowest.sea_m, lowest.land_m); }
+  bool is_dry(size_t i) const { return !dry.empty() && dry.data()[i] != 0; }
 };
 
-Sheet make_sheet(const HeightField& terrain, int width_px, const RunContext& run) {
+/// Flat sea is put below the coast, and has neither depth nor shade.
+void sink_unknown_sea(Sheet& sheet) {
+  // The legend speaks of land only, and the coast runs where the flat sea begins.
+  sheet.lowest.land_m = std::max(0.0, sheet.low());
+  sheet.lowest.sea_m = 0.0;
+  // Resampling leaves ripples of less than a metre along the coast's step.
+  for (size_t i = 0; i < sheet.ground.size(); ++i) {
+    if (sheet.is_dry(i) || (sheet.unknown_sea.cells()[i] == 0 && sheet.ground.cells()[i] >= 0.3F)) continue;
+    sheet.ground.cells()[i] = -1.0F;
+    sheet.shade.cells()[i] = 1.0F;
+  }
+}
+
+Sheet make_sheet(const HeightField& terrain, const ScalarField* lake, int width_px,
+                 const std::optional<double>& min_sea_m2, const RunContext& run) {
   Sheet sheet;
   sheet.ground = picture_terrain(terrain, width_px, run.part(0.0, 0.2));
+  const ScalarField lakes = depth_around_lakes(terrain, lake, run);
   Filled filled = fill_unknown(sheet.ground, run);
   if (!filled.terrain.empty()) {
     sheet.ground = std::move(filled.terrain);
     sheet.unknown = std::move(filled.unknown);
   }
   sheet.unknown_sea = geom::flat_sea(sheet.ground, run.part(0.2, 0.25));
-  sheet.shade = relief_shading(sheet.ground, {}, run.part(0.25, 1.0));
-  const auto [low, high] = std::minmax_element(sheet.ground.cells().begin(), sheet.ground.cells().end());
-  sheet.low = *low;
-  sheet.high = *high;
-  if (!sheet.unknown_sea.empty()) {
-    // The legend speaks of land only, and the coast runs where the flat sea begins.
-    sheet.low = std::max(0.0, sheet.low);
-    // Resampling leaves ripples of less than a metre along the coast's step.
-    for (size_t i = 0; i < sheet.ground.size(); ++i) {
-      if (sheet.unknown_sea.cells()[i] == 0 && sheet.ground.cells()[i] >= 0.3F) continue;
-      sheet.ground.cells()[i] = -1.0F;
-      sheet.shade.cells()[i] = 1.0F;
-    }
+  sheet.dry = picture_dry(terrain, sheet.ground, min_sea_m2, run);
+  if (!lakes.empty()) {
+    sheet.lakes = geom::resample(lakes, sheet.ground.frame(), run);
+    raise_to_lakes(sheet.ground, sheet.lakes);
   }
+  sheet.shade = relief_shading(sheet.ground, {}, run.part(0.25, 1.0));
+  sheet.lowest = lowest_ground(sheet.ground, sheet.dry);
+  sheet.high = *std::max_element(sheet.ground.cells().begin(), sheet.ground.cells().end());
+  if (!sheet.unknown_sea.empty()) sink_unknown_sea(sheet);
   return sheet;
 }
 
@@ -119,8 +135,28 @@ double contour_interval(const MapParams& params, double low, double high) {
                                                        : 5.0 * round;
 }
 
-void draw_contours(Image& image, const Layout& layout, const HeightField& ground, double interval, double low,
-                   double high, const RunContext& run) {
+/// The ground without hollows: dry land below the sea's level is just above it.
+HeightField without_hollows(const Sheet& sheet) {
+  HeightField ground = sheet.ground;
+  for (size_t i = 0; i < ground.size(); ++i)
+    if (sheet.is_dry(i)) ground.data()[i] = 1.0F;
+  return ground;
+}
+
+/// The ground with the sea filled up.
+HeightField without_sea(const Sheet& sheet) {
+  HeightField ground = sheet.ground;
+  for (size_t i = 0; i < ground.size(); ++i)
+    if (ground.data()[i] < 0.0F && !sheet.is_dry(i)) ground.data()[i] = 0.0F;
+  return ground;
+}
+
+/// `shore`: the ground without hollows.
+void draw_contours(Image& image, const Layout& layout, const Sheet& sheet, const HeightField& shore, double interval,
+                   const RunContext& run) {
+  const HeightField& ground = sheet.ground;
+  const HeightField hollows = sheet.dry.empty() ? HeightField() : without_sea(sheet);
+  const double low = sheet.low(), high = sheet.high;
   const double line = std::max(0.6, layout.unit / 26.0);
   LineLayer land(ground.width(), ground.height()), sea(land), index(land), sea_index(land);
   const auto first = static_cast<int64_t>(std::ceil(low / interval)), last = static_cast<int64_t>(high / interval);
@@ -130,9 +166,10 @@ void draw_contours(Image& image, const Layout& layout, const HeightField& ground
     run.check_cancelled();
     const double level = static_cast<double>(i) * interval;
     const bool major = i % 5 == 0;
+    if (i < 0 && !hollows.empty()) add_level(major ? index : land, hollows, level, major ? 1.5 * line : line, run);
     if (i == 0 || (i < 0 && deep && !major)) continue;
     if (i > 0) add_level(major ? index : land, ground, level, major ? 1.5 * line : line, run);
-    if (i < 0) add_level(major ? sea_index : sea, ground, level, line, run);
+    if (i < 0) add_level(major ? sea_index : sea, shore, level, line, run);
   }
   const Colour brown{120, 84, 50}, blue{38, 84, 130};
   run.check_cancelled();
@@ -161,15 +198,18 @@ void paint_ground(Image& image, const Layout& layout, const Sheet& sheet, const 
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < ground.width(); ++x) {
         const float height = ground(x, y);
-        Rgb tint = styled != nullptr ? styled->tint(x, y) : scale.tint(height);
-        if (!sheet.unknown_sea.empty() && height < 0.0F) tint = unknown;
+        const bool dry = !sheet.dry.empty() && sheet.dry(x, y) != 0;
+        const bool lake = !sheet.lakes.empty() && sheet.lakes(x, y) > 0.0F;
+        Rgb tint = styled != nullptr ? styled->tint(x, y) : scale.tint(height, dry);
+        if (!sheet.unknown_sea.empty() && height < 0.0F && !dry) tint = unknown;
+        if (lake) tint = lake_tint(sheet.lakes(x, y));
         if (params.theme == MapTheme::regions) {
           const auto column = static_cast<int>((x + 0.5) * labels->width() / ground.width());
           const auto row = static_cast<int>((y + 0.5) * labels->height() / ground.height());
           tint = region_colour(static_cast<int>(labels->clamped(column, row)));
         }
         // The floor is shaded more lightly than the land, less and less over the first metres of depth.
-        const float part = strength * (height < 0.0F ? mix(0.85F, 0.55F, ramp(0.0F, 40.0F, -height)) : 1.0F);
+        const float part = strength * (height < 0.0F && !dry ? mix(0.85F, 0.55F, ramp(0.0F, 40.0F, -height)) : 1.0F);
         const int px = layout.map.x + x, py = layout.map.y + y;
         write_dithered(image.pixel(px, py), px, py, shaded(tint, 1.0F + part * (sheet.shade(x, y) - 1.0F)));
       }
@@ -239,18 +279,20 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings&
   std::vector<ShownClass> shown;
   if (drawings.objects != nullptr) shown = shown_classes(*drawings.objects, terrain.frame());
   const Layout layout = lay_out(params, terrain.frame(), drawings.current != nullptr, shown);
-  const Sheet sheet = make_sheet(terrain, layout.map.width, run.part(0.0, 0.6));
+  const Sheet sheet = make_sheet(terrain, drawings.lake, layout.map.width, params.min_sea_m2, run.part(0.0, 0.6));
   const HeightField& ground = sheet.ground;
-  const TintScale scale(sheet.low, sheet.high);
+  const HeightField shore_only = sheet.dry.empty() ? HeightField() : without_hollows(sheet);
+  const HeightField& shore = sheet.dry.empty() ? ground : shore_only;
+  const TintScale scale(sheet.lowest.sea_m, sheet.lowest.land_m, sheet.high);
   Image image(layout.width, layout.height, kPaperColour);
   std::optional<StyleTints> styled;
   if (params.theme == MapTheme::height && params.style != Style::natural) {
-    styled.emplace(ground, scale, params.style, params.layers, run.part(0.6, 0.65));
+    styled.emplace(shore, scale, params.style, params.layers, run.part(0.6, 0.65));
   }
   const StyleTints* tints = styled ? &*styled : nullptr;
   paint_ground(image, layout, sheet, labels, params, scale, tints, run.part(0.65, 0.7));
   if (params.contours) {
-    draw_contours(image, layout, ground, contour_interval(params, sheet.low, sheet.high), sheet.low, sheet.high, run);
+    draw_contours(image, layout, sheet, shore, contour_interval(params, sheet.low(), sheet.high), run);
   }
   run.report(0.9);
   const double line = std::max(0.8, layout.unit / 16.0);
@@ -261,7 +303,8 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings&
   }
   if (params.coast) {
     LineLayer coast(ground.width(), ground.height());
-    add_level(coast, ground, 0.0, line, run);
+    add_level(coast, shore, 0.0, line, run);
+    if (!sheet.lakes.empty()) add_level(coast, sheet.lakes, 0.0, line, run);
     coast.draw(image, layout.map.x, layout.map.y, Colour{46, 74, 94}, 0.85F);
   }
   blank_unknown(image, layout, sheet.unknown);

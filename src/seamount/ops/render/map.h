@@ -9,6 +9,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
@@ -37,6 +38,7 @@ struct MapParams {
   bool north_arrow = true;
   std::optional<double> arrow_spacing_px;
   bool object_legend = true;
+  std::optional<double> min_sea_m2;
 
   static constexpr auto fields() {
     using P = MapParams;
@@ -61,14 +63,15 @@ struct MapParams {
         field(&P::arrow_spacing_px, "arrow_spacing_px", "px", between(6, 1000),
               "distance between the arrows of a current, and the length of the longest; by default forty across"),
         field(&P::object_legend, "object_legend",
-              "explain the objects in a box below the map: each class with objects on it, and how many"));
+              "explain the objects in a box below the map: each class with objects on it, and how many"),
+        field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
   }
 };
 
 /// Draws the map, north up, and `drawings` over it. `labels` may be null unless the theme is regions. Throws
 /// InvalidArgument for params out of range and heights that are not finite, IncompatibleInputs for labels that are
-/// missing and labels or a current of another size, and for drawings or objects in another coordinate system, Error
-/// where the font is missing. About 300 ns a pixel, parallel but for lines and text.
+/// missing and labels, a current or a lake of another size, and for drawings or objects in another coordinate system,
+/// Error where the font is missing. About 300 ns a pixel, parallel but for lines and text.
 Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings& drawings, const MapParams& params,
           const RunContext& run);
 /// Without drawings.

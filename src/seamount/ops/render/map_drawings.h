@@ -21,11 +21,12 @@ struct MapDrawings {
   const Drawing* peaks = nullptr;
   const VectorField* current = nullptr;  ///< on the terrain's cells, without unknown ones
   const seamount::Scene* objects = nullptr;
+  const ScalarField* lake = nullptr;  ///< on the terrain's cells: metres of standing water, tinted by its depth
 };
 
-/// Draws the drawings, neither the current (map_arrows.h) nor the objects (map_objects.h), into the box of the picture
-/// that `frame` is shown in; `unit` in pixels is the size of text. Throws IncompatibleInputs for a drawing in another
-/// coordinate system than the frame, where both have one.
+/// Draws the drawings, neither the current (map_arrows.h), the objects (map_objects.h) nor the water (map.cpp), into
+/// the box of the picture that `frame` is shown in; `unit` in pixels is the size of text. Throws IncompatibleInputs for
+/// a drawing in another coordinate system than the frame, where both have one.
 void draw_drawings(Image& image, const Box& box, const GridFrame& frame, const MapDrawings& drawings, double unit,
                    const RunContext& run);
 

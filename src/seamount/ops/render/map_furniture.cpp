@@ -12,13 +12,13 @@ void draw_height_legend(Image& image, const Font& font, const Box& box, double u
   const double left = box.x, right = box.x + 1.1 * unit, top = box.y, bottom = box.y + box.height;
   for (int y = box.y; y < box.y + box.height; ++y) {
     const double place = 1.0 - (y + 0.5 - top) / box.height;
-    fill_box(image, left, y, right, y + 1, srgb(scale.tint(static_cast<float>(scale.bar_height(place)))));
+    fill_box(image, left, y, right, y + 1, srgb(scale.bar_tint(place)));
   }
   frame_box(image, left, top, right, bottom, std::max(1.0, 0.06 * unit), kInk);
-  for (const double height : scale.ticks(3.2 * unit / box.height)) {
-    const double y = bottom - scale.bar_place(height) * box.height;
+  for (const TintScale::Tick& tick : scale.ticks(3.2 * unit / box.height)) {
+    const double y = bottom - tick.place * box.height;
     fill_box(image, right, y - 0.04 * unit, right + 0.3 * unit, y + 0.04 * unit, kInk);
-    font.draw(image, right + 0.45 * unit, y + 0.36 * unit, unit, height_text(height), kInk);
+    font.draw(image, right + 0.45 * unit, y + 0.36 * unit, unit, height_text(tick.height_m), kInk);
   }
   font.draw(image, left, top - 0.8 * unit, unit, "m", kInk);
 }

@@ -30,6 +30,7 @@ struct SurfacePoint {
   float beach = 0.0F, lagoon = 0.0F, reef = 0.0F;
   float low = 0.0F, high = 0.0F;  ///< shares of a style's layers; the middle has the rest
   float lava = 0.0F;              ///< how much lava runs here, 0 to 1
+  float lake = 0.0F;              ///< depth of a lake's water, whose surface is the ground's here; not above 0: no lake
   bool unknown = false;           ///< nothing is known here: blank ground
 };
 

@@ -84,7 +84,7 @@ Camera near_camera(const PerspectiveParams& params, const View& view, const Grou
     camera = turn_camera(camera, target);
   }
   constexpr float kOfSurface = 0.02F;  // neither in nor out of the water is no place for an eye
-  if (params.water && std::abs(camera.position.z) < kOfSurface)
+  if (params.water && std::abs(camera.position.z) < kOfSurface && !ground.is_dry(camera.position.x, camera.position.y))
     camera.position.z = camera.position.z < 0.0F ? -kOfSurface : kOfSurface;
   return camera;
 }
@@ -272,6 +272,11 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Pers
 
 Image perspective(const HeightField& terrain, const LabelMap* labels, const Things* things,
                   const PerspectiveParams& params, const RunContext& run) {
+  return perspective(terrain, labels, things, nullptr, params, run);
+}
+
+Image perspective(const HeightField& terrain, const LabelMap* labels, const Things* things, const ScalarField* lake,
+                  const PerspectiveParams& params, const RunContext& run) {
   check_params(params);
   if (!params.camera.distance_m && params.camera.elevation_deg < 1.0)
     throw InvalidArgument("camera.elevation_deg", format_number(params.camera.elevation_deg) +
@@ -282,7 +287,9 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Thin
                        .exaggeration = params.vertical_exaggeration,
                        .sun = sun,
                        .style = params.style,
-                       .layers = params.layers},
+                       .layers = params.layers,
+                       .lake = params.water ? lake : nullptr,
+                       .min_sea_m2 = params.min_sea_m2},
                       run.part(0.0, 0.3));
   const bool sea = params.surround == Surround::sea ||
                    (params.surround == Surround::automatic && params.water && lies_in_sea(ground.heights()));
@@ -303,7 +310,9 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Thin
         ThingView{camera.position, camera.pixel_angle(), params.water_level_m, params.vertical_exaggeration}, quiet);
     scene.add_things(&*standing);
   }
-  if (params.water && camera.position.z < 0.0F && params.camera.distance_m) scene.submerge();
+  if (params.water && camera.position.z < 0.0F && params.camera.distance_m &&
+      !ground.is_dry(camera.position.x, camera.position.y))
+    scene.submerge();
 
   Image image(params.width_px, params.height_px);
   const Painter painter(scene, camera, static_cast<float>(params.exposure), image);

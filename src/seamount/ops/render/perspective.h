@@ -2,7 +2,8 @@
 //
 // Rays from the pixels' corners meet the height field in a pyramid of maxima (tracer.h); a pixel whose corners see one
 // smooth surface is shaded once from mip-mapped forms, any other by nine rays of its own. Shadows and openness to the
-// sky are found for the whole terrain first (light.h). The sea has one level; a terrain whose border is mostly under
+// sky are found for the whole terrain first (light.h). The sea has one level, and ground below it that the sea does not
+// reach is dry (geom/water/inland.h); a terrain whose border is mostly under
 // water lies in an endless sea, any other is cut out as a block.
 #pragma once
 
@@ -27,6 +28,10 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Pers
 
 /// With things (may be null), in the terrain's system. About 5 us for each pixel that sees one or lies beside it.
 Image perspective(const HeightField& terrain, const LabelMap* labels, const Things* things,
+                  const PerspectiveParams& params, const RunContext& run);
+
+/// With lakes: metres of standing water over the terrain (may be null), each lake with a surface of its own.
+Image perspective(const HeightField& terrain, const LabelMap* labels, const Things* things, const ScalarField* lake,
                   const PerspectiveParams& params, const RunContext& run);
 
 }  // namespace seamount::render

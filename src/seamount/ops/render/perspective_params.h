@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "seamount/base/fields.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/model/layer_borders.h"
 #include "seamount/ops/render/materials.h"
 
@@ -73,6 +74,7 @@ struct PerspectiveParams {
   double snow_line_m = 4500.0;
   Style style = Style::natural;
   LayerBorders layers;
+  std::optional<double> min_sea_m2;
 
   static constexpr auto fields() {
     using P = PerspectiveParams;
@@ -91,7 +93,8 @@ struct PerspectiveParams {
         field(&P::tree_line_m, "tree_line_m", "m", between(1, 9000), "height over the water where forest ends"),
         field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000), "height over the water where snow stays"),
         field(&P::style, "style", "what the ground is made of: natural, or three layers by height in a style"),
-        field(&P::layers, "layers", "borders of the style's layers, as heights over the water"));
+        field(&P::layers, "layers", "borders of the style's layers, as heights over the water"),
+        field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
   }
 
   static constexpr std::array kFormerNames = {FormerName{"camera_azimuth_deg", "camera.azimuth_deg"},

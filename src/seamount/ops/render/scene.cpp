@@ -54,6 +54,20 @@ Hit Scene::hit(Vec3 from, Vec3 direction) const {
 }
 
 Hit Scene::ground_hit(Vec3 from, Vec3 direction) const {
+  const bool dry = ground_.has_dry() && from.z <= 0.0F;  // the eye is in a dry place below the sea
+  const Hit met = dry ? Hit{} : over_water_hit(from, direction);
+  if (!ground_.has_dry() || (!dry && met.surface != Surface::sea)) return met;
+  if (!dry) {
+    const Vec3 place = from + met.t * direction;
+    if (!ground_.is_dry(place.x, place.y)) return met;
+  }
+  float begin = met.t, end = kFar;
+  if (!tracer_.clip(lattice_ray(from, direction, 0.0F), begin, end)) return met;
+  const float inside = tracer_.trace(lattice_ray(from, direction, begin), 0.0F, end - begin);
+  return inside >= 0.0F ? Hit{Surface::land, begin + inside} : met;
+}
+
+Hit Scene::over_water_hit(Vec3 from, Vec3 direction) const {
   float end = kFar;
   Surface last = Surface::sky;
   if (options_.sea && options_.water && direction.z < 0.0F) {
@@ -120,6 +134,7 @@ Rgb Scene::surface_light(Vec3 from, Vec3 direction, Hit hit, float pixel_angle, 
 Rgb Scene::land_light(Vec3 place, Vec3 direction, float footprint, Dice dice) const {
   const GroundSample s = ground_.sample(place.x, place.y, footprint);
   SurfacePoint point = s.point;
+  if (options_.water && point.lake > 0.0F) return lake_light(place, direction, footprint, s, dice);
   if (!options_.water) point.z = std::max(point.z, 5.0F);
   const Material material = ground_material(point, options_.rules);
   const Vec3 normal = ground_.normal(s, material.bump);
@@ -191,6 +206,22 @@ Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint, Dice dice) con
     see_things_below(place, floor, water.depth, water.floor, dice);
     water.sun *= sun_past_things(place, sky_.to_sun(), dice);
   }
+  return water_light(water, sky_, options_.clarity);
+}
+
+Rgb Scene::lake_light(Vec3 place, Vec3 direction, float footprint, const GroundSample& ground, Dice dice) const {
+  WaterPoint water;
+  water.to_eye = -1.0F * direction;
+  water.x = place.x;
+  water.y = place.y;
+  water.footprint = footprint;
+  water.depth = ground.point.lake;
+  water.sun = ground.form.sun;
+  water.sky = ground.cover.sky;
+  SurfacePoint bed = ground.point;
+  bed.z = -water.depth;
+  water.floor = floor_material(bed, options_.rules).albedo;
+  if (things_ != nullptr) water.sun *= sun_past_things(place, sky_.to_sun(), dice);
   return water_light(water, sky_, options_.clarity);
 }
 

@@ -67,6 +67,8 @@ class Scene {
 
  private:
   Hit ground_hit(Vec3 from, Vec3 direction) const;
+  /// The same with water wherever the ground lies lower.
+  Hit over_water_hit(Vec3 from, Vec3 direction) const;
   Hit submerged_hit(Vec3 from, Vec3 direction) const;
   Rgb submerged_light(Vec3 from, Vec3 direction, const Hit& hit, float pixel_angle, Dice dice) const;
   /// What water sends towards the eye along a ray of that length, of its own.
@@ -85,6 +87,7 @@ class Scene {
   float sky_past_things(Vec3 place, Vec3 normal, Dice dice) const;
   float sun_past_ground(Vec3 place, Vec3 to_sun) const;
   float beside_surface(Vec3 place) const;
+  Rgb lake_light(Vec3 place, Vec3 direction, float footprint, const GroundSample& ground, Dice dice) const;
   Rgb sea_light(Vec3 place, Vec3 direction, float footprint, Dice dice) const;
   /// What things under water change of a view down through the surface: the floor that is seen, its depth.
   void see_things_below(Vec3 surface, Vec3 floor, float& depth, Rgb& albedo, Dice dice) const;

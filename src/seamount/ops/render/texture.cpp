@@ -24,6 +24,7 @@ Rgb texel(const Ground& ground, const Sky& sky, const TextureParams& params, flo
   const GroundSample s = ground.sample(x, y, footprint);
   SurfacePoint point = s.point;
   if (!params.water) point.z = std::max(point.z, 5.0F);
+  if (point.lake > 0.0F) point.z = -point.lake;
   const Material material = ground_material(
       point, {static_cast<float>(params.tree_line_m), static_cast<float>(params.snow_line_m), params.style});
   const float light = soft_light(s, ground.normal(s, material.bump), sky.to_sun());
@@ -37,14 +38,17 @@ Rgb texel(const Ground& ground, const Sky& sky, const TextureParams& params, flo
 
 }  // namespace
 
-Image texture(const HeightField& terrain, const LabelMap* labels, const TextureParams& params, const RunContext& run) {
+Image texture(const HeightField& terrain, const LabelMap* labels, const ScalarField* lake, const TextureParams& params,
+              const RunContext& run) {
   check_params(params);
   const Ground ground(terrain, labels,
                       {.water_level_m = params.water_level_m,
                        .sun = kSun,
                        .limit = std::max(16, params.size_px),
                        .style = params.style,
-                       .layers = params.layers},
+                       .layers = params.layers,
+                       .lake = params.water ? lake : nullptr,
+                       .min_sea_m2 = params.min_sea_m2},
                       run.part(0.0, 0.4));
   const Sky sky(kSun);
   const double width_m = terrain.frame().width_m(), height_m = terrain.frame().height_m();

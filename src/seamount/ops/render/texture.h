@@ -2,8 +2,11 @@
 // render.perspective.
 #pragma once
 
+#include <optional>
+
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
@@ -22,6 +25,7 @@ struct TextureParams {
   double snow_line_m = 4500.0;
   Style style = Style::natural;
   LayerBorders layers;
+  std::optional<double> min_sea_m2;
 
   static constexpr auto fields() {
     using P = TextureParams;
@@ -36,12 +40,19 @@ struct TextureParams {
         field(&P::tree_line_m, "tree_line_m", "m", between(1, 9000), "height over the water where forest ends"),
         field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000), "height over the water where snow stays"),
         field(&P::style, "style", "what the ground is made of: natural, or three layers by height in a style"),
-        field(&P::layers, "layers", "borders of the style's layers, as heights over the water"));
+        field(&P::layers, "layers", "borders of the style's layers, as heights over the water"),
+        field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
   }
 };
 
-/// A picture of the terrain's shape whose longer side has size_px pixels, row 0 at its northern edge. Labels may be
-/// null. Throws as perspective() does. About 300 ns a pixel plus 40 ns a cell, parallel.
-Image texture(const HeightField& terrain, const LabelMap* labels, const TextureParams& params, const RunContext& run);
+/// A picture of the terrain's shape whose longer side has size_px pixels, row 0 at its northern edge. Labels and lake
+/// may be null. Throws as perspective() does. About 300 ns a pixel plus 40 ns a cell, parallel.
+Image texture(const HeightField& terrain, const LabelMap* labels, const ScalarField* lake, const TextureParams& params,
+              const RunContext& run);
+/// Without lakes.
+inline Image texture(const HeightField& terrain, const LabelMap* labels, const TextureParams& params,
+                     const RunContext& run) {
+  return texture(terrain, labels, nullptr, params, run);
+}
 
 }  // namespace seamount::render

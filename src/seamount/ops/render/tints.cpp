@@ -50,13 +50,18 @@ double round_down_nice(double x) {
   return (mantissa >= 5.0 - 1e-9 ? 5.0 : mantissa >= 2.0 - 1e-9 ? 2.0 : 1.0) * power;
 }
 
-TintScale::TintScale(double lowest_m, double highest_m) {
-  if (highest_m > 0.0) {
-    const double low = std::max(0.0, lowest_m);
-    if (low > 0.35 * highest_m) base_m_ = low;
+TintScale::TintScale(double lowest_m, double highest_m)
+    : TintScale(std::min(0.0, lowest_m), highest_m > 0.0 ? std::max(0.0, lowest_m) : INFINITY, highest_m) {}
+
+TintScale::TintScale(double lowest_sea_m, double lowest_land_m, double highest_m) {
+  if (highest_m > 0.0 || lowest_land_m < 0.0) {
+    if (lowest_land_m < 0.0)
+      base_m_ = -round_up_nice(std::max(1.0, -lowest_land_m));
+    else if (lowest_land_m > 0.35 * highest_m)
+      base_m_ = lowest_land_m;
     top_m_ = base_m_ > 0.0 ? std::max(highest_m, base_m_ + 1.0) : round_up_nice(std::max(1.0, highest_m));
   }
-  if (lowest_m < 0.0) deepest_m_ = round_up_nice(std::max(1.0, -lowest_m));
+  if (lowest_sea_m < 0.0) deepest_m_ = round_up_nice(std::max(1.0, -lowest_sea_m));
   sea_share_ = !has_sea() ? 0.0 : !has_land() ? 1.0 : 0.5;
   if (!has_sea() && !has_land()) top_m_ = 1.0;
   table_.resize(kTableSize);
@@ -68,13 +73,13 @@ TintScale::TintScale(double lowest_m, double highest_m) {
   }
 }
 
-double TintScale::bar_place(double height_m) const {
-  if (height_m < 0.0 && has_sea()) {
+double TintScale::bar_place(double height_m, bool land) const {
+  if (height_m < 0.0 && has_sea() && !land) {
     const double depth = std::min(1.0, std::log1p(-height_m / kKneeDepth) / std::log1p(deepest_m_ / kKneeDepth));
     return sea_share_ * (1.0 - depth);
   }
-  const double land = std::clamp((height_m - base_m_) / std::max(1e-9, top_m_ - base_m_), 0.0, 1.0);
-  return has_land() || !has_sea() ? sea_share_ + (1.0 - sea_share_) * land : sea_share_;
+  const double up = std::clamp((height_m - base_m_) / std::max(1e-9, top_m_ - base_m_), 0.0, 1.0);
+  return has_land() || !has_sea() ? sea_share_ + (1.0 - sea_share_) * up : sea_share_;
 }
 
 double TintScale::bar_height(double place) const {
@@ -84,35 +89,44 @@ double TintScale::bar_height(double place) const {
   return base_m_ + (top_m_ - base_m_) * (place - sea_share_) / std::max(1e-12, 1.0 - sea_share_);
 }
 
-Rgb TintScale::tint(float height_m) const {
-  const double place = bar_place(height_m) * (kTableSize - 1);
-  const auto i = static_cast<size_t>(std::clamp(place, 0.0, kTableSize - 2.0));
-  return mix(table_[i], table_[i + 1], static_cast<float>(place - static_cast<double>(i)));
+Rgb TintScale::bar_tint(double place) const {
+  const double at = place * (kTableSize - 1);
+  const auto i = static_cast<size_t>(std::clamp(at, 0.0, kTableSize - 2.0));
+  return mix(table_[i], table_[i + 1], static_cast<float>(at - static_cast<double>(i)));
 }
 
-std::vector<double> TintScale::ticks(double gap) const {
-  std::vector<double> result;
+Rgb TintScale::tint(float height_m, bool land) const { return bar_tint(bar_place(height_m, land)); }
+
+std::vector<TintScale::Tick> TintScale::ticks(double gap) const {
+  std::vector<Tick> result;
   if (has_sea()) {
     // Round depths of 1, 2, 5 steps from the deepest up, as long as they do not crowd.
-    std::vector<double> depths;
     for (double depth = round_down_nice(deepest_m_); depth >= 1.0; depth = round_down_nice(depth * 0.999)) {
       const double place = bar_place(-depth);
-      if (!depths.empty() && place - bar_place(depths.back()) < gap) continue;
+      if (!result.empty() && place - result.back().place < gap) continue;
       if (sea_share_ - place < gap) break;
-      depths.push_back(-depth);
+      result.push_back({-depth, place});
     }
-    result = depths;
-    result.push_back(0.0);
+    result.push_back({0.0, sea_share_});
   }
   if (has_land() || !has_sea()) {
     const double least = gap * (top_m_ - base_m_) / (1.0 - sea_share_);
     double step = round_down_nice(std::max(1e-3, least));
     if (step < least) step = round_down_nice(step * 2.5) >= least ? round_down_nice(step * 2.5) : step * 5.0;
+    const double apart = 0.5 * step * (1.0 - sea_share_) / (top_m_ - base_m_);
     for (double h = std::ceil(base_m_ / step) * step; h <= top_m_ + 1e-9; h += step) {
-      if (result.empty() || h > result.back() + 0.5 * step) result.push_back(h);
+      const double place = bar_place(h, true);
+      if (result.empty() || place > result.back().place + apart) result.push_back({h, place});
     }
   }
   return result;
+}
+
+Rgb lake_tint(float depth_m) {
+  constexpr double kDeep = 400.0;
+  const double depth =
+      std::log1p(static_cast<double>(std::max(0.0F, depth_m)) / kKneeDepth) / std::log1p(kDeep / kKneeDepth);
+  return ramp_colour(kSea, static_cast<float>(0.12 + 0.6 * std::min(1.0, depth)));
 }
 
 Rgb region_colour(int region) {

@@ -43,12 +43,14 @@ TEST(Tints, TicksKeepTheirDistanceAndHoldTheCoast) {
   for (const auto& [low, high] :
        {std::pair{-800.0, 1500.0}, {-11000.0, 8848.0}, {0.0, 0.4}, {-12.0, 0.0}, {900.0, 910.0}}) {
     const TintScale scale(low, high);
-    const std::vector<double> ticks = scale.ticks(0.05);
+    const std::vector<TintScale::Tick> ticks = scale.ticks(0.05);
     ASSERT_GE(ticks.size(), 2U) << low << " " << high;
     for (size_t i = 1; i < ticks.size(); ++i) {
-      EXPECT_GE(scale.bar_place(ticks[i]) - scale.bar_place(ticks[i - 1]), 0.0499);
+      EXPECT_GE(ticks[i].place - ticks[i - 1].place, 0.0499);
+      EXPECT_NEAR(ticks[i].place, scale.bar_place(ticks[i].height_m), 1e-9);
     }
-    EXPECT_TRUE(low >= 0.0 || std::find(ticks.begin(), ticks.end(), 0.0) != ticks.end());
+    EXPECT_TRUE(low >= 0.0 || std::any_of(ticks.begin(), ticks.end(),
+                                          [](const TintScale::Tick& tick) { return tick.height_m == 0.0; }));
   }
 }
 

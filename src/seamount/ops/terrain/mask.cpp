@@ -13,6 +13,7 @@
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/solve/fill_voids.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/model/same_size.h"
 
 namespace seamount::terrain {
@@ -128,7 +129,9 @@ class Judge {
 
   ScalarField judge(const ByDepth& by) const {
     const auto negative = [](std::optional<double> depth) { return depth ? std::optional(-*depth) : std::nullopt; };
-    return pass(in_.terrain, negative(by.high_m), negative(by.low_m), by.falloff_m, by.invert);
+    constexpr float kLand_m = 9000.0F;  // ground below sea level that the sea does not reach is no depth
+    return pass(geom::fill_hollows(in_.terrain, 0.0F, kLand_m, run_), negative(by.high_m), negative(by.low_m),
+                by.falloff_m, by.invert);
   }
 
   ScalarField judge(const BySlope& by) const {

@@ -17,11 +17,16 @@ In<Terrain> terrain_in() { return with_voids(in<Terrain>("terrain", "heights in 
 OptionalIn<Labels> labels_in() {
   return optional_in<Labels>("labels", "its regions: where beach, lagoon and reef are");
 }
+OptionalIn<kinds::Field> lake_in() {
+  return with_voids(
+      optional_in<kinds::Field>("lake", "metres of standing water over it, as hydrology.lakes gives them"));
+}
 auto picture_out() { return outputs(out<kinds::Image>("image", "the picture")); }
 
 Image map(const render::MapParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
-          Lines lakes, Lines rivers, Lines ridges, Lines peaks, const VectorField* current, const Scene* objects) {
-  return render::map(terrain, labels, {lakes, rivers, ridges, peaks, current, objects}, params, call.run);
+          Lines lakes, Lines rivers, Lines ridges, Lines peaks, const VectorField* current, const Scene* objects,
+          const ScalarField* lake) {
+  return render::map(terrain, labels, {lakes, rivers, ridges, peaks, current, objects, lake}, params, call.run);
 }
 
 std::tuple<ScalarField, ScalarField, ScalarField> layers(const render::LayersParams& params, const Call& call,
@@ -32,23 +37,26 @@ std::tuple<ScalarField, ScalarField, ScalarField> layers(const render::LayersPar
 
 void add_views(Registry& registry) {
   registry.add(make_operator<render::ReliefParams>(
-      {.name = "render.relief", .summary = "Shaded relief with light from several directions"}, inputs(terrain_in()),
-      picture_out(), [](const render::ReliefParams& params, const Call& call, const HeightField& terrain) {
+      {.name = "render.relief", .revision = 2, .summary = "Shaded relief with light from several directions"},
+      inputs(terrain_in()), picture_out(),
+      [](const render::ReliefParams& params, const Call& call, const HeightField& terrain) {
         return render::relief(terrain, params, call.run);
       }));
   registry.add(make_operator<render::PerspectiveParams>(
-      {.name = "render.perspective", .summary = "A picture from a point of view, with sun, shadows, sky and water"},
+      {.name = "render.perspective",
+       .revision = 2,
+       .summary = "A picture from a point of view, with sun, shadows, sky and water"},
       inputs(terrain_in(), labels_in(),
-             optional_in<kinds::Things>("things", "what stands on it, drawn from its models")),
+             optional_in<kinds::Things>("things", "what stands on it, drawn from its models"), lake_in()),
       picture_out(),
       [](const render::PerspectiveParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
-         const Things* things) { return render::perspective(terrain, labels, things, params, call.run); }));
+         const Things* things,
+         const ScalarField* lake) { return render::perspective(terrain, labels, things, lake, params, call.run); }));
   registry.add(make_operator<render::TextureParams>(
-      {.name = "render.texture", .summary = "The ground from above, as a texture for meshes"},
-      inputs(terrain_in(), labels_in()), picture_out(),
-      [](const render::TextureParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels) {
-        return render::texture(terrain, labels, params, call.run);
-      }));
+      {.name = "render.texture", .revision = 2, .summary = "The ground from above, as a texture for meshes"},
+      inputs(terrain_in(), labels_in(), lake_in()), picture_out(),
+      [](const render::TextureParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
+         const ScalarField* lake) { return render::texture(terrain, labels, lake, params, call.run); }));
 }
 
 }  // namespace
@@ -56,13 +64,15 @@ void add_views(Registry& registry) {
 void add_render_operators(Registry& registry) {
   registry.add(make_operator<render::MapParams>(
       {.name = "render.map",
+       .revision = 2,
        .summary = "A map with tints by height and depth, relief, contours, legend and scale bar; rivers, lakes, "
                   "ridges, peaks, currents and objects over it"},
       inputs(terrain_in(), labels_in(), optional_in<Drawing>("lakes", "areas to fill as water"),
              optional_in<Drawing>("rivers", "lines of water, as wide as their order"),
              optional_in<Drawing>("ridges", "lines of ridges"), optional_in<Drawing>("peaks", "points with heights"),
              optional_in<kinds::Current>("current", "a flow to draw as arrows as long as it is fast"),
-             optional_in<kinds::Objects>("objects", "regions, curves and points, in their classes' colours")),
+             optional_in<kinds::Objects>("objects", "regions, curves and points, in their classes' colours"),
+             lake_in()),
       picture_out(), map));
   add_views(registry);
   registry.add(make_operator<render::ContoursParams>(

@@ -219,6 +219,7 @@ void add_terrain_operators(Registry& registry) {
   add_joining(registry);
   registry.add(make_operator<terrain::MaskParams>(
       {.name = "terrain.mask",
+       .revision = 2,
        .summary =
            "A soft selection by height, depth, slope, aspect, curvature, regions, drawn areas and lines, noise or "
            "any field",

@@ -1,0 +1,28 @@
+// Standing water as areas.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "seamount/base/run_context.h"
+#include "seamount/model/areas.h"
+#include "seamount/model/grid.h"
+
+namespace seamount::hydrology {
+
+struct LakeArea {
+  std::vector<int32_t> cells;
+  double level_m = 0.0;
+  double depth_m = 0.0;   ///< greatest
+  double volume_m = 0.0;  ///< sum of the depths of its cells
+  Attributes more;        ///< attributes of its own
+};
+
+/// From the largest lake on, of equal ones in their order: areas named "lake 1", ... with level_m, depth_m, area_m2,
+/// volume_m3 and what a lake has of its own. Linear in the cells and in the windows of the lakes.
+Drawing draw_lakes(std::vector<LakeArea> lakes, const GridFrame& frame, const RunContext& run);
+
+/// The lakes between a terrain and its filled surface, those of at least min_area_m2. Linear.
+Drawing trace_lakes(const HeightField& terrain, const HeightField& filled, double min_area_m2, const RunContext& run);
+
+}  // namespace seamount::hydrology
