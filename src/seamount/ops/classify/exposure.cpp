@@ -1,62 +1,33 @@
 #include "seamount/ops/classify/exposure.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/scalar/blend.h"
+#include "seamount/ops/classify/steps.h"
 
 namespace seamount::classify {
 namespace {
-
-/// A step towards one of 16 directions, as columns and rows.
-struct Step {
-  int dx, dy;
-};
-
-constexpr std::array<Step, 16> kSteps = {{{1, 0},
-                                          {2, 1},
-                                          {1, 1},
-                                          {1, 2},
-                                          {0, 1},
-                                          {-1, 2},
-                                          {-1, 1},
-                                          {-2, 1},
-                                          {-1, 0},
-                                          {-2, -1},
-                                          {-1, -1},
-                                          {-1, -2},
-                                          {0, -1},
-                                          {1, -2},
-                                          {1, -1},
-                                          {2, -1}}};
 
 constexpr float kOpen = 2.0F;  // a way that is longer than the whole fetch, as a share of it
 
 /// Length of the open way along one direction as a share of the fetch: cells are visited so that the next one that way
 /// is known already.
 void open_way(const Grid<uint8_t>& barrier, Step step, float step_share, ScalarField& way, const RunContext& run) {
-  const int width = barrier.width(), height = barrier.height();
   // A step that is not along a side passes between two cells; a barrier on both of them closes it.
-  const bool knight = std::abs(step.dx) + std::abs(step.dy) == 3, diagonal = std::abs(step.dx * step.dy) == 1;
-  const int half_x = diagonal ? step.dx : step.dx / 2, half_y = diagonal ? 0 : step.dy / 2;
-  for (int i = 0; i < height; ++i) {
-    run.check_cancelled();
-    const int y = step.dy > 0 ? height - 1 - i : i;
-    for (int j = 0; j < width; ++j) {
-      const int x = step.dx > 0 ? width - 1 - j : j;
-      const int to_x = x + step.dx, to_y = y + step.dy;
-      if (!barrier.contains(to_x, to_y)) {
-        way(x, y) = kOpen;
-        continue;
-      }
-      const bool between =
-          knight && barrier(x + half_x, y + half_y) != 0 && barrier(x + step.dx - half_x, y + step.dy - half_y) != 0;
-      way(x, y) = between || barrier(to_x, to_y) != 0 ? 0.0F : std::min(kOpen, way(to_x, to_y) + step_share);
+  const auto [a, b] = cells_beside(step);
+  const bool knight = a.dx != 0 || a.dy != 0;
+  for_each_against(barrier.frame(), step, run, [&, a = a, b = b](int x, int y) {
+    const int to_x = x + step.dx, to_y = y + step.dy;
+    if (!barrier.contains(to_x, to_y)) {
+      way(x, y) = kOpen;
+      return;
     }
-  }
+    const bool between = knight && barrier(x + a.dx, y + a.dy) != 0 && barrier(x + b.dx, y + b.dy) != 0;
+    way(x, y) = between || barrier(to_x, to_y) != 0 ? 0.0F : std::min(kOpen, way(to_x, to_y) + step_share);
+  });
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/water/flat_sea.h"
 #include "seamount/geom/water/inland.h"
+#include "seamount/ops/classify/belt.h"
 #include "seamount/ops/classify/exposure.h"
 #include "seamount/ops/classify/patches.h"
 
@@ -74,6 +75,7 @@ struct Sea {
   ScalarField exposure;
   ScalarField to_open;  ///< distance to exposed water deeper than bars
   ScalarField to_deep;  ///< distance to exposed water twice as deep as benches
+  Grid<uint8_t> behind_belt;
 };
 
 Sea survey(const HeightField& terrain, const TerrainParams& params, const RunContext& run) {
@@ -95,19 +97,24 @@ Sea survey(const HeightField& terrain, const TerrainParams& params, const RunCon
   for (ScalarField* distance : {&sea.to_open, &sea.to_deep}) {
     for (float& d : distance->cells()) d = std::min(d, 1e9F);  // a number even where there is no such water
   }
+  sea.behind_belt = behind_belt(
+      crest,
+      {.bar_m = params.bar_m, .platform_m = params.lagoon_depth_m, .gap_m = params.belt_gap_m, .open = params.exposed},
+      run);
   return sea;
 }
 
 /// One place in the sea.
 struct Water {
   float depth, exposed, to_open, to_deep;
+  bool behind_belt;
 };
 
 Region water_label(const Water& w, const TerrainParams& p) {
   const bool sheltered = w.exposed < p.exposed;
   if (w.depth <= p.bar_m && w.to_open <= p.reef_width_m) return Region::reef;
   if (w.depth <= p.reef_depth_m) return !sheltered && w.to_deep <= p.reef_width_m ? Region::reef : Region::lagoon;
-  return sheltered && w.depth <= p.lagoon_depth_m ? Region::lagoon : Region::abyss;
+  return (sheltered || w.behind_belt) && w.depth <= p.lagoon_depth_m ? Region::lagoon : Region::abyss;
 }
 
 template <class Body>
@@ -160,7 +167,9 @@ Classified terrain(const HeightField& terrain, const TerrainParams& params, cons
     const GridFrame& lattice = sea.exposure.frame();
     const double column = lattice.column(frame.x(x)), row = lattice.row(frame.y(y));
     const auto read = [&](const ScalarField& field) { return geom::sample_bilinear(field, column, row); };
-    const Water place{-z, read(sea.exposure), read(sea.to_open), read(sea.to_deep)};
+    const bool behind =
+        sea.behind_belt.clamped(static_cast<int>(std::lround(column)), static_cast<int>(std::lround(row))) != 0;
+    const Water place{-z, read(sea.exposure), read(sea.to_open), read(sea.to_deep), behind};
     out.exposure(x, y) = place.exposed;
     out.labels(x, y) = water_label(place, params);
   });

@@ -8,7 +8,8 @@
 //             as in Håkanson and Jansson, Principles of Lake Sedimentology, 1983, over directions instead of winds
 //   reef      bars within reef_width_m of exposed water, exposed ground down to reef_depth_m, and the fore reef: what
 //             falls from there, steeper than fore_reef_slope_deg, down to fore_reef_m
-//   lagoon    sheltered water down to lagoon_depth_m;  abyss  all other water
+//   lagoon    sheltered water down to lagoon_depth_m, and water on the platform behind a belt of reefs (belt.h), which
+//             swell reaches from along the coast but not from the deep;  abyss  all other water
 // Sea that is 0 everywhere, as land elevation models give it, is of unknown depth and becomes abyss.
 #pragma once
 
@@ -36,6 +37,7 @@ struct TerrainParams {
   double fore_reef_m = 80.0;
   double fore_reef_slope_deg = 12.0;
   double lagoon_depth_m = 80.0;
+  double belt_gap_m = 20000.0;
   double scale_m = 60.0;
   double min_patch_m2 = 20000.0;
   std::optional<double> min_sea_m2;
@@ -57,6 +59,8 @@ struct TerrainParams {
               "least slope of the fore reef, from the reef's edge"),
         field(&P::lagoon_depth_m, "lagoon_depth_m", "m", between(0, 5000),
               "depth down to which sheltered water is lagoon"),
+        field(&P::belt_gap_m, "belt_gap_m", "m", between(0, 1e6),
+              "widest pass between two reefs of a belt; what lies behind a belt is lagoon"),
         field(&P::scale_m, "scale_m", "m", between(0, 1e5), "forms smaller than this do not count as slope"),
         field(&P::min_patch_m2, "min_patch_m2", "m2", between(0, 1e12), "smaller patches go to what lies around them"),
         field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));
