@@ -80,6 +80,7 @@ void find_steepest_rise(const ScalarField& discharge, const Maps& site, const St
   const GridFrame& frame = rise.frame();
   const auto most = static_cast<float>(strength.steepest * frame.cell_m);
   const auto per_hollow = static_cast<float>(1.0 / strength.hollow_m3_yr);
+  const float hollowed = site.beds == nullptr ? kHollowed : 0.0F;  // beds are undermined instead (undermining.h)
   const auto uneven = static_cast<float>(kUnevenness * strength.variation);
   const geom::Fbm joints{.wavelength_m = kJoints_m, .octaves = 5, .gain = 0.8, .cell_m = frame.cell_m};
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
@@ -88,7 +89,7 @@ void find_steepest_rise(const ScalarField& discharge, const Maps& site, const St
       if (uneven > 0.0F) geom::fbm_row(strength.seed, joints, frame.x(0), frame.cell_m, frame.y(y), noise);
       for (int x = 0; x < frame.width; ++x) {
         const auto cell = static_cast<size_t>(y) * frame.width + x;
-        const float hollow = 1.0F + kHollowed * std::log2(1.0F + discharge.data()[cell] * per_hollow);
+        const float hollow = 1.0F + hollowed * std::log2(1.0F + discharge.data()[cell] * per_hollow);
         const float own = uneven > 0.0F ? std::exp(uneven * noise[x]) : 1.0F;
         rise.data()[cell] = most * own * std::sqrt(value_or_one(site.hardness, cell)) / hollow;
       }
