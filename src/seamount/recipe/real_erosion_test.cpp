@@ -29,9 +29,9 @@ TEST(RealErosion, BringsNoiseNearerToTheSanGabrielMountains) {
   const HeightField real = geom::resample(whole, there, {});
   const erosion::RunParams params{.years = 1.6e6,
                                   .uplift_mm_yr = 0.75,
-                                  .erodibility = 8.3e-6,
+                                  .erodibility = 4.5e-6,
                                   .sea_m = -1000,
-                                  .slopes = {.bedrock_angle_deg = 28, .creep_m2_yr = 0.02}};
+                                  .slopes = {.bedrock_angle_deg = 29, .creep_m2_yr = 0.045}};
   const std::set<std::string> always = {"slope",  "curvature",  "drainage_area", "slope_area",
                                         "ridges", "prominence", "roughness"};
   for (const uint64_t seed : {1, 2}) {

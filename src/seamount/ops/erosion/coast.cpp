@@ -26,8 +26,8 @@ constexpr float kNearShare = 0.3F;
 float exposure_of(float open_sea) { return std::clamp(2.0F * open_sea - 0.5F, 0.0F, 1.0F); }
 
 /// Share of sea around each cell.
-void find_open_sea(const Layers& ground, float sea_m, ScalarField& open, const RunContext& run) {
-  for (size_t i = 0; i < open.size(); ++i) open.data()[i] = ground.surface.data()[i] < sea_m ? 1.0F : 0.0F;
+void find_open_sea(const Layers& ground, const Sea& sea, ScalarField& open, const RunContext& run) {
+  for (size_t i = 0; i < open.size(); ++i) open.data()[i] = sea.covers(i, ground.surface.data()[i]) ? 1.0F : 0.0F;
   geom::gaussian_blur(open, kFetch_m, run);
 }
 
@@ -37,23 +37,24 @@ struct Shore {
   float cliff;
 };
 
-std::vector<Shore> find_shore(const HeightField& z, float sea_m) {
+std::vector<Shore> find_shore(const HeightField& z, const Sea& sea) {
   std::vector<Shore> shore;
   for (int y = 0; y < z.height(); ++y) {
     for (int x = 0; x < z.width(); ++x) {
-      if (z(x, y) < sea_m) continue;
-      float deepest = sea_m, highest = z(x, y);
+      if (z(x, y) < sea.level_m) continue;
+      float deepest = sea.level_m, highest = z(x, y);
       size_t water = 0;
       for (int d = 0; d < 8; ++d) {
         const int nx = x + geom::kFlowDx[d], ny = y + geom::kFlowDy[d];
         if (!z.contains(nx, ny)) continue;
         highest = std::max(highest, z(nx, ny));
-        if (z(nx, ny) >= deepest) continue;
+        const size_t other = static_cast<size_t>(ny) * z.width() + nx;
+        if (z(nx, ny) >= deepest || !sea.covers(other, z(nx, ny))) continue;
         deepest = z(nx, ny);
-        water = static_cast<size_t>(ny) * z.width() + nx;
+        water = other;
       }
-      if (deepest < sea_m)
-        shore.push_back({static_cast<size_t>(y) * z.width() + x, water, highest - sea_m + kPlatform_m});
+      if (deepest < sea.level_m)
+        shore.push_back({static_cast<size_t>(y) * z.width() + x, water, highest - sea.level_m + kPlatform_m});
     }
   }
   return shore;
@@ -62,7 +63,7 @@ std::vector<Shore> find_shore(const HeightField& z, float sea_m) {
 /// Cliffs go back, shoals go down; `load` takes what the waves pick up.
 void cut(Layers& ground, const Maps& site, const Coast& coast, const ScalarField& open, ScalarField& load,
          Ledger& ledger) {
-  const auto sea = static_cast<float>(coast.sea_m);
+  const float sea = coast.sea.level_m;
   const auto retreat = static_cast<float>(coast.retreat_m_yr * coast.years);
   const auto across = static_cast<float>(retreat / ground.surface.cell_m());
   const auto wave_base = static_cast<float>(coast.wave_base_m);
@@ -77,9 +78,9 @@ void cut(Layers& ground, const Maps& site, const Coast& coast, const ScalarField
     return exposure_of(open.data()[cell]) * value_or_one(site.mask, cell) * loose /
            bedrock_hardness(ground, site, cell);
   };
-  const std::vector<Shore> shore = find_shore(ground.surface, sea);
+  const std::vector<Shore> shore = find_shore(ground.surface, coast.sea);
   for (size_t i = 0; i < ground.surface.size(); ++i) {
-    const float depth = sea - ground.surface.data()[i];
+    const float depth = coast.sea.depth(i, ground.surface.data()[i]);
     if (depth <= 0.0F || depth >= wave_base) continue;
     const float reach = 1.0F - depth / wave_base;
     const float wanted = kPlaning * retreat * attack(i) * reach * reach;
@@ -94,7 +95,7 @@ void cut(Layers& ground, const Maps& site, const Coast& coast, const ScalarField
 
 /// How willingly a load settles on a cell: not on land, little where waves stir the water.
 float calm_of(const Layers& ground, const Maps& site, const Coast& coast, size_t cell) {
-  const float depth = static_cast<float>(coast.sea_m) - ground.surface.data()[cell];
+  const float depth = coast.sea.depth(cell, ground.surface.data()[cell]);
   if (depth <= 0.0F) return 0.0F;
   return value_or_one(site.mask, cell) *
          std::min(1.0F, (depth + kStirred_m) / (static_cast<float>(coast.wave_base_m) + kStirred_m));
@@ -117,7 +118,7 @@ double settle(Layers& ground, const Maps& site, const Coast& coast, double sigma
   for (size_t i = 0; i < room.size(); ++i) {
     const float arrived = calm_of(ground, site, coast, i) * std::max(0.0F, room.data()[i]);
     if (arrived <= 0.0F) continue;
-    const float depth = static_cast<float>(coast.sea_m) - ground.surface.data()[i];
+    const float depth = coast.sea.depth(i, ground.surface.data()[i]);
     const float laid = std::min(arrived, kSettledAtOnce * (depth + kShoal_m));
     ground.bury(i, laid);
     load.data()[i] += arrived - laid;
@@ -128,10 +129,7 @@ double settle(Layers& ground, const Maps& site, const Coast& coast, double sigma
 
 /// What is left settles everywhere by depth; what finds no room is carried away.
 void settle_rest(Layers& ground, const Maps& site, const Coast& coast, double left, Ledger& ledger) {
-  const auto sea = static_cast<float>(coast.sea_m);
-  const auto room = [&](size_t i) {
-    return std::max(0.0F, sea - ground.surface.data()[i]) * value_or_one(site.mask, i);
-  };
+  const auto room = [&](size_t i) { return coast.sea.depth(i, ground.surface.data()[i]) * value_or_one(site.mask, i); };
   double total = 0;
   for (size_t i = 0; i < ground.surface.size(); ++i) total += room(i);
   const auto share = static_cast<float>(total > 0 ? std::min<double>(kSettledAtOnce, left / total) : 0.0);
@@ -150,11 +148,10 @@ void settle_rest(Layers& ground, const Maps& site, const Coast& coast, double le
 
 void run_coast(Layers& ground, const Maps& site, const Coast& coast, ScalarField& load, ScalarField& room,
                Ledger& ledger, const RunContext& run) {
-  const auto sea = static_cast<float>(coast.sea_m);
   run.check_cancelled();
-  if (*std::min_element(ground.surface.cells().begin(), ground.surface.cells().end()) >= sea) return;
+  if (*std::min_element(ground.surface.cells().begin(), ground.surface.cells().end()) >= coast.sea.level_m) return;
   if (coast.retreat_m_yr > 0) {
-    find_open_sea(ground, sea, room, run);
+    find_open_sea(ground, coast.sea, room, run);
     cut(ground, site, coast, room, load, ledger);
   }
   double brought = 0, settled = 0;

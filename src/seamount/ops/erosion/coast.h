@@ -10,12 +10,13 @@
 
 #include "seamount/base/run_context.h"
 #include "seamount/ops/erosion/layers.h"
+#include "seamount/ops/erosion/sea.h"
 
 namespace seamount::erosion {
 
 struct Coast {
   double years = 0;
-  double sea_m = 0;
+  Sea sea;
   double retreat_m_yr = 0;   ///< retreat of a fully exposed cliff
   double wave_base_m = 8;    ///< depth to which waves move sediment
   double settling_m = 3000;  ///< deviation of the distance at which the far half of a load settles

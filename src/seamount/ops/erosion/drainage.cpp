@@ -90,7 +90,7 @@ uint8_t steepest_facet(const std::array<float, 8>& fall, float draw) {
 
 }  // namespace
 
-void Drainage::choose_receivers(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m,
+void Drainage::choose_receivers(const HeightField& surface, const Grid<uint8_t>& outlets, const Sea& sea,
                                 std::optional<Seed> seed, const RunContext& run) {
   const int width = surface.width(), height = surface.height();
   const float* z = surface.data();
@@ -100,12 +100,13 @@ void Drainage::choose_receivers(const HeightField& surface, const Grid<uint8_t>&
         const auto cell = static_cast<size_t>(y) * width + x;
         uint8_t& chosen = direction_.data()[cell];
         chosen = geom::kOutlet;
-        if (outlets.data()[cell] != 0 || z[cell] < sea_m) continue;
+        if (outlets.data()[cell] != 0 || sea.covers(cell, z[cell])) continue;
         const bool inner = x > 0 && y > 0 && x < width - 1 && y < height - 1;
         std::array<float, 8> fall = {};
         for (int d = 0; d < 8; ++d) {
           if (!inner && !surface.contains(x + geom::kFlowDx[d], y + geom::kFlowDy[d])) continue;
-          fall[d] = z[cell] - std::max(sea_m, z[cell + offset_[d]]);
+          const auto other = static_cast<size_t>(static_cast<int64_t>(cell) + offset_[d]);
+          fall[d] = z[cell] - (sea.covers(other, z[other]) ? sea.level_m : z[other]);
         }
         const auto draw = [&] {
           const auto bits = mix_bits(seed->value + cell * 0x9e3779b97f4a7c15ULL) >> 40;
@@ -169,7 +170,7 @@ void Drainage::divide(ScalarField& upstream) {
   part_begins_.push_back(order_.size());
 }
 
-void Drainage::route(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, std::optional<Seed> seed,
+void Drainage::route(const HeightField& surface, const Grid<uint8_t>& outlets, const Sea& sea, std::optional<Seed> seed,
                      ScalarField& room, const RunContext& run) {
   const GridFrame& frame = surface.frame();
   if (!(direction_.frame() == frame)) {
@@ -181,7 +182,7 @@ void Drainage::route(const HeightField& surface, const Grid<uint8_t>& outlets, f
       distance_[d] = static_cast<float>(frame.cell_m) * geom::kFlowLength[d];
     }
   }
-  choose_receivers(surface, outlets, sea_m, seed, run);
+  choose_receivers(surface, outlets, sea, seed, run);
   geom::route_through_pits(surface, direction_, std::numeric_limits<float>::infinity(), run);
   order_trees(run);
   divide(room);

@@ -16,6 +16,7 @@
 #include "seamount/base/run_context.h"
 #include "seamount/geom/water/flow.h"
 #include "seamount/model/grid.h"
+#include "seamount/ops/erosion/sea.h"
 
 namespace seamount::erosion {
 
@@ -33,7 +34,7 @@ class Drainage {
   /// Routes water over a surface. Without a seed each cell drains to the nearer corner of its facet. `room` is of the
   /// surface's size and spent. REQUIRES: one cell is a root (border_outlets makes one). About 70 ns per cell, more on a
   /// rough surface; receivers are found in parallel.
-  void route(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, std::optional<Seed> seed,
+  void route(const HeightField& surface, const Grid<uint8_t>& outlets, const Sea& sea, std::optional<Seed> seed,
              ScalarField& room, const RunContext& run);
 
   /// Every cell, each after its receiver.
@@ -57,8 +58,8 @@ class Drainage {
   float distance(int32_t cell) const { return distance_[direction(cell)]; }
 
  private:
-  void choose_receivers(const HeightField& surface, const Grid<uint8_t>& outlets, float sea_m, std::optional<Seed> seed,
-                        const RunContext& run);
+  void choose_receivers(const HeightField& surface, const Grid<uint8_t>& outlets, const Sea& sea,
+                        std::optional<Seed> seed, const RunContext& run);
   void order_trees(const RunContext& run);
   void divide(ScalarField& upstream);
   std::span<const int32_t> cells(size_t begin, size_t end) const { return order().subspan(begin, end - begin); }

@@ -49,7 +49,7 @@ TEST(Drainage, LeadsEveryCellOutOverTheLowestPasses) {
       const Grid<uint8_t> outlets = border_outlets(z, 100);
       Drainage drainage;
       ScalarField room(z.frame());
-      drainage.route(z, outlets, sea_m, Seed{seed}, room, {});
+      drainage.route(z, outlets, {sea_m}, Seed{seed}, room, {});
       const std::vector<float> judge = flooded(z, outlets, sea_m);
       std::vector<float> water(z.size(), -1.0F);
       ASSERT_EQ(drainage.order().size(), z.size());
@@ -76,7 +76,7 @@ TEST(Drainage, PartsAreWholeCatchmentsBesideATrunk) {
   outlets(150, 0) = 1;
   ScalarField room(z.frame());
   Drainage drainage;
-  drainage.route(z, outlets, -1, Seed{1}, room, {});
+  drainage.route(z, outlets, {-1}, Seed{1}, room, {});
   size_t cells = drainage.trunk().size();
   for (const int32_t cell : drainage.trunk()) EXPECT_EQ(drainage.part_of(cell), Drainage::kTrunk);
   for (size_t part = 0; part < drainage.parts(); ++part) {
@@ -115,7 +115,7 @@ TEST(Drainage, FollowsASlopeInAnyDirectionOnAverage) {
     }
     Drainage drainage;
     ScalarField room(z.frame());
-    drainage.route(z, border_outlets(z, 10), -1e6F, Seed{1}, room, {});
+    drainage.route(z, border_outlets(z, 10), {-1e6F}, Seed{1}, room, {});
     double dx = 0, dy = 0;
     for (int y = 1; y < 119; ++y) {
       for (int x = 1; x < 119; ++x) {
@@ -138,7 +138,7 @@ TEST(Drainage, NeverTurnsOffAWayThatIsCertain) {
   ScalarField room(z.frame());
   const Grid<uint8_t> outlets = border_outlets(z, 10);
   for (uint64_t seed = 1; seed <= 3; ++seed) {
-    drainage.route(z, outlets, -1e6F, Seed{seed}, room, {});
+    drainage.route(z, outlets, {-1e6F}, Seed{seed}, room, {});
     int64_t astray = 0;
     for (int y = 1; y < 1499; ++y) {
       for (int x = 1; x < 1499; ++x) astray += drainage.direction(y * 1500 + x) == 0 ? 0 : 1;
@@ -156,7 +156,7 @@ TEST(Drainage, DrawsTheSameWaysForTheSameSeed) {
   const auto ways = [&](uint64_t seed, int threads) {
     Drainage drainage;
     ScalarField room(z.frame());
-    drainage.route(z, outlets, -1, Seed{seed}, room, {.threads = threads});
+    drainage.route(z, outlets, {-1}, Seed{seed}, room, {.threads = threads});
     std::vector<int> all;
     for (int32_t i = 0; i < 2500; ++i) all.push_back(drainage.direction(i));
     return all;

@@ -46,7 +46,7 @@ TEST(Repose, IsTheDistanceToTheGroundAround) {
     for (float& value : z.cells()) value = static_cast<float>(rng.uniform(0, 400));
     Drainage drainage;
     ScalarField room(z.frame());
-    drainage.route(z, border_outlets(z, 60), 10, {}, room, {});
+    drainage.route(z, border_outlets(z, 60), {10}, {}, room, {});
     const HeightField judge = lowered_plainly(z, drainage, 0.7);
     limit_slopes(z, drainage, {}, ScalarField(z.frame(), 7.0F), {});
     for (size_t i = 0; i < z.size(); ++i) EXPECT_NEAR(z.data()[i], judge.data()[i], 0.1) << i;
@@ -61,7 +61,7 @@ TEST(Repose, AroundAPointStandsACone) {
   outlets(40, 40) = 1;
   Drainage drainage;
   ScalarField room(z.frame());
-  drainage.route(z, outlets, -1, {}, room, {});
+  drainage.route(z, outlets, {-1}, {}, room, {});
   limit_slopes(z, drainage, {}, ScalarField(z.frame(), 6.0F), {});
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
@@ -85,7 +85,7 @@ TEST(Repose, HardRockStandsSteeperAndMasksHold) {
   }
   Drainage drainage;
   ScalarField room(z.frame());
-  drainage.route(z, border_outlets(z, 60), -100, {}, room, {});
+  drainage.route(z, border_outlets(z, 60), {-100}, {}, room, {});
   ScalarField rise(frame);
   find_steepest_rise(ScalarField(frame, 0.0F), site, {.steepest = 1.0}, rise, {});
   limit_slopes(z, drainage, site, rise, {});

@@ -15,6 +15,8 @@ namespace {
 constexpr double kHiddenPerDoubling = 0.6;
 /// Mean height of slopes between channels as far apart as a cell is wide, over that width and their slope.
 constexpr double kHiddenShare = 0.25;
+/// Creep quickens near the steepest slope (Roering, Kirchner and Dietrich 1999), up to the inverse of this.
+constexpr float kLeastEase = 0.1F;
 /// Area from which on debris that water gathers cuts hollows into steep slopes.
 constexpr double kHollow_m2 = 1000;
 /// How far a river builds its bed above both of its banks in a step, in cells.
@@ -113,7 +115,7 @@ struct Crept {
   float stiffness;  ///< 1 + D dt (neighbours) / dx^2
 };
 
-/// Heights around a cell, added up.
+/// Heights around a cell, added up by how readily creep passes between them and the cell.
 struct Around {
   float sum = 0, count = 0;
 };
@@ -146,6 +148,7 @@ class Step {
         settling_(static_cast<float>(rivers.deposition * rivers.runoff_m_yr * area_of(ground))),
         fan_(static_cast<float>(rivers.fan_m)),
         creep_(static_cast<float>(rivers.creep_m2_yr * rivers.years / area_of(ground))),
+        per_steepest_(static_cast<float>(1.0 / (rivers.steepest * ground.surface.cell_m()))),
         trust_(static_cast<float>(1.0 / (1.0 + 0.5 * rivers.deposition))),
         undermining_(site, drainage, rivers.steepest) {}
 
@@ -325,9 +328,11 @@ class Step {
       if (!exists) return;
       const uint8_t its = drainage_.part_of(other);
       const float there = its == part || its == Drainage::kTrunk ? level_[other] : surface_[other] + moved;
-      if (there <= sea_) return;
-      around.sum += there;
-      around.count += 1.0F;
+      if (there <= sea_ && drainage_.is_root(other)) return;
+      const float steep = (surface_[other] - surface_[cell]) * per_steepest_;
+      const float eased = 1.0F / std::max(kLeastEase, 1.0F - steep * steep);
+      around.sum += eased * there;
+      around.count += eased;
     };
     add(x > 0, cell - 1);
     add(x < width_ - 1, cell + 1);
@@ -344,8 +349,8 @@ class Step {
   float* load_;
   float* level_;
   int32_t width_, height_;
-  float sea_, rate_, debris_ease_, sediment_ease_, threshold_, hidden_, most_hidden_, settling_, fan_, creep_, trust_,
-      steepest_;
+  float sea_, rate_, debris_ease_, sediment_ease_, threshold_, hidden_, most_hidden_, settling_, fan_, creep_,
+      per_steepest_, trust_, steepest_;
   Undermining undermining_;
 };
 

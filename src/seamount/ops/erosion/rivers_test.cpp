@@ -24,7 +24,7 @@ struct River {
     discharge = load = level = ScalarField(frame);
   }
   void step(const Rivers& rivers) {
-    drainage.route(ground.surface, outlets, -1e4F, {}, level, {});
+    drainage.route(ground.surface, outlets, {-1e4F}, {}, level, {});
     gather(drainage, {}, rivers, discharge, {});
     run_rivers(ground, {}, drainage, discharge, rivers, load, level, ledger, {});
   }
@@ -112,7 +112,7 @@ HeightField crept(double years, int steps) {
   Ledger ledger;
   const Rivers rivers{.years = years / steps, .deposition = 0, .creep_m2_yr = 1, .sea_m = -1e4, .sweeps = 4};
   for (int i = 0; i < steps; ++i) {
-    drainage.route(ground.surface, outlets, -1e4F, {}, level, {});
+    drainage.route(ground.surface, outlets, {-1e4F}, {}, level, {});
     gather(drainage, {}, rivers, discharge, {});
     run_rivers(ground, {}, drainage, discharge, rivers, load, level, ledger, {});
   }
@@ -151,7 +151,7 @@ TEST(Rivers, CreepRoundsACrestToTheParabolaThatUpliftAsksFor) {
       for (int y = 0; y < 3; ++y) {
         for (int x = 1; x < 2 * kHalf; ++x) ground.surface(x, y) += static_cast<float>(kUplift * years);
       }
-      drainage.route(ground.surface, outlets, -1e4F, {}, level, {});
+      drainage.route(ground.surface, outlets, {-1e4F}, {}, level, {});
       gather(drainage, {}, rivers, discharge, {});
       run_rivers(ground, {}, drainage, discharge, rivers, load, level, ledger, {});
     }

@@ -8,6 +8,7 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/model/same_size.h"
 #include "seamount/ops/erosion/beds.h"
 #include "seamount/ops/erosion/coast.h"
@@ -103,9 +104,9 @@ Slopes slopes_of(const RunParams& p, double years) {
           .slides = kSlides};
 }
 
-Coast coast_of(const RunParams& p, double years) {
+Coast coast_of(const RunParams& p, double years, const Sea& sea) {
   return {.years = years,
-          .sea_m = p.sea_m,
+          .sea = sea,
           .retreat_m_yr = p.method == Method::hydraulic ? p.coast.retreat_mm_yr * 1e-3 : 0.0,
           .wave_base_m = p.coast.wave_base_m,
           .settling_m = p.coast.settling_m};
@@ -125,7 +126,9 @@ class Level {
         flow_(ground.frame()),
         load_(ground.frame()),
         room_(ground.frame()),
-        done_(done) {
+        done_(done),
+        hollows_(geom::find_hollows(ground.surface, static_cast<float>(params.sea_m), std::nullopt,
+                                    {run.threads, {}, run.cancelled})) {
     if (!beds.beds().empty()) site.beds = &beds_.emplace(beds, ground.frame(), run);
     for (size_t i = 0; i < outlets.size(); ++i) {
       if (outlets.data()[i] != 0) base_levels_.emplace_back(i, ground.surface.data()[i]);
@@ -142,11 +145,11 @@ class Level {
     run_slopes(ground_, site_, slopes_of(params_, years), load_, room_, run);
     clear_outlets(ledger);
     const Rivers rivers = rivers_of(params_, years, rock_);
-    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), seed, room_, run);
+    drainage_.route(ground_.surface, outlets_, sea(), seed, room_, run);
     gather(drainage_, site_, rivers, flow_, run);
     run_rivers(ground_, site_, drainage_, flow_, rivers, load_, room_, ledger, run);
     std::swap(flow_, room_);  // what rivers laid down; their discharge is not needed any more
-    run_coast(ground_, site_, coast_of(params_, years), load_, room_, ledger, run);
+    run_coast(ground_, site_, coast_of(params_, years, sea()), load_, room_, ledger, run);
     if (rivers.deposition > 0) spread_deposits(ground_, flow_, site_, load_, room_, run);
     clear_outlets(ledger);
   }
@@ -154,7 +157,7 @@ class Level {
   /// Discharge, lakes and the last shallow hollows.
   void finish(bool fill_hollows, Ledger& ledger, ScalarField& flow, ScalarField& lake, ScalarField& bed,
               const RunContext& run) {
-    drainage_.route(ground_.surface, outlets_, static_cast<float>(params_.sea_m), std::nullopt, room_, run);
+    drainage_.route(ground_.surface, outlets_, sea(), std::nullopt, room_, run);
     gather(drainage_, site_, rivers_of(params_, 0, rock_), flow_, run);
     run.check_cancelled();
     settle_hollows(ground_, site_, drainage_, static_cast<float>(params_.sea_m), fill_hollows, load_, room_, ledger);
@@ -171,6 +174,8 @@ class Level {
   }
 
  private:
+  Sea sea() const { return {static_cast<float>(params_.sea_m), &hollows_}; }
+
   void settle_beds(const RunContext& run) {
     if (beds_) beds_->settle(ground_, site_, static_cast<float>(params_.uplift_mm_yr * 1e-3 * done_), run);
   }
@@ -209,6 +214,7 @@ class Level {
   ScalarField flow_, load_, room_;
   double done_;
   std::optional<Beds> beds_;
+  Grid<uint8_t> hollows_;
 };
 
 /// Grounds and sites from fine to coarse; index 0 is the finest.

@@ -44,7 +44,7 @@ HeightField worn(uint64_t seed, int steps) {
   const Rivers rivers{.years = 40000.0 / steps, .erodibility = 1e-5, .deposition = 0, .steepest = 0.84, .sea_m = -1000};
   for (int i = 0; i < steps; ++i) {
     beds.settle(ground, site, 0, {});
-    drainage.route(ground.surface, outlets, -1000, Seed{static_cast<uint64_t>(i)}, room, {});
+    drainage.route(ground.surface, outlets, {-1000}, Seed{static_cast<uint64_t>(i)}, room, {});
     gather(drainage, site, rivers, flow, {});
     run_rivers(ground, site, drainage, flow, rivers, load, level, ledger, {});
   }
