@@ -7,7 +7,7 @@ trap 'rm -rf "$made"' EXIT
 for recipe in kauai reef_stages archipelago styles; do
   ./run run "recipes/$recipe.json" --out "$made" --no-cache
 done
-for recipe in reef/barrier reef/platform reef/ribbon reef/patch erosion/worn_island erosion/uplifted_range erosion/fans erosion/canyon erosion/cuestas; do
+for recipe in reef/barrier reef/platform reef/ribbon reef/patch erosion/worn_island erosion/uplifted_range erosion/fans erosion/canyon erosion/cuestas erosion/alps; do
   ./run run "recipes/$recipe.json" --out "$made/$recipe" --no-cache
   cp "$made/$recipe/view.png" "docs/gallery/${recipe/\//_}.png"
 done

@@ -79,6 +79,7 @@ const Registry& standard_registry() {
     add_reef_operators(all);
     add_hydrology_operators(all);
     add_erosion_operators(all);
+    add_glacier_operators(all);
     add_sketch_operators(all);
     add_ecosystem_operators(all);
     add_classify_operators(all);

@@ -150,6 +150,7 @@ void add_contour_conversions(Registry& registry);
 void add_reef_operators(Registry& registry);
 void add_hydrology_operators(Registry& registry);
 void add_erosion_operators(Registry& registry);
+void add_glacier_operators(Registry& registry);
 void add_sketch_operators(Registry& registry);
 void add_classify_operators(Registry& registry);
 void add_thing_operators(Registry& registry);
