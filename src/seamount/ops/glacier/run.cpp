@@ -41,6 +41,20 @@ void refine(const HeightField& coarse_start, const HeightField& coarse_bed, cons
   }
 }
 
+/// Says what a user may not expect.
+void say_where_ice_is(const Carved& made, const HeightField& terrain, const RunParams& params, const RunContext& run) {
+  if (!std::any_of(terrain.cells().begin(), terrain.cells().end(), [&](float z) { return z > params.ela_m; }))
+    return run.say("no ground lies over the equilibrium line, ela_m: there is no ice");
+  const int width = terrain.width(), height = terrain.height();
+  constexpr float kThick_m = 20.0F;
+  bool leaves = false;
+  for (int x = 1; x + 1 < width; ++x)
+    leaves = leaves || std::max(made.ice.clamped(x, 1), made.ice.clamped(x, height - 2)) > kThick_m;
+  for (int y = 1; y + 1 < height; ++y)
+    leaves = leaves || std::max(made.ice.clamped(1, y), made.ice.clamped(width - 2, y)) > kThick_m;
+  if (leaves) run.say("ice reaches the border and leaves the map there");
+}
+
 }  // namespace
 
 Carved run(const HeightField& terrain, ScalarField hardness, const RunParams& params, const RunContext& run) {
@@ -87,6 +101,7 @@ Carved run(const HeightField& terrain, ScalarField hardness, const RunParams& pa
     out.ice.data()[i] = out.surface.data()[i] - out.terrain.data()[i];
     out.worn.data()[i] = terrain.data()[i] - out.terrain.data()[i];
   }
+  say_where_ice_is(out, terrain, params, run);
   return out;
 }
 

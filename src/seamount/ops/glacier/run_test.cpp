@@ -81,15 +81,20 @@ TEST(Glacier, CarvesWhereIceHasBeenAndNowhereElse) {
 
 TEST(Glacier, NoSnowNoCarving) {
   const HeightField start = hills(150, 140, 2);
-  const Carved carved = run(start, {}, {.ela_m = 5000}, {});
+  std::string said;
+  const Carved carved = run(start, {}, {.ela_m = 5000}, {.note = [&](const std::string& line) { said = line; }});
+  EXPECT_EQ(said, "no ground lies over the equilibrium line, ela_m: there is no ice");
   EXPECT_TRUE(carved.terrain == start);
   EXPECT_TRUE(carved.surface == start);
 }
 
 TEST(Glacier, ZeroYearsShowTheIceOfToday) {
   const HeightField start = hills(150, 140, 2);
-  const Carved carved = run(start, {}, {.years = 0, .ela_m = 1600}, {});
+  std::string said;
+  const Carved carved =
+      run(start, {}, {.years = 0, .ela_m = 1000}, {.note = [&](const std::string& line) { said = line; }});
   EXPECT_TRUE(carved.terrain == start);
+  EXPECT_EQ(said, "ice reaches the border and leaves the map there");
   EXPECT_GT(*std::max_element(carved.ice.cells().begin(), carved.ice.cells().end()), 30);
 }
 
