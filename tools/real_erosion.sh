@@ -31,6 +31,6 @@ TABLE
 }
 compare sangabriel_bigtujunga_30m 1
 compare himalaya_n27e086_1arcsec 2 --set steps.noise.params.height_m=2428 --set steps.noise.params.base_m=2418 \
-  --set steps.worn.params.years=5000000 --set steps.worn.params.uplift_mm=1.4 --set steps.worn.params.erodibility=5.1e-6 \
-  --set steps.worn.params.creep_m2=0.08 --set steps.worn.params.bedrock_angle_deg=29 \
-  --set steps.worn.params.fan_m=100
+  --set steps.worn.params.years=5000000 --set steps.worn.params.uplift_mm_yr=1.4 --set steps.worn.params.erodibility=1.7e-6 \
+  --set steps.worn.params.hardness_variation=0.5 --set steps.worn.params.slopes.creep_m2_yr=0.4 \
+  --set steps.worn.params.slopes.bedrock_angle_deg=36.5 --set steps.worn.params.rivers.fan_m=100
