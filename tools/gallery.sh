@@ -13,6 +13,8 @@ for recipe in reef/barrier reef/platform reef/ribbon reef/patch erosion/worn_isl
 done
 ./run run recipes/hydrology/map.json --out "$made/hydrology" --no-cache
 cp "$made/hydrology/map.png" docs/gallery/hydrology_map.png
+./run run recipes/hydrology/dead_sea.json --out "$made/dead_sea" --no-cache
+cp "$made/dead_sea/view.png" docs/gallery/hydrology_dead_sea.png
 for recipe in volcano mesa canyon range; do
   ./run run "recipes/contours/$recipe.json" --out "$made/contours_$recipe" --no-cache
   cp "$made/contours_$recipe/view.png" "docs/gallery/contours_$recipe.png"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kLeastSea = 0.01;       // of the terrain
 constexpr float kLowRim_m = 10.0F;       // reefs and beaches around a lagoon, cells that hide a strait
+constexpr float kPolder_m = 10.0F;       // the lowest ground behind dikes lies at -7 m
 constexpr float kLowestDry_m = 1000.0F;  // the shores of the Dead Sea lie at -430 m, its floor at -730 m
 
 /// Cells [begin, end) of a row at or below the sea's level, and the water they belong to.
@@ -131,25 +133,33 @@ class EnclosedWaters {
       const size_t water = waters.water_of(stretch);
       if (rim_m_[water] >= 0.0F) return;
       rim_m_[water] = filled(stretch.begin, stretch.row) - sea;
-      tell(water, terrain.cell_m(), run);
     });
+    tell(terrain.cell_m(), run);
   }
 
-  bool is_hollow(size_t water) const { return !is_deep(water) && (is_small(water) || rim_m_[water] > kLowRim_m); }
+  bool is_hollow(size_t water) const {
+    return !is_deep(water) && (is_small(water) || rim_m_[water] > kLowRim_m || is_shallow(water));
+  }
 
  private:
   bool is_small(size_t water) const { return static_cast<double>(waters_.cells(water)) < least_; }
+  bool is_shallow(size_t water) const { return waters_.lowest(water) >= sea_ - kPolder_m; }
   bool is_deep(size_t water) const { return waters_.lowest(water) < sea_ - kLowestDry_m; }
 
-  void tell(size_t water, double cell_m, const RunContext& run) const {
-    const auto round = [](double value) { return format_number(std::round(value * 10.0) / 10.0); };
-    const std::string rim = round(static_cast<double>(rim_m_[water])) + " m high";
-    run.say(round(static_cast<double>(waters_.cells(water)) * cell_m * cell_m * 1e-6) +
-            " km2 below sea level without a way to the edge count as " +
-            (is_hollow(water) ? "land: the rim is " + rim
-             : is_deep(water) ? "sea: they are deeper than any dry ground"
-                              : "sea: the rim is only " + rim) +
-            " (min_sea_m2 decides otherwise)");
+  const char* reason(size_t water) const {
+    if (is_deep(water)) return "sea: deeper than any dry ground";
+    if (is_shallow(water)) return "land: shallow as polders";
+    return is_hollow(water) ? "land: behind a high rim" : "sea: behind a low rim";
+  }
+
+  void tell(double cell_m, const RunContext& run) const {
+    std::map<std::string, double> km2;
+    for (size_t water = 0; water < rim_m_.size(); ++water)
+      if (rim_m_[water] >= 0.0F)
+        km2[reason(water)] += static_cast<double>(waters_.cells(water)) * cell_m * cell_m * 1e-6;
+    for (const auto& [why, area] : km2)
+      run.say(format_number(std::round(area * 10.0) / 10.0) +
+              " km2 below sea level without a way to the edge count as " + why + " (min_sea_m2 decides otherwise)");
   }
 
   Waters& waters_;

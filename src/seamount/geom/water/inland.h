@@ -17,21 +17,20 @@ namespace seamount::geom {
 
 /// What a parameter of that area says of itself, the same in every operator that has one.
 inline constexpr const char* kLeastSeaMeaning =
-    "enclosed water below sea level that is smaller is no sea but a hollow; if absent, so is what is no deeper than "
-    "1000 m and covers less than a hundredth of the terrain or lies behind a rim of more than 10 m";
+    "enclosed water below sea level that is smaller is no sea but a hollow; if absent, only what is deeper than 1000 "
+    "m, "
+    "or deeper than 10 m behind a rim of at most 10 m and a hundredth of the terrain, is sea";
 
 /// What water does with cells of which nothing is known (NaN): it leaves there. As a height they are below all others.
 inline constexpr float kUnknownGround = kNoSea;
 
 /// 1 in hollows: cells at or below the sea's level that are no sea; an empty grid where there are none. Waters are
-/// cells that hang together by sides or corners. Sea is
-///   - what reaches the edge of the terrain or an unknown cell (NaN);
-///   - if min_sea_m2 is given, what covers at least that;
-///   - if not, what is deeper than 1000 m, where no dry ground of the Earth lies, and what covers at least a hundredth
-///   of
-///     the terrain and has a way to the sea or the edge that climbs at most 10 m above the sea.
-/// Of enclosed waters so large it says how they were taken. Linear; about 1 ns per cell without water below sea level,
-/// some ns per cell with it, as fill_depressions() where large ones are enclosed.
+/// cells that hang together by sides or corners. Sea is what reaches the edge of the terrain or an unknown cell (NaN).
+/// If min_sea_m2 is given, so is what covers at least that. If not, so is what is deeper than 1000 m, where no dry
+/// ground of the Earth lies, and what covers at least a hundredth of the terrain, is deeper than 10 m, which polders
+/// are not, and has a way to the sea or the edge that climbs at most 10 m above the sea. Of enclosed waters so large it
+/// says how they were taken. Linear; about 1 ns per cell without water below sea level, some ns per cell with it, as
+/// fill_depressions() where large ones are enclosed.
 Grid<uint8_t> find_hollows(const HeightField& terrain, float sea_level_m, const std::optional<double>& min_sea_m2,
                            const RunContext& run);
 

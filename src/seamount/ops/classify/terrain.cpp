@@ -111,10 +111,10 @@ struct Water {
 };
 
 Region water_label(const Water& w, const TerrainParams& p) {
-  const bool sheltered = w.exposed < p.exposed;
+  const bool sheltered = w.behind_belt || w.exposed < p.exposed;
   if (w.depth <= p.bar_m && w.to_open <= p.reef_width_m) return Region::reef;
   if (w.depth <= p.reef_depth_m) return !sheltered && w.to_deep <= p.reef_width_m ? Region::reef : Region::lagoon;
-  return (sheltered || w.behind_belt) && w.depth <= p.lagoon_depth_m ? Region::lagoon : Region::abyss;
+  return sheltered && w.depth <= p.lagoon_depth_m ? Region::lagoon : Region::abyss;
 }
 
 template <class Body>
