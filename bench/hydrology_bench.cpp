@@ -1,9 +1,13 @@
 // Water: fill, D8 and accumulation on a mountain island of 40 km, the same at every size.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+
 #include "seamount/geom/water/flow.h"
 #include "seamount/ops/hydrology/describe.h"
+#include "seamount/ops/hydrology/fill.h"
 #include "seamount/ops/hydrology/flow.h"
+#include "seamount/ops/hydrology/lakes.h"
 #include "seamount/ops/hydrology/rivers.h"
 #include "seamount/ops/sketch/extract.h"
 #include "seamount/ops/terrain/noise.h"
@@ -47,6 +51,23 @@ void fill(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(geom::fill_depressions(terrain, 0.0F, {}));
 }
 BENCHMARK(fill)->Name("hydrology/fill")->Arg(4096)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// A plain of flats: whole metres of 10 m of relief.
+void breach(benchmark::State& state) {
+  const int size = static_cast<int>(state.range(0));
+  HeightField plain = terrain::noise({.height_m = 10, .wavelength_m = 6000, .octaves = 10, .base_m = 200},
+                                     GridFrame::centred(size, size, 30), Seed{7}, {});
+  for (float& z : plain.cells()) z = std::round(z);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(hydrology::fill(plain, {.depressions = hydrology::Depressions::breach}, {}));
+}
+BENCHMARK(breach)->Name("hydrology/breach_flats")->Arg(2048)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void lakes(benchmark::State& state) {
+  const HeightField terrain = mountains(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(hydrology::lakes(terrain, nullptr, {}, {}));
+}
+BENCHMARK(lakes)->Name("hydrology/lakes")->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void flow_dinf(benchmark::State& state) {
   const HeightField terrain = mountains(static_cast<int>(state.range(0)));

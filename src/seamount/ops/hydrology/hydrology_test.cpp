@@ -269,6 +269,21 @@ TEST(Ridges, OfARoofIsItsCrest) {
   EXPECT_GT(attribute(drawing.lines[0].attributes, "rise_m"), 0.0);
 }
 
+TEST(Ridges, StandInABasinBelowTheSeaAsAboveIt) {
+  // The same roof, in a basin with its crest at -100 m and a rim at 300 m all around.
+  HeightField terrain(GridFrame::centred(81, 101, 10), 300.0F);
+  for (int y = 20; y < 81; ++y)
+    for (int x = 20; x < 61; ++x)
+      terrain(x, y) = -100.0F - 5.0F * std::abs(static_cast<float>(x - 40)) - 0.01F * static_cast<float>(y);
+  const Drawing drawing = ridges(terrain, {.min_area_m2 = 15 * 41 * 100.0}, {});
+  double crest_m = 0.0;
+  for (const ValuedLine& line : drawing.lines)
+    for (size_t i = 1; i < line.points.size(); ++i)
+      if (std::abs(line.points[i - 1].x) < 5 && std::abs(line.points[i].x) < 5)
+        crest_m += line.points[i].y - line.points[i - 1].y;
+  EXPECT_GT(crest_m, 300.0);
+}
+
 TEST(Ridges, StayOnTheirIslandAndEndOnItsSummit) {
   HeightField terrain = hills(140, 110, 4, 10.0F);
   const RidgeFlow flow = ridge_flow(terrain, 0.0F, {});

@@ -95,8 +95,8 @@ Drawing ridges(const HeightField& terrain, const RidgesParams& params, const Run
   check_params(params);
   say_mostly_sea(terrain, params.sea, run);
   const GridFrame& frame = terrain.frame();
-  const float sea = params.sea ? 0.0F : geom::kNoSea;
-  const HeightField ground = geom::raise_inland(terrain, sea, params.min_sea_m2, run);
+  float sea = params.sea ? 0.0F : geom::kNoSea;
+  const HeightField ground = geom::lower_sea(terrain, sea, params.min_sea_m2, run);
   RidgeFlow flow = ridge_flow(ground, sea, run);
   clear_edge(flow.land);
   Drawing drawing;
