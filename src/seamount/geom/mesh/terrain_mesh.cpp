@@ -11,6 +11,7 @@
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
 #include "seamount/geom/mesh/cell_surface.h"
+#include "seamount/geom/mesh/water_sheet.h"
 
 namespace seamount::geom {
 namespace {
@@ -98,19 +99,6 @@ void say_error(const std::string& what, size_t triangles, const SurfaceError& er
   run.say(line);
 }
 
-/// A rectangle at sea level.
-MeshPart water_surface(const CellPlaces& places, const CellBox& box, Vec2 offset) {
-  const auto west = static_cast<float>(places.x(box.first.x) - offset.x);
-  const auto east = static_cast<float>(places.x(box.last.x) - offset.x);
-  const auto north = static_cast<float>(places.y(box.first.y) - offset.y);
-  const auto south = static_cast<float>(places.y(box.last.y) - offset.y);
-  return {.material = MeshMaterial::water,
-          .positions = {west, north, 0, west, south, 0, east, south, 0, east, north, 0},
-          .normals = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1},
-          .uvs = {},
-          .indices = {0, 1, 2, 0, 2, 3}};
-}
-
 float lowest_of(const MeshPart& part) {
   float lowest = std::numeric_limits<float>::infinity();
   for (size_t i = 2; i < part.positions.size(); i += 3) lowest = std::min(lowest, part.positions[i]);
@@ -128,8 +116,10 @@ Mesh mesh_of(const CellMesh& cells, const HeightField& heights, const CellBox& b
             .offset = offset,
             .largest_error_m = cells.error.largest_m,
             .rms_error_m = rms(cells.error)};
-  const bool under_water = lowest_of(mesh.parts[0]) < 0;
-  if (options.water && options.base_m == 0 && under_water) mesh.parts.push_back(water_surface(places, box, offset));
+  if (options.water && options.base_m == 0 && lowest_of(mesh.parts[0]) < 0) {
+    if (std::optional<MeshPart> water = water_sheet(heights, options.hollows, places, box, offset))
+      mesh.parts.push_back(std::move(*water));
+  }
   return mesh;
 }
 

@@ -22,7 +22,8 @@ struct MeshOptions {
                                 ///< Neither: every cell is a vertex.
   double vertical_scale = 1.0;  ///< > 0
   double base_m = 0.0;          ///< > 0: a closed solid whose flat bottom lies so far below the lowest height, to print
-  bool water = true;  ///< a second part at sea level if any height is below it; not over a solid, which it would open
+  bool water = true;  ///< a second part at sea level if there is ground below it; not over a solid, which it would open
+  const Grid<uint8_t>* hollows = nullptr;  ///< not 0: ground below sea level that is no sea, on the heights' cells
 };
 
 /// The terrain's part first; its normals are those of the full terrain, also after simplification. How far it is from

@@ -287,6 +287,30 @@ TEST(TerrainMesh, WaterLiesOverAllAtSeaLevelAndFacesUp) {
   EXPECT_EQ(faults_of(water).plan_area, 290.0 * 190.0);
 }
 
+TEST(TerrainMesh, WaterLeavesDryBasinsOut) {
+  // A sea of three columns in the west, and a basin of 10 x 8 cells behind land.
+  HeightField heights(GridFrame::centred(30, 20, 10), 40.0F);
+  for (int y = 0; y < 20; ++y) {
+    for (int x = 0; x < 30; ++x) {
+      if (x < 3) heights(x, y) = -5.0F;
+      if (x >= 12 && x < 22 && y >= 6 && y < 14) heights(x, y) = -60.0F;
+    }
+  }
+  Grid<uint8_t> hollows(heights.frame());
+  for (size_t i = 0; i < heights.size(); ++i) hollows.data()[i] = heights.data()[i] == -60.0F ? 1 : 0;
+  const MeshOptions options{.hollows = &hollows};
+  const Mesh mesh = make_mesh(heights, options, {});
+  ASSERT_EQ(mesh.parts.size(), 2U);
+  EXPECT_EQ(faults_of(mesh.parts[1]).plan_area, 290.0 * 190.0 - 110.0 * 90.0);
+  int sheets = 0;
+  const auto count = [&](const MeshTile& tile) { sheets += tile.mesh.parts.size() == 2 ? 1 : 0; };
+  make_mesh_tiles(heights, options, {.across = 3}, count, {});
+  EXPECT_EQ(sheets, 2);  // the two in the west
+  for (int y = 0; y < 20; ++y)
+    for (int x = 0; x < 3; ++x) heights(x, y) = 40.0F;
+  EXPECT_EQ(make_mesh(heights, options, {}).parts.size(), 1U);
+}
+
 TEST(TerrainMesh, RefusesNonsense) {
   HeightField heights = rough_cone(GridFrame::centred(4, 4, 1));
   EXPECT_THROW(make_mesh(rough_cone(GridFrame::centred(1, 9, 1)), {}, {}), InvalidArgument);

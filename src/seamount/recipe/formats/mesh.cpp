@@ -5,6 +5,7 @@
 
 #include "seamount/geom/mesh/terrain_mesh.h"
 #include "seamount/geom/mesh/tile_texture.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/recipe/format.h"
 #include "seamount/recipe/formats/formats.h"
 #include "seamount/recipe/kinds.h"
@@ -78,11 +79,15 @@ void write_tiles(const MeshParams& params, const geom::MeshOptions& options, con
 void write_mesh(const MeshParams& params, const OutputCall& call) {
   const auto prepared = call.prepared.find("texture");
   const seamount::Image* texture = prepared == call.prepared.end() ? nullptr : &prepared->second.get<kinds::Image>();
-  const geom::MeshOptions options{.max_triangles = params.max_triangles,
-                                  .max_error_m = params.max_error_m,
-                                  .vertical_scale = params.vertical_scale,
-                                  .base_m = params.base_m,
-                                  .water = params.water && texture == nullptr};
+  geom::MeshOptions options{.max_triangles = params.max_triangles,
+                            .max_error_m = params.max_error_m,
+                            .vertical_scale = params.vertical_scale,
+                            .base_m = params.base_m,
+                            .water = params.water && texture == nullptr};
+  Grid<uint8_t> hollows;
+  if (options.water && options.base_m == 0)
+    hollows = geom::find_hollows(call.value.get<kinds::Terrain>(), 0.0F, {}, {.threads = call.run.threads});
+  if (!hollows.empty()) options.hollows = &hollows;
   if (params.is_tiled()) return write_tiles(params, options, texture, call);
   const Mesh mesh = geom::make_mesh(call.value.get<kinds::Terrain>(), options, call.run.part(0.0, 0.8));
   io::write_mesh(mesh, call.path, {.texture = texture, .provenance = call.provenance});

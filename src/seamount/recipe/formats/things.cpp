@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "seamount/geom/mesh/terrain_mesh.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/io/gazebo.h"
 #include "seamount/ops/render/texture.h"
 #include "seamount/recipe/format.h"
@@ -53,8 +54,11 @@ void write_things(const ThingsParams& params, const OutputCall& call) {
   Mesh mesh;
   Image texture;
   if (params.ground && !things.ground.empty()) {
-    mesh = geom::make_mesh(things.ground, {.max_triangles = params.max_triangles, .water = params.texture_px == 0},
-                           call.run.part(0.0, 0.5));
+    geom::MeshOptions wanted{.max_triangles = params.max_triangles, .water = params.texture_px == 0};
+    Grid<uint8_t> hollows;
+    if (wanted.water) hollows = geom::find_hollows(things.ground, 0.0F, {}, {.threads = call.run.threads});
+    if (!hollows.empty()) wanted.hollows = &hollows;
+    mesh = geom::make_mesh(things.ground, wanted, call.run.part(0.0, 0.5));
     options.ground = &mesh;
     if (params.texture_px > 0) {
       texture = render::texture(things.ground, nullptr, {.size_px = std::max(16, params.texture_px)},
