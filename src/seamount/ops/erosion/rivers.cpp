@@ -148,6 +148,8 @@ class Step {
         settling_(static_cast<float>(rivers.deposition * rivers.runoff_m_yr * area_of(ground))),
         fan_(static_cast<float>(rivers.fan_m)),
         creep_(static_cast<float>(rivers.creep_m2_yr * rivers.years / area_of(ground))),
+        rivers_win_(static_cast<float>(
+            rivers.creep_m2_yr > 0 ? rivers.erodibility / (std::sqrt(rivers.runoff_m_yr) * rivers.creep_m2_yr) : 1e9)),
         per_steepest_(static_cast<float>(1.0 / (rivers.steepest * ground.surface.cell_m()))),
         trust_(static_cast<float>(1.0 / (1.0 + 0.5 * rivers.deposition))),
         undermining_(site, drainage, rivers.steepest) {}
@@ -272,19 +274,23 @@ class Step {
     return own > 0.0F ? std::max(0.0F, 1.0F - site_.uplift.data()[receiver] / own) : 0.0F;
   }
 
-  /// What creeps into a river goes with it: there creep counts only where it takes away.
+  /// What creeps into a river goes with it: there creep counts only where it takes away. But it fills hollows that are
+  /// too small for rivers to keep open: K A / D below 1 (Perron et al. 2009).
   float level_of(int32_t cell) {
     const float base = level_[drainage_.receiver(cell)];
     const float laid = load_[cell] * settling_share(cell);
     const float before = surface_[cell] + laid, number = creep_ * value_or_one(site_.mask, cell);
     const Around around = number > 0.0F ? around_of(cell) : Around{};
     const float highest = std::max(base, surface_[cell] + room_below_banks(cell));
-    if (around.count == 0.0F || cutting(cell) > kMinRate) {
-      const float kept = worn_down(cell, base, laid, {before, 1.0F}, highest);
-      if (around.sum >= around.count * kept) return kept;
-    }
+    if (around.count == 0.0F) return worn_down(cell, base, laid, {before, 1.0F}, highest);
     const float stiffness = 1.0F + number * around.count;
-    return worn_down(cell, base, laid, {(before + number * around.sum) / stiffness, stiffness}, highest);
+    const float top = before + number * (around.sum - around.count * before) / stiffness;
+    const float crept = worn_down(cell, base, laid, {top, stiffness}, highest);
+    if (cutting(cell) <= kMinRate) return crept;
+    const float kept = worn_down(cell, base, laid, {before, 1.0F}, highest);
+    if (around.sum <= around.count * kept) return crept;
+    const float wins = rivers_win_ * discharge_[cell], share = wins * wins / (1.0F + wins * wins);
+    return crept + share * (kept - crept);
   }
 
   /// Height of a cell with `laid` metres of new sediment after creep, if rivers cut it for the years of a step.
@@ -350,7 +356,7 @@ class Step {
   float* level_;
   int32_t width_, height_;
   float sea_, rate_, debris_ease_, sediment_ease_, threshold_, hidden_, most_hidden_, settling_, fan_, creep_,
-      per_steepest_, trust_, steepest_;
+      rivers_win_, per_steepest_, trust_;
   Undermining undermining_;
 };
 
