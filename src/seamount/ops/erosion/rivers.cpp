@@ -150,7 +150,9 @@ class Step {
         creep_(static_cast<float>(rivers.creep_m2_yr * rivers.years / area_of(ground))),
         rivers_win_(static_cast<float>(
             rivers.creep_m2_yr > 0 ? rivers.erodibility / (std::sqrt(rivers.runoff_m_yr) * rivers.creep_m2_yr) : 1e9)),
-        per_steepest_(static_cast<float>(1.0 / (rivers.steepest * ground.surface.cell_m()))),
+        // Beds stand as steep as they can without creeping.
+        per_steepest_(site.beds != nullptr ? 0.0F
+                                           : static_cast<float>(1.0 / (rivers.steepest * ground.surface.cell_m()))),
         trust_(static_cast<float>(1.0 / (1.0 + 0.5 * rivers.deposition))),
         undermining_(site, drainage, rivers.steepest) {}
 

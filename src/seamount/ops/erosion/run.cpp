@@ -26,7 +26,7 @@ namespace {
 constexpr int kCoarsestSide = 64;         // grids are halved until the next one would be smaller
 constexpr double kShareOfRest = 0.3;      // of the remaining years that a coarse grid takes
 constexpr double kRockBodies_m = 2500.0;  // size of the largest bodies of harder and softer rock
-constexpr int kMostSteps = 24, kFewestSteps = 8;
+constexpr int kMostSteps = 24, kFewestSteps = 6;
 constexpr int kSlides = 2;                  // rounds per step
 constexpr double kOutletReach = 1.0 / 16;   // of the map's side along which valleys compete for an outlet
 constexpr double kMargin = 1.0 / 24;        // of the map's side: land beyond the border
