@@ -32,10 +32,10 @@ Mesh make_mesh(std::span<const Source> sources, const FlowLattice& lattice) {
     south = std::max(south, source.y);
   }
   const double extent = std::max(east - west, south - north);
-  int n = 32;
-  while (extent / (n / 2 - 1 - 2 * kSpare) > kCoarsest * lattice.step_m) n *= 2;
-  const double step = extent / (n / 2 - 1 - 2 * kSpare);
-  return {west - kSpare * step, north - kSpare * step, step, n};
+  int half = 16;
+  while (extent / (half - 1 - 2 * kSpare) > kCoarsest * lattice.step_m) half *= 2;
+  const double step = extent / (half - 1 - 2 * kSpare);
+  return {west - kSpare * step, north - kSpare * step, step, 2 * half};
 }
 
 /// Strengths on the mesh.

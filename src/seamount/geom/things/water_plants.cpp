@@ -53,6 +53,7 @@ ThingMesh make_kelp(const ThingMaking& m) {
     };
     const bool whole = i == 0 || m.has(lot, 0.3);
     std::vector<Ring3> line;
+    line.reserve(static_cast<size_t>(rings));
     for (int k = 0; k < rings; ++k) line.push_back({stipe(static_cast<double>(k) / (rings - 1)), 0.0045, stem});
     builder.missing(!whole);
     builder.tube(line, 3);

@@ -154,12 +154,14 @@ class Refit {
     std::vector<Skeleton> fitted;
     if (of_.skeleton == SkeletonKind::curve) {
       std::vector<geom::SnakeCurve> curves;
+      curves.reserve(objects.size());
       for (const size_t i : objects)
         curves.push_back({scene_.objects[i].skeleton, of_.shape.length_m * scene_.objects[i].size});
       for (geom::SnakeFit& fit : geom::fit_snakes(curves, snake_options(of_), field, run_))
         fitted.push_back(std::move(fit.skeleton));
     } else {
       std::vector<geom::RegionOutlineToFit> outlines;
+      outlines.reserve(objects.size());
       for (const size_t i : objects)
         outlines.push_back({scene_.objects[i].skeleton, of_.shape.area_m2 * scene_.objects[i].size});
       for (geom::RegionFit& fit : geom::fit_regions(outlines, region_options(of_, cell_m_), field, run_))
