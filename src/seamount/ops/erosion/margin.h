@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "seamount/base/parallel.h"
 #include "seamount/ops/erosion/layers.h"
@@ -18,17 +19,19 @@ inline GridFrame with_margin(GridFrame frame, int cells) {
   return frame;
 }
 
-/// Repeats the border's values; an absent (empty) map stays absent. Parallel, linear.
-inline ScalarField extended(const ScalarField& map, int cells, const RunContext& run) {
+/// Adds a margin that repeats the border's values, or has the value `beyond`; an absent (empty) map stays absent.
+/// Parallel, linear.
+inline ScalarField extended(const ScalarField& map, int cells, std::optional<float> beyond, const RunContext& run) {
   if (map.empty() || cells == 0) return map;
   ScalarField out(with_margin(map.frame(), cells));
   parallel_rows(run, out.width(), out.height(), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       const auto from = map.row(std::clamp(y - cells, 0, map.height() - 1));
       const auto to = out.row(y);
-      std::fill_n(to.begin(), cells, from.front());
       std::copy(from.begin(), from.end(), to.begin() + cells);
-      std::fill_n(to.end() - cells, cells, from.back());
+      std::fill_n(to.begin(), cells, beyond.value_or(from.front()));
+      std::fill_n(to.end() - cells, cells, beyond.value_or(from.back()));
+      if (beyond && (y < cells || y >= cells + map.height())) std::fill(to.begin(), to.end(), *beyond);
     }
   });
   return out;

@@ -1,22 +1,23 @@
 // Rivers and the slopes above them: rain gathers, cuts into the ground, carries what it cut, and drops it where the
 // slope gives out; soil creeps, and what stands too steep over the valleys fails.
 //
-//   dh/dt = - K sqrt(Q) dh/dx  +  G q_s / Q  +  D laplace(h),   |dh/dx| <= S sqrt(hardness)
+//   dh/dt = - K sqrt(Q) dh/dx  +  G q_s / Q  +  div(D grad(h) / (1 - |grad(h)|^2 / S^2)),   |dh/dx| <= S sqrt(hardness)
 //
-// (Davy and Lague 2009; Yuan, Braun, Guerit, Rouby, Cordonnier 2019; Culling 1960 for creep) with Q the discharge (m3
-// per year), q_s the load (m3 per year), K by the material on top of each cell, and S the slope at which bedrock fails
-// (repose.h). All of it is one implicit step from the outlets up (Braun and Willett 2013), so that any time step is
-// stable and rivers and slopes agree in each: taken one after the other, creep would fill in a long step the valleys
-// that rivers keep open. Gauss-Seidel sweeps make erosion, deposition and creep agree (Yuan et al.), and a last sweep
-// downstream moves exactly what there is, so mass is conserved to rounding: what creep and failing slopes lose goes
-// with the water and comes to lie where creep or rivers ask for it. Departures: the exponents are m = 1/2 and n = 1;
-// layers wear one after the other within a step; there is no channel below a discharge Q_c, and what creeps into one
-// is carried off as if it were no part of the bed, whose true width is far below a cell's; land begins as high over
-// its outlets as the ground of a cell stands over its channel, so that coarse cells keep the volume of fine ones;
-// lakes are filled up to their water level before anything flows out of them; beds do not rise far above both of
-// their banks; where a river leaves its banks on gentle ground, G grows by the width of the fan over that of a cell,
-// since a river wanders over all of its fan in the years of a step, and a cell's width of bed would let nearly all
-// of the load pass.
+// (Davy and Lague 2009; Yuan, Braun, Guerit, Rouby, Cordonnier 2019; Roering, Kirchner and Dietrich 1999 for creep, by
+// the slope towards each neighbour before the step, quickened tenfold at most) with Q the discharge (m3 per year), q_s
+// the load (m3 per year), K by the material on top of each cell, and S the slope at which bedrock fails (repose.h). All
+// of it is one implicit step from the outlets up (Braun and Willett 2013), so that any time step is stable and rivers
+// and slopes agree in each: taken one after the other, creep would fill in a long step the valleys that rivers keep
+// open. Gauss-Seidel sweeps make erosion, deposition and creep agree (Yuan et al.), and a last sweep downstream moves
+// exactly what there is, so mass is conserved to rounding: what creep and failing slopes lose goes with the water and
+// comes to lie where creep or rivers ask for it. Departures: the exponents are m = 1/2 and n = 1; layers wear one after
+// the other within a step; there is no channel below a discharge Q_c, and what creeps into one is carried off as if it
+// were no part of the bed, whose true width is far below a cell's, but for hollows of an area A with K A / D below
+// about 1, which creep fills (Perron, Kirchner and Dietrich 2009); land begins as high over its outlets as the ground
+// of a cell stands over its channel, so that coarse cells keep the volume of fine ones; lakes are filled up to their
+// water level before anything flows out of them; beds do not rise far above both of their banks; where a river leaves
+// its banks on gentle ground, G grows by the width of the fan over that of a cell, since a river wanders over all of
+// its fan in the years of a step, and a cell's width of bed would let nearly all of the load pass.
 #pragma once
 
 #include "seamount/base/run_context.h"
@@ -37,9 +38,9 @@ struct Rivers {
   double channel_m2 = 0;     ///< area whose runoff is Q_c; of a strip as long as its root where cells are narrower
   double creep_m2_yr = 0;    ///< D
   double steepest = 1e9;     ///< S, rise over run
-  double hardness_variation = 0;
-  Seed rock;            ///< where rock is weak
-  double uplift_m = 0;  ///< by which the ground has just risen, times the maps; where sweeps begin
+  double hardness_variation = 0;  ///< 0 to 0.95: how unevenly rock stands (repose.h)
+  Seed rock;                      ///< where it is weak
+  double uplift_m = 0;            ///< by which the ground has just risen, times the maps; where sweeps begin
   double sea_m = 0;
   int sweeps = 2;  ///< of Gauss-Seidel, >= 1
 };

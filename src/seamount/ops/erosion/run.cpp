@@ -127,8 +127,7 @@ class Level {
         load_(ground.frame()),
         room_(ground.frame()),
         done_(done),
-        hollows_(geom::find_hollows(ground.surface, static_cast<float>(params.sea_m), std::nullopt,
-                                    {run.threads, {}, run.cancelled})) {
+        hollows_(geom::find_hollows(ground.surface, static_cast<float>(params.sea_m), std::nullopt, run)) {
     if (!beds.beds().empty()) site.beds = &beds_.emplace(beds, ground.frame(), run);
     for (size_t i = 0; i < outlets.size(); ++i) {
       if (outlets.data()[i] != 0) base_levels_.emplace_back(i, ground.surface.data()[i]);
@@ -260,17 +259,11 @@ int margin_of(const GridFrame& frame, const RunParams& params) {
 
 /// Lets land go on beyond the border, where it does not rise.
 void extend(Layers& ground, Maps& site, int cells, const RunParams& params, const RunContext& run) {
-  const GridFrame frame = ground.frame();
-  if (params.uplift_mm_yr > 0 && site.uplift.empty()) site.uplift = ScalarField(frame, 1.0F);
-  for (ScalarField* map :
-       {&ground.surface, &ground.debris, &ground.sediment, &site.hardness, &site.mask, &site.uplift, &site.rain}) {
-    *map = extended(*map, cells, run);
+  if (params.uplift_mm_yr > 0 && site.uplift.empty()) site.uplift = ScalarField(ground.frame(), 1.0F);
+  for (ScalarField* map : {&ground.surface, &ground.debris, &ground.sediment, &site.hardness, &site.mask, &site.rain}) {
+    *map = extended(*map, cells, std::nullopt, run);
   }
-  if (site.uplift.empty()) return;
-  const ScalarField inside = cropped(site.uplift, frame, cells);
-  std::fill(site.uplift.cells().begin(), site.uplift.cells().end(), 0.0F);
-  for (int y = 0; y < frame.height; ++y)
-    std::copy(inside.row(y).begin(), inside.row(y).end(), site.uplift.row(y + cells).begin() + cells);
+  site.uplift = extended(site.uplift, cells, 0.0F, run);
 }
 
 double volume_of(const HeightField& surface) {
@@ -298,15 +291,17 @@ Eroded run_extended(Layers ground, Maps site, const RunParams& params, Seed seed
   double cost = 0, done = 0, years = 0;
   for (size_t k = 0; k < stages.size(); ++k) cost += static_cast<double>(stages[k].steps) / std::pow(4.0, k);
 
+  const RunContext quiet{run.threads, {}, run.cancelled, {}}, once{run.threads, {}, run.cancelled, run.note};
   Eroded out;
   Layers now = levels.starts.size() > 1 ? levels.starts.back() : std::move(levels.starts.back());
   Grid<uint8_t> outlets = border_outlets(now.surface, kOutletReach * std::max(frame.width_m(), frame.height_m()));
   for (size_t k = stages.size(); k-- > 0;) {
     {
-      Level level(now, levels.sites[k], outlets, params, beds, seed.derive("erosion.joints"), years, run);
+      Level level(now, levels.sites[k], outlets, params, beds, seed.derive("erosion.joints"), years,
+                  k == 0 ? once : quiet);
       for (int i = 0; i < stages[k].steps; ++i) {
         level.step(stages[k].years * share_of_step(i, stages[k].steps), seed.derive("erosion.ways", stages.size() - k),
-                   out.ledger, {run.threads, {}, run.cancelled});
+                   out.ledger, quiet);
         done += std::pow(0.25, k);
         run.report(std::min(1.0, done / cost));
       }

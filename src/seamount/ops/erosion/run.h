@@ -10,6 +10,8 @@
 // The run goes from coarse to fine (levels.h): it begins on a grid of about 64 cells a side and each finer grid takes a
 // share of the remaining years, so that valleys of all sizes have had their time, and a small grid previews a large
 // one; a run of fewer years shows the same valleys younger, so that frames of an animation are runs whose years rise.
+// Land goes on beyond the border for a share of the map's side and is cut off again (margin.h), so that no rim stays
+// there; if it rises, it does so up to its border. Ground below the sea's level that no sea reaches is land (sea.h).
 // method stream_power leaves out what rivers carry, weathering and waves: the detachment-limited law with uplift,
 // whose steady state is a mountain range (Braun and Willett 2013, Cordonnier et al. 2016).
 #pragma once
@@ -33,9 +35,10 @@ struct Eroded {
 
 /// Erodes a terrain. Maps are optional (empty) and cover the same frame: hardness > 0, mask in [0, 1], uplift and rain
 /// >= 0; debris and sediment are what already lies on the bedrock. Zero years change nothing. The terrain loses to
-/// the border what ledger.exported says, and nothing else (to 1e-4). Throws InvalidArgument for params out of range,
-/// IncompatibleInputs for maps of another size. Parallel but for the order of the rivers; about 3 us and 46 bytes per
-/// cell, with beds half as much again.
+/// the border what ledger.exported says, less what came in over it, and nothing else (to 1e-4 of ledger.eroded, which
+/// counts the land beyond as well; so does flow where rivers come in). Throws InvalidArgument for params out of range,
+/// IncompatibleInputs for maps of another size. Parallel but for the order of the rivers; about 4 us and 60 bytes per
+/// cell with the results, with beds half as much again.
 Eroded run(Layers ground, Maps site, const RunParams& params, Seed seed, const RunContext& run);
 
 }  // namespace seamount::erosion

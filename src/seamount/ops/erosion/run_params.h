@@ -51,7 +51,9 @@ struct SlopeParams {
     using P = SlopeParams;
     return std::tuple(
         field(&P::bedrock_angle_deg, "bedrock_angle_deg", "deg", between(1, 89),
-              "steepest slope of bedrock; rock four times as hard stands twice as steep"),
+              "steepest slope of bedrock, which joints vary with hardness_variation; rock four times as hard stands "
+              "twice as "
+              "steep"),
         field(&P::debris_angle_deg, "debris_angle_deg", "deg", between(1, 89), "steepest slope of debris"),
         field(&P::sediment_angle_deg, "sediment_angle_deg", "deg", between(1, 89), "steepest slope of fine sediment"),
         field(&P::creep_m2_yr, "creep_m2_yr", "m2/yr", between(0, 10),
