@@ -1,6 +1,8 @@
 #include "seamount/ops/render/ground.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "seamount/base/error.h"
@@ -86,30 +88,6 @@ Grid<FormTexel> form_texels(const HeightField& heights, const Mask& dry, const S
   return texels;
 }
 
-Grid<CoverTexel> cover_texels(const HeightField& heights, const LabelMap* labels, double exaggeration,
-                              const RunContext& run) {
-  const HeightField coarse = reduce(heights, 1024, run);
-  const Openness open = openness(coarse, run);
-  Grid<CoverTexel> texels(coarse.frame());
-  const auto flatten = static_cast<float>(1.0 / exaggeration);
-  parallel_rows(run, coarse.width(), coarse.height(), [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < coarse.width(); ++x) {
-        CoverTexel& texel = texels(x, y);
-        texel = {open.sky(x, y), flatten * open.concavity(x, y), 0.0F, 0.0F, 0.0F};
-        if (labels == nullptr) continue;
-        const auto column = static_cast<int>((x + 0.5) * labels->width() / coarse.width());
-        const auto row = static_cast<int>((y + 0.5) * labels->height() / coarse.height());
-        const Region region = labels->clamped(column, row);
-        texel.beach = region == Region::beach ? 1.0F : 0.0F;
-        texel.lagoon = region == Region::lagoon ? 1.0F : 0.0F;
-        texel.reef = region == Region::reef ? 1.0F : 0.0F;
-      }
-    }
-  });
-  return texels;
-}
-
 Grid<LayerTexel> layer_texels(const HeightField& heights, const GroundOptions& options, const RunContext& run) {
   HeightField level = heights;
   const auto flatten = static_cast<float>(1.0 / options.exaggeration);
@@ -130,6 +108,31 @@ Grid<LayerTexel> layer_texels(const HeightField& heights, const GroundOptions& o
 }
 
 }  // namespace
+
+bool lies_in_sea(const HeightField& terrain, double water_level_m) {
+  int64_t wet = 0, dry = 0;
+  const auto count = [&](int x, int y) {
+    const double h = terrain(x, y);
+    if (h <= water_level_m) ++wet;
+    if (h > water_level_m) ++dry;
+  };
+  for (int x = 0; x < terrain.width(); ++x) {
+    count(x, 0);
+    count(x, terrain.height() - 1);
+  }
+  for (int y = 0; y < terrain.height(); ++y) {
+    count(0, y);
+    count(terrain.width() - 1, y);
+  }
+  return wet > dry;
+}
+
+Setting setting_of(const HeightField& terrain, double water_level_m, bool water) {
+  float lowest = std::numeric_limits<float>::infinity();
+  for (const float h : terrain.cells()) lowest = std::min(lowest, h);  // NaN is no less
+  return {water && lies_in_sea(terrain, water_level_m),
+          std::isfinite(lowest) ? static_cast<double>(lowest) - water_level_m : 0.0};
+}
 
 void check_visible(const HeightField& terrain, const LabelMap* labels, const RunContext& run) {
   if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");
@@ -154,7 +157,7 @@ Ground::Ground(Filled filled, const HeightField& terrain, const LabelMap* labels
       dry_(drawn_dry(terrain, options, run)),
       heights_(drawn_heights(filled.terrain.empty() ? terrain : filled.terrain, depth_, options, run)),
       form_(form_texels(heights_, dry_, options.sun, run), run),
-      cover_(cover_texels(heights_, labels, options.exaggeration, run), run),
+      cover_(ground_cover(heights_, dry_, labels, options.exaggeration, options.wind_from, run), run),
       half_columns_(0.5F * static_cast<float>(heights_.width() - 1)),
       half_rows_(0.5F * static_cast<float>(heights_.height() - 1)),
       cover_scale_(static_cast<float>(heights_.cell_m() / cover_.base().cell_m())),
@@ -201,6 +204,12 @@ GroundSample Ground::sample(float x, float y, float footprint) const {
   p.slope = std::sqrt(s.form.east * s.form.east + s.form.south * s.form.south) / exaggeration_;
   p.northness = -s.form.south / exaggeration_;
   p.concavity = s.cover.concavity;
+  p.wet = s.cover.wet;
+  p.rain = s.cover.rain;
+  // What lies around is lower on ribs and higher in gullies, at a few times the scale that is looked at.
+  const float around = 4.0F * std::max(footprint, cell_m());
+  p.rib = (s.form.height - form(x, y, around).height) / (exaggeration_ * around);
+  p.shore_m = s.cover.shore_m;
   p.footprint = footprint;
   p.unknown = is_unknown(x, y);
   if (has_lakes_) p.lake = lake_.sample(c, r, lod);

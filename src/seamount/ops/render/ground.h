@@ -7,6 +7,7 @@
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
 #include "seamount/model/layer_borders.h"
+#include "seamount/ops/render/ground_cover.h"
 #include "seamount/ops/render/light.h"
 #include "seamount/ops/render/materials.h"
 #include "seamount/ops/render/mip_map.h"
@@ -26,18 +27,6 @@ struct FormTexel {
   friend FormTexel operator*(float s, FormTexel a) { return {s * a.height, s * a.east, s * a.south, s * a.sun}; }
 };
 
-/// What changes more slowly: openness and labels.
-struct CoverTexel {
-  float sky = 1.0F, concavity = 0.0F;
-  float beach = 0.0F, lagoon = 0.0F, reef = 0.0F;
-  friend CoverTexel operator+(CoverTexel a, CoverTexel b) {
-    return {a.sky + b.sky, a.concavity + b.concavity, a.beach + b.beach, a.lagoon + b.lagoon, a.reef + b.reef};
-  }
-  friend CoverTexel operator*(float s, CoverTexel a) {
-    return {s * a.sky, s * a.concavity, s * a.beach, s * a.lagoon, s * a.reef};
-  }
-};
-
 /// Shares of a style's layers.
 struct LayerTexel {
   float low = 0.0F, high = 0.0F, lava = 0.0F;
@@ -54,6 +43,7 @@ struct GroundOptions {
   LayerBorders layers;                ///< of a style other than natural; heights over the water
   const ScalarField* lake = nullptr;  ///< metres of standing water over the terrain; may be null
   std::optional<double> min_sea_m2;   ///< of geom/water/inland.h
+  double wind_from = 0.0;             ///< of the wind that brings rain, radians clockwise from north
 };
 
 /// A place on the ground with all that shading needs.
@@ -74,6 +64,7 @@ class Ground {
   bool has_dry() const { return !dry_.empty(); }
   /// Whether the ground there is no sea floor though it lies lower than the water. False outside the terrain.
   bool is_dry(float x, float y) const;
+  float exaggeration() const { return exaggeration_; }
   float cell_m() const { return static_cast<float>(heights_.cell_m()); }
   /// Fractional column and row of a place in metres from the terrain's middle (x east, y north).
   float column(float x) const { return x / cell_m() + half_columns_; }
@@ -103,6 +94,12 @@ class Ground {
   float half_columns_, half_rows_, cover_scale_, exaggeration_;
   bool has_lakes_, labelled_, layered_;
 };
+
+/// Whether a terrain lies in the sea: most of its border is under water. Unknown cells do not count.
+bool lies_in_sea(const HeightField& terrain, double water_level_m);
+
+/// The setting that a climate asks for; without water nothing lies in a sea.
+Setting setting_of(const HeightField& terrain, double water_level_m, bool water);
 
 /// Throws InvalidArgument unless the terrain has cells and no height is infinite, IncompatibleInputs unless the labels
 /// (may be null) have its size.

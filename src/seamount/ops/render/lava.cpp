@@ -40,7 +40,7 @@ Mask lava_streams(const HeightField& terrain, const Mask& vents, const geom::Bor
   for (size_t i = 0; i < source.size(); ++i) {
     if (i % 65536 == 0) run.check_cancelled();
     float& s = source.cells()[i];
-    s = ground.cells()[i] > 0.0F ? s * s * ramp(-0.05F, 0.25F, side.cells()[i]) : 0.0F;
+    s = ground.cells()[i] > 0.0F ? s * s * ramp(-0.15F, 0.15F, side.cells()[i]) : 0.0F;
     total += s;
   }
   if (total < 1.0) return Mask(terrain.frame(), 0.0F);
@@ -50,14 +50,17 @@ Mask lava_streams(const HeightField& terrain, const Mask& vents, const geom::Bor
   const ScalarField flow = geom::flow_accumulation(geom::flow_directions(filled, level, run), source, run);
   const auto warm_m = static_cast<float>(borders.low_m);
   const auto cold_m = static_cast<float>(2.0 * borders.low_m - borders.high_m) - 1e-3F;
+  // Where many valleys share the lava, the largest streams are lava still: measured by the largest of them.
+  const auto most = std::log(static_cast<float>(*std::max_element(flow.cells().begin(), flow.cells().end()) / total));
   Mask thin(flow.frame()), wide(flow.frame());
   for (size_t i = 0; i < flow.size(); ++i) {
     if (i % 65536 == 0) run.check_cancelled();
-    const auto share = static_cast<float>(flow.cells()[i] / total);
-    const float stream = ramp(-5.2F, -2.9F, std::log(share + 1e-9F));  // from 0.5 % of all lava to 5 %
+    const float share = std::log(static_cast<float>(flow.cells()[i] / total) + 1e-9F);
+    // From 0.5 % of all lava to 5 %, or from a tenth to a half of the largest stream.
+    const float stream = ramp(std::min(-5.2F, most - 2.3F), std::min(-2.9F, most - 0.7F), share);
     const float hot = ramp(cold_m, warm_m, ground.cells()[i]);
     thin.cells()[i] = stream * hot;
-    wide.cells()[i] = stream * hot * ramp(-3.4F, -1.6F, std::log(share + 1e-9F));
+    wide.cells()[i] = stream * hot * ramp(std::min(-3.4F, most - 1.3F), std::min(-1.6F, most), share);
   }
   geom::gaussian_blur(thin, 0.8 * flow.cell_m(), run);
   geom::gaussian_blur(wide, 1.7 * flow.cell_m(), run);

@@ -1,7 +1,9 @@
 #include "seamount/ops/render/map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
@@ -124,15 +126,26 @@ void add_level(LineLayer& layer, const ScalarField& field, double level, double 
   }
 }
 
-/// Round interval for about twenty contours over land, or over all where there is no land to speak of.
+/// Round interval for about twenty contours over land, or over all where there is no land to speak of; a metre at
+/// least, which is what the lowest land is known to.
 double contour_interval(const MapParams& params, double low, double high) {
   if (params.contour_interval_m) return *params.contour_interval_m;
   const double range = high > 1.0 ? high - std::max(0.0, low) : high - low;
-  const double least = std::max(0.1, range / 22.0);
+  const double least = std::max(1.0, range / 22.0);
   const double round = round_down_nice(least);
   return round >= least - 1e-9                         ? round
          : round_down_nice(2.5 * round + 1e-9) > least ? round_down_nice(2.5 * round)
                                                        : 5.0 * round;
+}
+
+/// Depths in metres whose lines a chart shows (negative, falling): 2, 5, 10, 20, 30, 50, 100, 200, 500, 1000 and so on.
+std::vector<double> chart_depths(double low) {
+  constexpr std::array kFirst = {2.0, 5.0, 10.0, 20.0, 30.0, 50.0, 100.0, 200.0, 500.0};
+  std::vector<double> depths;
+  for (const double depth : kFirst)
+    if (-depth > low) depths.push_back(-depth);
+  for (double depth = 1000.0; - depth > low; depth += 1000.0) depths.push_back(-depth);
+  return depths;
 }
 
 /// The ground without hollows: dry land below the sea's level is just above it.
@@ -151,25 +164,34 @@ HeightField without_sea(const Sheet& sheet) {
   return ground;
 }
 
+/// Every fifth line of land is stronger, and of a chart's those of 10, 100 and 1000 metres.
+bool is_major(int64_t line) { return line % 5 == 0; }
+bool is_major_depth(double depth) {
+  const double power = std::log10(-depth);
+  return std::abs(power - std::round(power)) < 1e-9;
+}
+
 /// `shore`: the ground without hollows.
-void draw_contours(Image& image, const Layout& layout, const Sheet& sheet, const HeightField& shore, double interval,
-                   const RunContext& run) {
+void draw_contours(Image& image, const Layout& layout, const Sheet& sheet, const HeightField& shore,
+                   const MapParams& params, const RunContext& run) {
   const HeightField& ground = sheet.ground;
   const HeightField hollows = sheet.dry.empty() ? HeightField() : without_sea(sheet);
-  const double low = sheet.low(), high = sheet.high;
+  const double low = sheet.low(), high = sheet.high, interval = contour_interval(params, low, high);
   const double line = std::max(0.6, layout.unit / 26.0);
   LineLayer land(ground.width(), ground.height()), sea(land), index(land), sea_index(land);
   const auto first = static_cast<int64_t>(std::ceil(low / interval)), last = static_cast<int64_t>(high / interval);
-  // A sheet full of lines says nothing: a floor far deeper than the land is high gets its index lines only.
-  const bool deep = -low > 40.0 * interval;
   for (int64_t i = first; i <= last; ++i) {
     run.check_cancelled();
     const double level = static_cast<double>(i) * interval;
-    const bool major = i % 5 == 0;
-    if (i < 0 && !hollows.empty()) add_level(major ? index : land, hollows, level, major ? 1.5 * line : line, run);
-    if (i == 0 || (i < 0 && deep && !major)) continue;
-    if (i > 0) add_level(major ? index : land, ground, level, major ? 1.5 * line : line, run);
-    if (i < 0) add_level(major ? sea_index : sea, shore, level, line, run);
+    LineLayer& layer = is_major(i) ? index : land;
+    const double width = is_major(i) ? 1.5 * line : line;
+    if (i < 0 && !hollows.empty()) add_level(layer, hollows, level, width, run);
+    if (i > 0) add_level(layer, ground, level, width, run);
+    if (i < 0 && params.contour_interval_m) add_level(is_major(i) ? sea_index : sea, shore, level, line, run);
+  }
+  for (const double depth : params.contour_interval_m ? std::vector<double>() : chart_depths(low)) {
+    run.check_cancelled();
+    add_level(is_major_depth(depth) ? sea_index : sea, shore, depth, line, run);
   }
   const Colour brown{120, 84, 50}, blue{38, 84, 130};
   run.check_cancelled();
@@ -292,7 +314,7 @@ Image map(const HeightField& terrain, const LabelMap* labels, const MapDrawings&
   const StyleTints* tints = styled ? &*styled : nullptr;
   paint_ground(image, layout, sheet, labels, params, scale, tints, run.part(0.65, 0.7));
   if (params.contours) {
-    draw_contours(image, layout, sheet, shore, contour_interval(params, sheet.low(), sheet.high), run);
+    draw_contours(image, layout, sheet, shore, params, run);
   }
   run.report(0.9);
   const double line = std::max(0.8, layout.unit / 16.0);

@@ -110,6 +110,29 @@ TEST(Map, TheCoastHasNoJumpOfColour) {
   }
 }
 
+TEST(Map, AnAtollsSheetIsNotFullOfLines) {
+  HeightField terrain = test_island(220, 220, 12000.0, 0.0);
+  for (float& h : terrain.cells())
+    if (h > -2.0F) h += 3.5F;  // islets, the only land
+  MapParams params = bare(660);
+  const Image plain = map(terrain, nullptr, params, {});
+  params.contours = true;
+  const auto lined = [&](const MapParams& with) {
+    const Image image = map(terrain, nullptr, with, {});
+    int pixels = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const Colour a = image.colour(x, y), b = plain.colour(x, y);
+        pixels += std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) > 12 ? 1 : 0;
+      }
+    return static_cast<double>(pixels) / (image.width * image.height);
+  };
+  EXPECT_GT(lined(params), 0.002);
+  EXPECT_LT(lined(params), 0.06);
+  params.contour_interval_m = 2.0;  // what is asked for is drawn
+  EXPECT_GT(lined(params), 0.1);
+}
+
 TEST(Map, RegionsNeedLabels) {
   const HeightField terrain = test_island(30, 30, 9000.0, 600.0);
   MapParams params = bare(90);

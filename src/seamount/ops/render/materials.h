@@ -2,15 +2,16 @@
 // of mesh textures. Colours are diffuse albedos from field spectra of such surfaces in round figures (basalt 0.08-0.12,
 // forest 0.03-0.07, dry grass 0.2, coral sand 0.5-0.6), kept muted.
 //
-// Land: forest where slopes hold soil and hollows hold water, thinning to dry grass and scree towards the tree line,
-// rock on steep ground, sand at the beach, snow high up. Sea floor: sand on gentle floors, pale reef flat in the
-// shallows, dark fore reef and rock where it falls away. Boundaries are broken up by noise in metres at several scales.
+// Land: land_cover.h. Sea floor: sand on gentle floors, pale reef flat in the shallows, dark fore reef and rock where
+// it falls away; where no reef grows, grey sand, weed and rock. Boundaries are broken up by noise in metres at several
+// scales.
 #pragma once
 
 #include <array>
 #include <string_view>
 
 #include "seamount/base/fields.h"
+#include "seamount/ops/render/climate.h"
 #include "seamount/ops/render/colour.h"
 
 namespace seamount::render {
@@ -25,8 +26,10 @@ struct SurfacePoint {
   float slope = 0.0F;        ///< tangent
   float concavity = 0.0F;    ///< of light.h
   float northness = 0.0F;    ///< slope times cosine of the aspect: positive on north faces
-  float footprint = 1.0F;    ///< width of what is averaged
-  float labelled = 0.0F;     ///< 1: the weights below hold; 0: no label map
+  float rib = 0.0F;  ///< height over the near surroundings over their size: positive on ribs, negative in gullies
+  float wet = 0.0F, rain = 1.0F, shore_m = 1e3F;  ///< of ground_cover.h
+  float footprint = 1.0F;                         ///< width of what is averaged
+  float labelled = 0.0F;                          ///< 1: the weights below hold; 0: no label map
   float beach = 0.0F, lagoon = 0.0F, reef = 0.0F;
   float low = 0.0F, high = 0.0F;  ///< shares of a style's layers; the middle has the rest
   float lava = 0.0F;              ///< how much lava runs here, 0 to 1
@@ -35,8 +38,7 @@ struct SurfacePoint {
 };
 
 struct MaterialRules {
-  float tree_line = 2000.0F;  ///< metres above the water
-  float snow_line = 4500.0F;
+  Climate climate;
   Style style = Style::natural;
 };
 

@@ -12,6 +12,7 @@
 #include "seamount/base/rng.h"
 #include "seamount/ops/render/camera.h"
 #include "seamount/ops/render/scene.h"
+#include "seamount/ops/render/subject.h"
 
 namespace seamount::render {
 namespace {
@@ -20,46 +21,6 @@ constexpr int kTile = 32;
 constexpr int kFinePerSide = 3;  // rays of an uneven pixel, squared
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
-
-/// Whether the terrain lies in the sea: most of its border is under water.
-bool lies_in_sea(const HeightField& heights) {
-  int64_t wet = 0, all = 0;
-  const auto count = [&](float h) {
-    wet += h <= 0.0F ? 1 : 0;
-    ++all;
-  };
-  for (int x = 0; x < heights.width(); ++x) {
-    count(heights(x, 0));
-    count(heights(x, heights.height() - 1));
-  }
-  for (int y = 0; y < heights.height(); ++y) {
-    count(heights(0, y));
-    count(heights(heights.width() - 1, y));
-  }
-  return 2 * wet > all;
-}
-
-/// Places that the default camera keeps in view: land and shallows in a sea, otherwise the whole block.
-std::vector<Vec3> places_to_show(const Ground& ground, bool sea, float base) {
-  std::vector<Vec3> land, all;
-  const HeightField& heights = ground.heights();
-  const int step_x = std::max(1, heights.width() / 96), step_y = std::max(1, heights.height() / 96);
-  for (int y = 0;; y = std::min(y + step_y, heights.height() - 1)) {
-    for (int x = 0;; x = std::min(x + step_x, heights.width() - 1)) {
-      const float h = heights(x, y);
-      const Vec3 place{(static_cast<float>(x) - 0.5F * static_cast<float>(heights.width() - 1)) * ground.cell_m(),
-                       (0.5F * static_cast<float>(heights.height() - 1) - static_cast<float>(y)) * ground.cell_m(),
-                       sea ? std::max(h, 0.0F) : h};
-      all.push_back(place);
-      if (!sea) all.push_back({place.x, place.y, base});
-      if (h > -25.0F) land.push_back(place);
-      if (x == heights.width() - 1) break;
-    }
-    if (y == heights.height() - 1) break;
-  }
-  const bool some_land = land.size() * 200 > all.size();
-  return sea && some_land ? land : all;
-}
 
 /// The middle of the places' extent, at a height of the lower part of the terrain.
 Vec3 middle(const std::vector<Vec3>& places) {
@@ -282,6 +243,8 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Thin
     throw InvalidArgument("camera.elevation_deg", format_number(params.camera.elevation_deg) +
                                                       " is outside [1, 89], unless camera.distance_m is given");
   const SunDirection sun{radians(params.sun.azimuth_deg), radians(params.sun.elevation_deg)};
+  const Climate climate = climate_of(params.climate, params.tree_line_m, params.snow_line_m, params.rock,
+                                     setting_of(terrain, params.water_level_m, params.water));
   const Ground ground(terrain, labels,
                       {.water_level_m = params.water_level_m,
                        .exaggeration = params.vertical_exaggeration,
@@ -289,17 +252,18 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Thin
                        .style = params.style,
                        .layers = params.layers,
                        .lake = params.water ? lake : nullptr,
-                       .min_sea_m2 = params.min_sea_m2},
+                       .min_sea_m2 = params.min_sea_m2,
+                       .wind_from = climate.wind_from},
                       run.part(0.0, 0.3));
   const bool sea = params.surround == Surround::sea ||
-                   (params.surround == Surround::automatic && params.water && lies_in_sea(ground.heights()));
+                   (params.surround == Surround::automatic && params.water && lies_in_sea(ground.heights(), 0.0));
   const Sky sky(sun);
   SceneOptions options;
   options.water = params.water;
   options.sea = sea;
   options.clarity = static_cast<float>(params.water_clarity);
   options.haze = static_cast<float>(params.haze);
-  options.rules = {static_cast<float>(params.tree_line_m), static_cast<float>(params.snow_line_m), params.style};
+  options.rules = {climate, params.style};
   const RunContext quiet{run.threads, {}, run.cancelled};
   Scene scene(ground, sky, options, quiet);
   const Camera camera = place_camera(params, terrain.frame(), ground, sea, scene.base());

@@ -9,6 +9,7 @@
 #include "seamount/base/fields.h"
 #include "seamount/geom/water/inland.h"
 #include "seamount/model/layer_borders.h"
+#include "seamount/ops/render/climate.h"
 #include "seamount/ops/render/materials.h"
 
 namespace seamount::render {
@@ -35,8 +36,9 @@ struct CameraParams {
               "height of the camera above the horizon as seen from the target"),
         field(&P::distance, "distance", "", between(0.02, 10),
               "distance from the target; 1 shows the whole terrain, 0.5 is half as far"),
-        field(&P::target_x_m, "target_x_m", "m", {}, "where to look, east; by default the middle of the land"),
-        field(&P::target_y_m, "target_y_m", "m", {}, "where to look, north; by default the middle of the land"),
+        field(&P::target_x_m, "target_x_m", "m", {},
+              "where to look, east; by default the middle of the largest land or reef and what is near"),
+        field(&P::target_y_m, "target_y_m", "m", {}, "where to look, north; by default the same"),
         field(&P::distance_m, "distance_m", "m", between(0.05, 1e6),
               "metres from the target, which is then a place on the ground; under water the camera stays there; by "
               "default distance counts"),
@@ -70,8 +72,10 @@ struct PerspectiveParams {
   double water_level_m = 0.0;
   double water_clarity = 1.0;
   Surround surround = Surround::automatic;
-  double tree_line_m = 2000.0;
-  double snow_line_m = 4500.0;
+  ClimateParams climate;
+  std::optional<double> tree_line_m;
+  std::optional<double> snow_line_m;
+  Rock rock = Rock::automatic;
   Style style = Style::natural;
   LayerBorders layers;
   std::optional<double> min_sea_m2;
@@ -90,8 +94,12 @@ struct PerspectiveParams {
         field(&P::water_clarity, "water_clarity", "", between(0.05, 5),
               "how far one sees in water, 1 in clear tropical water"),
         field(&P::surround, "surround", "what lies around the terrain"),
-        field(&P::tree_line_m, "tree_line_m", "m", between(1, 9000), "height over the water where forest ends"),
-        field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000), "height over the water where snow stays"),
+        field(&P::climate, "climate", "what grows on the land, in the natural style"),
+        field(&P::tree_line_m, "tree_line_m", "m", between(1, 9000),
+              "height over the water where forest ends; by default as usual for the latitude"),
+        field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000),
+              "height over the water where snow stays; by default as usual for the latitude"),
+        field(&P::rock, "rock", "bare rock in the natural style; automatic is basalt in a warm sea, else granite"),
         field(&P::style, "style", "what the ground is made of: natural, or three layers by height in a style"),
         field(&P::layers, "layers", "borders of the style's layers, as heights over the water"),
         field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));

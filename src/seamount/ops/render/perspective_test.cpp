@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 
 #include "seamount/ops/render/test_terrain.h"
@@ -63,6 +65,71 @@ TEST(Perspective, TheSunLightsTheSideItStandsOn) {
   };
   EXPECT_GT(brightness(270.0, 65), brightness(270.0, 95) + 60);
   EXPECT_GT(brightness(90.0, 95), brightness(90.0, 65) + 60);
+}
+
+TEST(Perspective, AgainstTheSunTheSeaIsNotWhite) {
+  const HeightField terrain = test_island(128, 128, 20000.0, 900.0);
+  for (const double elevation : {5.0, 12.0, 30.0, 50.0, 80.0}) {
+    for (const double camera : {12.0, 25.0, 45.0}) {
+      PerspectiveParams params = small();
+      params.sun = {.azimuth_deg = 285.0, .elevation_deg = elevation};
+      params.camera.azimuth_deg = 105.0;
+      params.camera.elevation_deg = camera;
+      const Image image = perspective(terrain, nullptr, params, {});
+      int white = 0;
+      for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+          const Colour c = image.colour(x, y);
+          white += std::min({c.r, c.g, c.b}) >= 248 ? 1 : 0;
+        }
+      EXPECT_LT(white, image.width * image.height / 500) << elevation << " " << camera;
+    }
+  }
+}
+
+TEST(Perspective, MountainsStandAgainstTheSky) {
+  // Seen from low over the sea, the skyline is the mountain's, not a level line.
+  HeightField cone(GridFrame::centred(128, 128, 100.0));
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 128; ++x)
+      cone(x, y) = 1500.0F - 30.0F * std::hypot(static_cast<float>(x) - 63.5F, static_cast<float>(y) - 63.5F);
+  PerspectiveParams params = small();
+  params.camera = {.azimuth_deg = 180.0, .elevation_deg = 3.0, .target_x_m = 0.0, .target_y_m = -6300.0};
+  params.camera.distance_m = 9000.0;
+  const Image image = perspective(cone, nullptr, params, {});
+  const auto skyline = [&](int x) {
+    int y = 0;
+    while (y < image.height && luminance(linear(image.colour(x, y))) > 0.25F) ++y;
+    return y;
+  };
+  EXPECT_LT(skyline(80), skyline(60) - 3);
+  EXPECT_LT(skyline(60), skyline(30) - 3);
+  EXPECT_NEAR(skyline(60), skyline(100), 3);
+}
+
+TEST(Perspective, TheSeaFloorGoesOnBeyondTheBorder) {
+  for (const float floor : {-4.0F, -13.0F, -40.0F}) {
+    HeightField shelf(GridFrame::centred(128, 128, 40.0), floor);
+    for (int y = 0; y < 128; ++y)
+      for (int x = 0; x < 128; ++x) shelf(x, y) += 0.02F * static_cast<float>((x * 7 + y * 13) % 10);  // no flat model
+    PerspectiveParams params = small();
+    params.haze = 0.0;
+    params.camera.elevation_deg = 60.0;
+    params.camera.azimuth_deg = 180.0;
+    params.camera.distance = 2.0;
+    const Image image = perspective(shelf, nullptr, params, {});
+    const auto column = [&](int x) {
+      Rgb sum;
+      for (int y = 35; y < 55; ++y) sum += linear(image.colour(x, y));
+      return 0.05F * sum;
+    };
+    // The terrain ends near a quarter and three quarters of the picture's width: no step there, and none anywhere.
+    for (int x = 2; x + 4 < image.width; ++x) {
+      EXPECT_NEAR(column(x).g, column(x + 2).g, 0.08F * column(x).g) << floor << " at " << x;
+      EXPECT_NEAR(column(x).b, column(x + 2).b, 0.08F * column(x).b) << floor << " at " << x;
+    }
+    EXPECT_NEAR(column(8).b, column(80).b, 0.35F * column(80).b) << floor;
+  }
 }
 
 TEST(Perspective, OddTerrainsAndCamerasAreDrawn) {

@@ -12,11 +12,30 @@ namespace {
 
 constexpr float kFar = 1e9F;
 constexpr float kHazeDepth = 0.022F;  // optical depth across the terrain
-constexpr float kSeaSlope = 0.12F;    // how fast the floor sinks beyond the terrain's border
 constexpr Rgb kTable{0.46F, 0.46F, 0.455F};
 
 float lowest_of(const HeightField& heights) {
   return *std::min_element(heights.cells().begin(), heights.cells().end());
+}
+
+/// Mean depth of the water along the terrain's border; 0 where there is none.
+float mean_border_depth(const HeightField& heights) {
+  double sum = 0.0;
+  int64_t count = 0;
+  const auto add = [&](float h) {
+    if (h >= 0.0F) return;
+    sum -= h;
+    ++count;
+  };
+  for (int x = 0; x < heights.width(); ++x) {
+    add(heights(x, 0));
+    add(heights(x, heights.height() - 1));
+  }
+  for (int y = 0; y < heights.height(); ++y) {
+    add(heights(0, y));
+    add(heights(heights.width() - 1, y));
+  }
+  return count > 0 ? static_cast<float>(sum / static_cast<double>(count)) : 0.0F;
 }
 
 }  // namespace
@@ -27,6 +46,7 @@ Scene::Scene(const Ground& ground, const Sky& sky, const SceneOptions& options, 
   haze_.near_density = options.haze * kHazeDepth / size;
   haze_.far_length = 2.5F * size;
   base_ = lowest_of(ground.heights()) - 0.035F * size;
+  border_depth_ = mean_border_depth(ground.heights());
 }
 
 float Scene::beyond(float x, float y) const {
@@ -81,7 +101,7 @@ Hit Scene::over_water_hit(Vec3 from, Vec3 direction) const {
   if (!tracer_.clip(lattice_ray(from, direction, 0.0F), enter, leave)) return {last, end};
   // From here on t counts from where the ray comes over the terrain: floats are finer there.
   const LatticeRay ray = lattice_ray(from, direction, enter);
-  if (ray.height + direction.z * (leave - enter) > tracer_.highest() && direction.z >= 0.0F) return {last, end};
+  if (direction.z >= 0.0F && ray.height > tracer_.highest()) return {last, end};
   const float ground = tracer_.height(ray.column, ray.row);
   if (enter > 0.0F && ray.height < ground) return {Surface::wall, enter};
   float water = kFar;
@@ -192,15 +212,25 @@ Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint, Dice dice) con
   water.y = place.y;
   water.footprint = footprint;
   const Vec3 floor = refracted_floor(place, direction);
-  GroundSample s = ground_.sample(floor.x, floor.y, footprint);
-  // Land that is cut off at the border falls into deep water there.
-  const float cliff = out > 0.0F ? 80.0F * ramp(-3.0F, 0.5F, s.point.z) : 0.0F;
-  water.depth = std::max(0.0F, -s.point.z) + cliff + kSeaSlope * out;
+  // Beyond the border the floor goes on, ever smoother, and comes to the mean depth of the border.
+  const float size = 2.0F * std::max(ground_.half_width_m(), ground_.half_height_m());
+  GroundSample s = ground_.sample(floor.x, floor.y, std::max(footprint, std::min(0.8F * out, 0.06F * size)));
+  water.depth = std::max(0.0F, -s.point.z);
+  if (out > 0.0F) {
+    const float cliff = 80.0F * ramp(-3.0F, 0.5F, s.point.z);  // land that is cut off falls into deep water
+    const float swell = detail_noise(141, floor.x, floor.y, 0.2F * size, 3, 0.5F, footprint).value;
+    const float far = border_depth_ * (1.0F + 0.2F * swell);
+    water.depth = mix(far, water.depth + cliff, std::exp(-out / (0.12F * size)));
+    s.point.shore_m += out;
+  }
+  water.shelter = clamp01(s.point.lagoon + 3.0F * s.point.concavity) * ramp(60.0F, 20.0F, water.depth);
   s.point.z = -water.depth;
   const float fade = std::exp(-out / (0.008F * ground_.half_width_m()));
   water.sun = mix(1.0F, s.form.sun, fade);
   water.sky = mix(1.0F, s.cover.sky, fade);
-  water.floor = floor_material(s.point, options_.rules).albedo;
+  constexpr float kUnseen = 120.0F;  // metres: of what is deeper nothing comes up
+  if (water.depth < kUnseen * options_.clarity || things_ != nullptr)
+    water.floor = floor_material(s.point, options_.rules).albedo;
   if (out <= 0.0F) water.foam = foam(place, footprint, water.depth);
   if (things_ != nullptr && out <= 0.0F) {
     see_things_below(place, floor, water.depth, water.floor, dice);
@@ -216,6 +246,7 @@ Rgb Scene::lake_light(Vec3 place, Vec3 direction, float footprint, const GroundS
   water.y = place.y;
   water.footprint = footprint;
   water.depth = ground.point.lake;
+  water.shelter = 0.7F;
   water.sun = ground.form.sun;
   water.sky = ground.cover.sky;
   SurfacePoint bed = ground.point;

@@ -110,6 +110,7 @@ class Scene {
   Tracer tracer_;
   Haze haze_;
   float base_ = 0.0F;
+  float border_depth_ = 0.0F;  ///< metres of water at the terrain's border, on the mean
   const ThingScene* things_ = nullptr;
   bool submerged_ = false;
 };

@@ -173,7 +173,8 @@ Material style_land(const SurfacePoint& point, Style style) {
                   : style == Style::desert ? desert_land(point)
                                            : volcano_land(point);
   const float uneven = detail_noise(23, point.x, point.y, 170.0F, 2, 0.6F, point.footprint).value;
-  const float beach = ramp(3.0F, 1.2F, point.z + 1.3F * uneven) * ramp(0.22F, 0.08F, point.slope);
+  const float beach = ramp(3.0F, 1.2F, point.z + 1.3F * uneven) * ramp(0.22F, 0.08F, point.slope) *
+                      ramp(110.0F, 60.0F, point.shore_m + 40.0F * uneven - 0.5F * point.footprint);
   const Rgb sand = style == Style::volcano ? kBlackSand : kSand;
   land.albedo = mix(land.albedo, mix(sand, 0.6F * sand, ramp(0.7F, 0.1F, point.z)), beach);
   land.bump = mix(land.bump, 0.1F, beach);

@@ -20,13 +20,13 @@ float soft_light(const GroundSample& s, Vec3 normal, Vec3 to_sun) {
   return (0.45F + 0.55F * direct * (0.5F + 0.5F * s.form.sun)) * (0.45F + 0.55F * s.cover.sky);
 }
 
-Rgb texel(const Ground& ground, const Sky& sky, const TextureParams& params, float x, float y, float footprint) {
+Rgb texel(const Ground& ground, const Sky& sky, const TextureParams& params, const MaterialRules& rules, float x,
+          float y, float footprint) {
   const GroundSample s = ground.sample(x, y, footprint);
   SurfacePoint point = s.point;
   if (!params.water) point.z = std::max(point.z, 5.0F);
   if (point.lake > 0.0F) point.z = -point.lake;
-  const Material material = ground_material(
-      point, {static_cast<float>(params.tree_line_m), static_cast<float>(params.snow_line_m), params.style});
+  const Material material = ground_material(point, rules);
   const float light = soft_light(s, ground.normal(s, material.bump), sky.to_sun());
   const auto baked = static_cast<float>(params.baked_light);
   Rgb colour = mix(1.0F, light, baked) * material.albedo + 0.5F * material.glow;
@@ -41,6 +41,9 @@ Rgb texel(const Ground& ground, const Sky& sky, const TextureParams& params, flo
 Image texture(const HeightField& terrain, const LabelMap* labels, const ScalarField* lake, const TextureParams& params,
               const RunContext& run) {
   check_params(params);
+  const Climate climate = climate_of(params.climate, params.tree_line_m, params.snow_line_m, params.rock,
+                                     setting_of(terrain, params.water_level_m, params.water));
+  const MaterialRules rules{climate, params.style};
   const Ground ground(terrain, labels,
                       {.water_level_m = params.water_level_m,
                        .sun = kSun,
@@ -48,7 +51,8 @@ Image texture(const HeightField& terrain, const LabelMap* labels, const ScalarFi
                        .style = params.style,
                        .layers = params.layers,
                        .lake = params.water ? lake : nullptr,
-                       .min_sea_m2 = params.min_sea_m2},
+                       .min_sea_m2 = params.min_sea_m2,
+                       .wind_from = climate.wind_from},
                       run.part(0.0, 0.4));
   const Sky sky(kSun);
   const double width_m = terrain.frame().width_m(), height_m = terrain.frame().height_m();
@@ -62,7 +66,7 @@ Image texture(const HeightField& terrain, const LabelMap* labels, const ScalarFi
         const double east = ((x + 0.5) / image.width - 0.5) * width_m;
         const double north = (0.5 - (y + 0.5) / image.height) * height_m;
         write_dithered(image.pixel(x, y), x, y,
-                       texel(ground, sky, params, static_cast<float>(east), static_cast<float>(north),
+                       texel(ground, sky, params, rules, static_cast<float>(east), static_cast<float>(north),
                              static_cast<float>(pixel_m)));
       }
     }

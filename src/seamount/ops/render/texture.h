@@ -11,6 +11,7 @@
 #include "seamount/model/image.h"
 #include "seamount/model/label_map.h"
 #include "seamount/model/layer_borders.h"
+#include "seamount/ops/render/climate.h"
 #include "seamount/ops/render/materials.h"
 
 namespace seamount::render {
@@ -21,8 +22,10 @@ struct TextureParams {
   bool water = true;
   double water_level_m = 0.0;
   double water_clarity = 1.0;
-  double tree_line_m = 2000.0;
-  double snow_line_m = 4500.0;
+  ClimateParams climate;
+  std::optional<double> tree_line_m;
+  std::optional<double> snow_line_m;
+  Rock rock = Rock::automatic;
   Style style = Style::natural;
   LayerBorders layers;
   std::optional<double> min_sea_m2;
@@ -37,8 +40,12 @@ struct TextureParams {
         field(&P::water_level_m, "water_level_m", "m", between(-12000, 9000), "height of the water's surface"),
         field(&P::water_clarity, "water_clarity", "", between(0.05, 5),
               "how far one sees in water, 1 in clear tropical water"),
-        field(&P::tree_line_m, "tree_line_m", "m", between(1, 9000), "height over the water where forest ends"),
-        field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000), "height over the water where snow stays"),
+        field(&P::climate, "climate", "what grows on the land, in the natural style"),
+        field(&P::tree_line_m, "tree_line_m", "m", between(1, 9000),
+              "height over the water where forest ends; by default as usual for the latitude"),
+        field(&P::snow_line_m, "snow_line_m", "m", between(-1000, 20000),
+              "height over the water where snow stays; by default as usual for the latitude"),
+        field(&P::rock, "rock", "bare rock in the natural style; automatic is basalt in a warm sea, else granite"),
         field(&P::style, "style", "what the ground is made of: natural, or three layers by height in a style"),
         field(&P::layers, "layers", "borders of the style's layers, as heights over the water"),
         field(&P::min_sea_m2, "min_sea_m2", "m2", between(0, 1e15), geom::kLeastSeaMeaning));

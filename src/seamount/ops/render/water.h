@@ -5,7 +5,7 @@
 // "Diffuse reflectance of oceanic shallow waters", Limnology and Oceanography 39, 1994, eq. 9, with a path down from
 // the sun and up to the eye. Surface: mean Fresnel reflectance of a rough sea (Bruneton, Neyret and Holzschuch,
 // "Real-time realistic ocean lighting", Eurographics 2010, eq. 18), glitter by the slope statistics of Cox and Munk
-// (1954).
+// (1954) with the waves that hide each other (their eq. 11; Smith 1967).
 #pragma once
 
 #include "seamount/ops/render/sky.h"
@@ -19,7 +19,8 @@ struct WaterPoint {
   float depth = 0.0F;        ///< metres of water along the vertical, below the refracted view
   Rgb floor;                 ///< albedo
   float sun = 1.0F, sky = 1.0F;
-  float foam = 0.0F;  ///< share of the surface that is foam
+  float foam = 0.0F;     ///< share of the surface that is foam
+  float shelter = 0.0F;  ///< 1 where neither swell nor long waves come
 };
 
 /// Share of light that survives a path of that many metres in clear tropical water; clarity 2 doubles how far one sees.
@@ -34,6 +35,11 @@ float refracted_cosine(float cosine);
 /// Foam by depth: the wash on beaches, and where swell breaks. `breaking` and `exposed` in [0, 1]: whether the floor
 /// drops into open water right here, and whether open water is near.
 float foam_share(float x, float y, float footprint, float depth, float breaking, float exposed);
+
+/// Sunlight that the waves' facets mirror to the eye, over that of a white card which faces the sun; compressed as film
+/// does, so that the sun's road keeps its form: never above 0.36. `normal` is the tilt of the waves that are seen,
+/// `variance` that of the slopes of the rest. REQUIRES: unit vectors, variance > 0.
+float sun_glint(Vec3 to_eye, Vec3 normal, Vec3 to_sun, float variance);
 
 Rgb water_light(const WaterPoint& point, const Sky& sky, float clarity);
 

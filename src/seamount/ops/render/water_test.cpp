@@ -44,6 +44,27 @@ TEST(Water, DeeperIsDarkerAndEndsAtOneColour) {
   EXPECT_NEAR(previous, luminance(water_light(at_depth(5000.0F), sky, 1.0F)), 1e-4F);
 }
 
+TEST(Water, TheSunsRoadIsWideAndNeverWhite) {
+  const Vec3 up{0.0F, 0.0F, 1.0F};
+  for (const float elevation : {0.05F, 0.2F, 0.5F, 1.0F, 1.5F}) {
+    const Vec3 sun{0.0F, std::cos(elevation), std::sin(elevation)};
+    for (const float variance : {0.003F, 0.012F, 0.034F, 0.06F}) {
+      for (float eye = 0.01F; eye < 1.5F; eye += 0.05F) {
+        const float glint = sun_glint({0.0F, -std::cos(eye), std::sin(eye)}, up, sun, variance);
+        EXPECT_GE(glint, 0.0F);
+        EXPECT_LE(glint, 0.36F);
+      }
+    }
+    // Beside the mirror's place there is still light, the more the rougher the sea.
+    if (elevation < 0.4F) continue;
+    const auto beside = [&](float variance, float by) {
+      return sun_glint(normalised({std::sin(by), -std::cos(elevation), std::sin(elevation)}), up, sun, variance);
+    };
+    EXPECT_GT(beside(0.034F, 0.15F), 0.3F * beside(0.034F, 0.0F));
+    EXPECT_GT(beside(0.034F, 0.4F), beside(0.004F, 0.4F));
+  }
+}
+
 TEST(Water, RefractionFollowsSnell) {
   EXPECT_FLOAT_EQ(refracted_cosine(1.0F), 1.0F);
   EXPECT_NEAR(std::sqrt(1.0F - refracted_cosine(0.0F) * refracted_cosine(0.0F)), 1.0F / 1.333F, 1e-5F);

@@ -1,4 +1,5 @@
 // Registration of the render family.
+#include "seamount/io/projection.h"
 #include "seamount/ops/render/contours.h"
 #include "seamount/ops/render/layers.h"
 #include "seamount/ops/render/map.h"
@@ -23,6 +24,19 @@ OptionalIn<kinds::Field> lake_in() {
 }
 auto picture_out() { return outputs(out<kinds::Image>("image", "the picture")); }
 
+/// With the latitude of the terrain's middle, if it lies somewhere on the Earth and no other is given.
+template <class Params>
+Params at_its_latitude(Params params, const GridFrame& frame) {
+  if (params.climate.latitude_deg || frame.crs.empty()) return params;
+  try {
+    const Vec2 middle{frame.west_m + 0.5 * frame.width_m(), frame.north_m - 0.5 * frame.height_m()};
+    params.climate.latitude_deg = io::to_lonlat({middle}, frame.crs).front().y;
+  } catch (const Error&) {
+    // A system of an engineer's own: on no place of the Earth.
+  }
+  return params;
+}
+
 Image map(const render::MapParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
           Lines lakes, Lines rivers, Lines ridges, Lines peaks, const VectorField* current, const Scene* objects,
           const ScalarField* lake) {
@@ -44,19 +58,22 @@ void add_views(Registry& registry) {
       }));
   registry.add(make_operator<render::PerspectiveParams>(
       {.name = "render.perspective",
-       .revision = 2,
+       .revision = 3,
        .summary = "A picture from a point of view, with sun, shadows, sky and water"},
       inputs(terrain_in(), labels_in(),
              optional_in<kinds::Things>("things", "what stands on it, drawn from its models"), lake_in()),
       picture_out(),
       [](const render::PerspectiveParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
-         const Things* things,
-         const ScalarField* lake) { return render::perspective(terrain, labels, things, lake, params, call.run); }));
+         const Things* things, const ScalarField* lake) {
+        return render::perspective(terrain, labels, things, lake, at_its_latitude(params, terrain.frame()), call.run);
+      }));
   registry.add(make_operator<render::TextureParams>(
-      {.name = "render.texture", .revision = 2, .summary = "The ground from above, as a texture for meshes"},
+      {.name = "render.texture", .revision = 3, .summary = "The ground from above, as a texture for meshes"},
       inputs(terrain_in(), labels_in(), lake_in()), picture_out(),
       [](const render::TextureParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
-         const ScalarField* lake) { return render::texture(terrain, labels, lake, params, call.run); }));
+         const ScalarField* lake) {
+        return render::texture(terrain, labels, lake, at_its_latitude(params, terrain.frame()), call.run);
+      }));
 }
 
 }  // namespace
@@ -64,7 +81,7 @@ void add_views(Registry& registry) {
 void add_render_operators(Registry& registry) {
   registry.add(make_operator<render::MapParams>(
       {.name = "render.map",
-       .revision = 2,
+       .revision = 3,
        .summary = "A map with tints by height and depth, relief, contours, legend and scale bar; rivers, lakes, "
                   "ridges, peaks, currents and objects over it"},
       inputs(terrain_in(), labels_in(), optional_in<Drawing>("lakes", "areas to fill as water"),
