@@ -75,6 +75,31 @@ class OneFrame : public testing::Test {
   std::vector<std::string> notes_;
 };
 
+/// Snow lies as low as it does at the terrain's latitude; a terrain without a place is at that of its setting.
+TEST_F(OneFrame, PicturesTakeTheLatitudeOfThePlace) {
+  const auto whiteness = [&](const std::string& crs, double northing, const std::string& params) {
+    GridFrame frame = frame_at({500000, northing}, 60, 60, 100, crs);
+    HeightField heights(frame);
+    for (int y = 0; y < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x) heights(x, y) = 3400.0F + 10.0F * static_cast<float>((x * 3 + y * 5) % 7);
+    io::write_heights(heights, folder_("high.tif"));
+    const Value made = run("render.texture", R"({"terrain": {"file": "high.tif"}})", params, "image");
+    const Image& image = made.get<kinds::Image>();
+    double sum = 0;
+    for (const uint8_t byte : image.rgb) sum += byte;
+    return sum / static_cast<double>(image.rgb.size());
+  };
+  const std::string size = R"({"size_px": 64)";
+  const double lapland = whiteness("EPSG:32633", 7500000, size + "}"),
+               alps = whiteness("EPSG:32632", 5150000, size + "}"), kenya = whiteness("EPSG:32637", 0, size + "}"),
+               nowhere = whiteness("", 0, size + "}");
+  EXPECT_GT(lapland, 1.5 * kenya);
+  EXPECT_GT(alps, 1.5 * kenya);
+  EXPECT_NEAR(nowhere, alps, 0.2 * alps);
+  EXPECT_EQ(whiteness("EPSG:32637", 0, size + R"(, "climate": {"latitude_deg": 67.6}})"),
+            whiteness("EPSG:32632", 5150000, size + R"(, "climate": {"latitude_deg": 67.6}})"));
+}
+
 /// A polygon in longitude and latitude, in another zone, or in the terrain's own system: the same mask.
 TEST_F(OneFrame, AMaskIsWhereTheDrawingLies) {
   io::write_heights(hill(frame_at(kMiddle, 120, 100, 30)), folder_("hill.tif"));
