@@ -231,9 +231,9 @@ GroundSample Ground::sample(float x, float y, float footprint) const {
 Vec3 Ground::normal(const GroundSample& sample, float bump) const {
   // The grid carries forms down to about two cells; smaller ones are noise of the material's height.
   const SurfacePoint& p = sample.point;
-  const float rough = std::min(1.0F, 0.35F + p.slope);
+  const float rough = std::min(1.0F, 0.18F + p.slope);
   const NoiseSample broken = detail_noise(91, p.x, p.y, 2.5F * cell_m(), 4, 0.5F, p.footprint);
-  const NoiseSample grain = detail_noise(93, p.x, p.y, 9.0F, 3, 0.6F, p.footprint);
+  const NoiseSample grain = detail_noise(93, p.x, p.y, 9.0F, 6, 0.55F, p.footprint);
   const float amplitude = 0.11F * cell_m() * rough * std::min(1.0F, bump);
   return normalised({-sample.form.east - amplitude * broken.dx - bump * grain.dx,
                      sample.form.south - amplitude * broken.dy - bump * grain.dy, 1.0F});

@@ -9,7 +9,7 @@ namespace {
 constexpr Rgb kRainForest{0.023F, 0.035F, 0.015F}, kRainForestLight{0.052F, 0.064F, 0.030F};
 constexpr Rgb kBroadleaf{0.034F, 0.046F, 0.018F}, kBroadleafLight{0.066F, 0.076F, 0.031F};
 constexpr Rgb kConifer{0.017F, 0.027F, 0.015F}, kConiferLight{0.033F, 0.043F, 0.022F};
-constexpr Rgb kMeadow{0.098F, 0.102F, 0.050F}, kDryGrass{0.190F, 0.158F, 0.078F}, kSteppe{0.170F, 0.138F, 0.078F};
+constexpr Rgb kMeadow{0.098F, 0.102F, 0.050F}, kDryGrass{0.172F, 0.145F, 0.073F}, kSteppe{0.155F, 0.127F, 0.074F};
 constexpr Rgb kTundra{0.115F, 0.102F, 0.050F}, kShrub{0.052F, 0.058F, 0.028F};
 constexpr Rgb kSoil{0.115F, 0.076F, 0.046F}, kRedSoil{0.150F, 0.080F, 0.044F}, kDesertSand{0.420F, 0.300F, 0.170F};
 constexpr Rgb kSand{0.560F, 0.475F, 0.345F}, kWetSand{0.330F, 0.270F, 0.185F}, kColdSand{0.300F, 0.265F, 0.205F};
@@ -56,8 +56,8 @@ Rgb rock_of(const SurfacePoint& p, Rock rock, const Breakup& n) {
                   .value *
               (rock == Rock::basalt ? 0.5F : 1.0F) * ramp(0.25F, 0.7F, p.slope);
   }
-  const float pale = clamp01(0.45F + 0.9F * bedding + 0.40F * n.medium + 0.40F * n.fine + 0.35F * n.grain +
-                             0.20F * n.broad + 1.2F * std::clamp(p.rib, -0.2F, 0.2F) - 0.16F * (p.slope - 1.0F));
+  const float pale = clamp01(0.45F + 0.9F * bedding + 0.75F * n.medium + 0.60F * n.fine + 0.50F * n.grain +
+                             0.25F * n.broad + 1.8F * std::clamp(p.rib, -0.2F, 0.2F) - 0.16F * (p.slope - 1.0F));
   return mix(colours.dark, colours.pale, pale);
 }
 
@@ -75,7 +75,7 @@ Growth growth_of(const SurfacePoint& p, const Climate& climate, const Breakup& n
   const float rain = std::max(5.0F, climate.rain_mm * p.rain);
   const float shade = climate.latitude < 0.0F ? -p.northness : p.northness;
   const float away = std::min(1.0F, std::abs(climate.latitude) / 35.0F);  // the tropics' sun stands high
-  g.water = std::log2(rain / usable) + 1.5F * p.wet - 3.2F * std::clamp(p.rib, -0.18F, 0.18F) +
+  g.water = std::log2(rain / usable) + 1.5F * p.wet - 2.5F * std::clamp(p.rib, -0.18F, 0.18F) +
             2.0F * std::clamp(p.concavity, -0.2F, 0.2F) + 0.7F * away * std::clamp(shade, -0.8F, 0.8F) -
             0.35F * std::min(p.slope, 1.5F) + 0.55F * n.medium + 0.45F * n.broad + 0.25F * n.fine;
   const float over = (p.z - climate.tree_line) / 260.0F;
@@ -143,13 +143,13 @@ Rgb rock_colour(const SurfacePoint& point, Rock rock) { return rock_of(point, ro
 Material natural_land(const SurfacePoint& p, const Climate& climate) {
   const Breakup n = breakup(p);
   const Growth g = growth_of(p, climate, n);
-  const float uneven = p.slope + 0.24F * n.medium + 0.16F * n.fine + 0.08F * n.grain +
+  const float uneven = p.slope + 0.28F * n.medium + 0.28F * n.fine + 0.18F * n.grain +
                        1.2F * std::clamp(p.rib, -0.2F, 0.2F) - 0.4F * std::clamp(p.concavity, -0.25F, 0.25F);
   // Roots hold steeper ground where it is warm and wet: cliffs of the wet tropics are green.
   const float grip = 0.55F * ramp(0.0F, 1.2F, g.water) * ramp(14.0F, 22.0F, g.warmth);
   const float forest = ramp(-0.75F, 0.35F, g.water + 0.25F * n.grain) * (1.0F - ramp(0.72F, 1.08F, uneven - grip)) *
                        (1.0F - g.cold) * ramp(1.0F, 6.0F, p.z + 2.5F * n.medium);
-  const float herb = ramp(-2.5F, -0.6F, g.water + 0.5F * n.fine + 0.4F * n.grain) *
+  const float herb = ramp(-2.5F, -0.6F, g.water + 0.9F * n.fine + 0.7F * n.grain) *
                      (1.0F - ramp(0.88F, 1.30F, uneven - grip)) * ramp(-9.0F, -1.0F, g.warmth + 6.0F * n.medium) *
                      (1.0F - ramp(0.15F, 0.85F,
                                   (p.z - 0.5F * (climate.tree_line + climate.snow_line)) / 700.0F + 0.8F * n.medium +
@@ -181,7 +181,7 @@ Material natural_land(const SurfacePoint& p, const Climate& climate) {
   const float spray = ramp(9.0F, 2.0F, p.z + 4.0F * n.medium) * ramp(60.0F, 15.0F, p.shore_m) *
                       ramp(0.12F, 0.45F, p.slope) * (1.0F - sand);
   ground = mix(ground, colours_of(climate.rock).dark, 0.85F * spray);
-  const float grain = (1.0F - 0.7F * snow.share) * (0.15F * n.fine + 0.16F * n.grain);
+  const float grain = (1.0F - 0.7F * snow.share) * (0.20F * n.fine + 0.24F * n.grain);
   return {(1.0F + grain) * ground, bump, {}};
 }
 
