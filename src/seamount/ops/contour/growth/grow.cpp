@@ -1,5 +1,7 @@
 #include "seamount/ops/contour/growth/grow.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,15 +19,21 @@
 #include "seamount/ops/contour/growth/outline_detail.h"
 #include "seamount/ops/contour/growth/probability.h"
 #include "seamount/ops/contour/growth/rivers.h"
+#include "seamount/ops/contour/growth/sea_nodes.h"
 
 namespace seamount::contour {
 namespace {
 
 constexpr double kBytesPerNode = 200.0;
-constexpr double kWidening = 2.0;  ///< spacings around the regions: 4 r with r half a spacing
+constexpr double kBeyond = 2.0;  ///< spacings by which ground goes on beyond the domain's edge
 
 geom::Box box_of(const GridFrame& frame, double margin_m) {
   return {{frame.west_m - margin_m, frame.south_m() - margin_m}, {frame.east_m() + margin_m, frame.north_m + margin_m}};
+}
+
+geom::Box intersection(const geom::Box& a, const geom::Box& b) {
+  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
 }
 
 struct Measures {
@@ -66,7 +74,7 @@ double two_digits(double value, bool up) {
 
 void check_size(const Measures& all, double spacing_m) {
   const auto nodes = [&](double spacing) {
-    const double rim = all.perimeter * (kWidening + 1.5) * spacing;
+    const double rim = all.perimeter * kSeaRows * spacing;
     return geom::kDiscDensity * (all.area + rim) / (spacing * spacing);
   };
   double least = spacing_m;
@@ -132,23 +140,6 @@ void check_regions(const RegionTree& tree, const GridFrame& domain, double spaci
   }
 }
 
-/// Triangles of the sampled area have sides below two spacings, where it made room for rivers below three; longer ones
-/// only span the sea between islands.
-std::vector<geom::Triangle> triangulate(const std::vector<geom::LatticePoint>& points, bool has_rivers,
-                                        const RunContext& run) {
-  const int64_t longest = (has_rivers ? 3 : 2) * int64_t{geom::DiscSampling::kSpacing};
-  std::vector<geom::Triangle> triangles = geom::delaunay(points, run);
-  run.check_cancelled();
-  std::erase_if(triangles, [&](const geom::Triangle& t) {
-    for (size_t k = 0; k < 3; ++k) {
-      const auto a = static_cast<size_t>(t[k]), b = static_cast<size_t>(t[(k + 1) % 3]);
-      if (geom::squared_distance(points[a], points[b]) >= longest * longest) return true;
-    }
-    return false;
-  });
-  return triangles;
-}
-
 }  // namespace
 
 void check_spacing(const RegionTree& tree, const GridFrame& domain, double spacing_m) {
@@ -171,21 +162,29 @@ Tin scatter_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<R
   for (const GrowthRegion& region : tree.regions) {
     if (region.parent < 0) areas.push_back({region.outline, {}});
   }
-  const double margin = kWidening * spacing;
-  const geom::Box box = {all.box.low - Vec2{margin, margin}, all.box.high + Vec2{margin, margin}};
-  geom::DiscSampling discs = geom::poisson_discs(areas, margin, box, spacing, seed.derive("nodes"), run.part(0.0, 0.5));
+  const Vec2 margin = {kDenseSea * spacing, kDenseSea * spacing};
+  const geom::Box box = intersection({all.box.low - margin, all.box.high + margin}, box_of(domain, kBeyond * spacing));
+  geom::DiscSampling discs =
+      geom::poisson_discs(areas, kDenseSea * spacing, box, spacing, seed.derive("nodes"), run.part(0.0, 0.5));
   rivers.insert(rivers.end(), params.rivers.begin(), params.rivers.end());
   const std::vector<River> courses = prepare_rivers(rivers, tree, domain, kRiverStep * spacing, "rivers");
   Tin tin;
   tin.bed_m = lay_rivers(courses, tree, domain, spacing, discs);
   tin.frame = domain;
   tin.regions = tin_regions(tree);
-  tin.triangles = triangulate(discs.points, !tin.bed_m.empty(), run.part(0.5, 0.9));
+  const std::vector<int32_t> wide = add_sea_nodes(tree, domain, spacing, seed, discs, run);
+  if (!tin.bed_m.empty()) tin.bed_m.resize(discs.points.size(), Tin::kNoBed);
+  tin.triangles = geom::delaunay(discs.points, run.part(0.5, 0.9));
   run.check_cancelled();
   tin.nodes.reserve(discs.points.size());
   for (const geom::LatticePoint p : discs.points) tin.nodes.push_back(discs.lattice.place(p));
+  drop_slivers(tin, wide, spacing);
   geom::open_pinches(tin, run);
   tin.region = regions_of_nodes(tree, domain, spacing, tin.nodes, run.part(0.9, 1.0));
+  if (const int64_t closed = close_shut_waters(tin); closed > 0) {
+    run.say(fmt::format("{} node{} of sea that land nearer than the spacing of {} m shuts off {} land", closed,
+                        closed == 1 ? "" : "s", short_number(spacing), closed == 1 ? "is" : "are"));
+  }
   return tin;
 }
 

@@ -117,15 +117,15 @@ Tin heights(Tin tin, const HeightField* terrain, const HeightsParams& params, co
   apply(limits, tin, height);
   run.check_cancelled();
   run.report(0.5);
-  std::vector<uint8_t> known(tin.nodes.size(), 0);
+  std::vector<float> beside(tin.nodes.size(), -1.0F);
   if (params.outlines == Outlines::follow) {
-    follow_outlines(tin, graph, bands, shores, height, known, run.part(0.5, 0.7));
+    follow_outlines(tin, graph, bands, shores, height, beside, run.part(0.5, 0.7));
     apply(limits, tin, height);
   }
   run.check_cancelled();
   if (params.spikes == Spikes::cut) cut_spikes(tin, graph, limits, height, run);
   const double slope = std::tan(params.shore_slope_deg * std::numbers::pi / 180.0);
-  fall_outside(tin, graph, bands, shores, known, slope, height, run);
+  fall_outside(tin, graph, bands, shores, beside, slope, land_width(tin), height, run);
   tin.height_m = drain(tin, graph, bands, limits, std::move(height), run);
   run.report(1.0);
   return tin;

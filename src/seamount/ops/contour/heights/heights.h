@@ -11,9 +11,11 @@
 //  - Of several summits the one on the wider ground is the highest (P2 sec. 6.1), in proportion to the ground's width.
 //  - Places that growth leaves to the very end would be towers, however narrow: ground steeper than twice the usual
 //    slope is cut back (`spikes: cut`), except in regions whose peak is given. About a hundredth of the ground moves.
-//  - Outside the regions the ground falls from the nearest outline: a sea floor, where that is at 0.
+//  - Outside the regions the ground falls from the nearest outline to the network's edge, a sea floor where that is at
+//    0 (sea_floor.cpp).
 //  - Basins fall from their outline by basin_depth_m.
-// Each node but those outside and a basin's deepest has a lower neighbour, as far as the growth gave it one.
+// Each node but a basin's deepest and those at the network's edge has a lower neighbour, as far as the growth gave it
+// one.
 #pragma once
 
 #include "seamount/base/run_context.h"

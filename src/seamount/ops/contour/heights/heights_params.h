@@ -29,7 +29,7 @@ struct HeightsParams {
   Outlines outlines = Outlines::follow;
   Spikes spikes = Spikes::cut;
   std::optional<double> basin_depth_m;
-  double shore_slope_deg = 5.0;
+  double shore_slope_deg = 12.0;
 
   static constexpr auto fields() {
     using P = HeightsParams;
@@ -54,7 +54,7 @@ struct HeightsParams {
         field(&P::basin_depth_m, "basin_depth_m", "m", between(0.01, 9000),
               "depth of basins below their outlines; derived: half way down to the next outline"),
         field(&P::shore_slope_deg, "shore_slope_deg", "deg", between(0.1, 60),
-              "how steeply the ground falls outside the regions"));
+              "how steeply the sea floor falls away from the coast, ever less below 1200 m"));
   }
 
   static constexpr std::array kFormerNames = {FormerName{"needles", "spikes"}};

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <queue>
 #include <tuple>
 
 #include "seamount/ops/contour/growth/region_graph.h"
@@ -179,48 +178,6 @@ std::vector<double> band_heights(const Tin& tin, const std::vector<RegionBand>& 
                                       : knot_height(knots[at(region)], share[node], distribution);
   }
   return share;
-}
-
-void fall_outside(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
-                  const std::vector<Shore>& shores, const std::vector<uint8_t>& known, double slope,
-                  std::vector<double>& height, const RunContext& run) {
-  constexpr double kUnreached = -std::numeric_limits<double>::infinity();
-  std::priority_queue<std::pair<double, int32_t>> front;
-  for (size_t node = 0; node < tin.nodes.size(); ++node) {
-    if (tin.region[node] == Tin::kOutside && known[node] == 0) height[node] = kUnreached;
-  }
-  for (const Shore& shore : shores) {
-    if (tin.region[at(shore.node)] != Tin::kOutside) continue;
-    double& z = height[at(shore.node)];
-    if (known[at(shore.node)] == 0) {  // half a side, in the middle, from the outline
-      double side = 0.0;
-      for (const int32_t neighbour : graph.around(at(shore.node))) {
-        const Vec2 d = tin.nodes[at(neighbour)] - tin.nodes[at(shore.node)];
-        side = std::max(side, std::sqrt(dot(d, d)));
-      }
-      z = std::max(z, bands[at(shore.outline)].outline_m - 0.5 * slope * side);
-    }
-    front.emplace(z, shore.node);
-  }
-  run.check_cancelled();
-  for (size_t taken = 1; !front.empty(); ++taken) {
-    if (taken % 16384 == 0) run.check_cancelled();
-    const auto [z, node] = front.top();
-    front.pop();
-    if (z < height[at(node)]) continue;
-    for (const int32_t neighbour : graph.around(at(node))) {
-      const size_t n = at(neighbour);
-      if (tin.region[n] != Tin::kOutside || known[n] != 0) continue;
-      const Vec2 d = tin.nodes[n] - tin.nodes[at(node)];
-      const double below = z - slope * std::sqrt(dot(d, d));
-      if (below <= height[n]) continue;
-      height[n] = below;
-      front.emplace(below, neighbour);
-    }
-  }
-  double lowest = 0.0;
-  for (const RegionBand& band : bands) lowest = std::min(lowest, band.outline_m);
-  for (double& z : height) z = z == kUnreached ? lowest : z;  // no network of ours has such nodes
 }
 
 }  // namespace seamount::contour

@@ -44,9 +44,10 @@ void stand_on_rivers(const Tin& tin, const geom::NodeGraph& graph, const std::ve
                      std::vector<double>& height, const RunContext& run);
 
 /// Lays nodes beside outlines at the heights that a plane through the outline has there, as steep as the ground is, so
-/// that the contour passes between them where the outline does. Sets nodes outside the regions too (`known`).
+/// that the contour passes between them where the outline does. Sets nodes outside the regions too. `beside`: distance
+/// from the outline of the nodes that were laid, of others -1 as before.
 void follow_outlines(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
-                     const std::vector<Shore>& shores, std::vector<double>& height, std::vector<uint8_t>& known,
+                     const std::vector<Shore>& shores, std::vector<double>& height, std::vector<float>& beside,
                      const RunContext& run);
 
 /// Lowers what is steeper than twice the root of the mean square slope above the lower ground around it, down to the
@@ -67,9 +68,11 @@ std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, c
 std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
                          const Limits& limits, std::vector<double> height, const RunContext& run);
 
-/// Nodes outside the regions fall from the outlines by `slope` (m/m) and the distance along sides.
+/// Heights of nodes outside the regions: a sea floor that begins as steep as follow_outlines() laid it, goes on at
+/// `slope` (m/m) and falls all the way to the network's edge, where each node but those at the edge has a lower
+/// neighbour. `beside`: of nodes laid by follow_outlines(), else -1. `width_m`: of the land. n log n in nodes outside.
 void fall_outside(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
-                  const std::vector<Shore>& shores, const std::vector<uint8_t>& known, double slope,
+                  const std::vector<Shore>& shores, const std::vector<float>& beside, double slope, double width_m,
                   std::vector<double>& height, const RunContext& run);
 
 }  // namespace seamount::contour

@@ -78,14 +78,14 @@ class OutlineFit {
     }
   }
 
-  void apply(bool basin, std::vector<double>& height, std::vector<uint8_t>& known) const {
+  void apply(bool basin, std::vector<double>& height, std::vector<float>& beside) const {
     for (size_t i = 0; i < beside_.size(); ++i) {
       const Beside& b = beside_[i];
       slot_[b.node] = -1;
       if (!(b.run > 0.0)) continue;
       const double sign = (inside_[i] != 0) != basin ? 1.0 : -1.0;
       height[b.node] = outline_m_ + sign * b.distance * (b.rise / b.run);
-      known[b.node] = 1;
+      beside[b.node] = static_cast<float>(b.distance);
     }
   }
 
@@ -101,7 +101,7 @@ class OutlineFit {
 }  // namespace
 
 void follow_outlines(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
-                     const std::vector<Shore>& shores, std::vector<double>& height, std::vector<uint8_t>& known,
+                     const std::vector<Shore>& shores, std::vector<double>& height, std::vector<float>& beside,
                      const RunContext& run) {
   // A node between two outlines cannot follow both.
   std::vector<uint8_t> count(tin.nodes.size(), 0);
@@ -123,7 +123,7 @@ void follow_outlines(const Tin& tin, const geom::NodeGraph& graph, const std::ve
                    slot);
     fit.measure(tin.regions[outline].outline, run);
     fit.smooth(run);
-    fit.apply(tin.regions[outline].basin, height, known);
+    fit.apply(tin.regions[outline].basin, height, beside);
   }
 }
 

@@ -36,7 +36,7 @@ struct RefineParams {
   std::vector<double> exponent = {2.0};
   int octaves = 5;
   std::vector<RiverLine> rivers;
-  double shore_slope_deg = 5.0;
+  double shore_slope_deg = 12.0;
 
   static constexpr auto fields() {
     using P = RefineParams;
@@ -59,7 +59,7 @@ struct RefineParams {
         field(&P::octaves, "octaves", "", between(1, 16), "layers of detail of the noise, each of half the size"),
         field(&P::rivers, "rivers", "the rivers that the network was grown with, laid into each pass again"),
         field(&P::shore_slope_deg, "shore_slope_deg", "deg", between(0.1, 60),
-              "how steeply the ground falls outside the outlines"));
+              "how steeply the sea floor falls away from the coast, ever less below 1200 m"));
   }
 };
 

@@ -20,12 +20,11 @@ constexpr double kLevelsApart = 0.3;       ///< of a level from the height of an
 
 size_t at(int32_t i) { return static_cast<size_t>(i); }
 
-void measure_land(CoarseGround& ground, const std::vector<int32_t>& region) {
+void measure_land(CoarseGround& ground) {
   float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
-  for (size_t i = 0; i < ground.places.size(); ++i) {
-    if (region[i] < 0) continue;
-    low = std::min(low, ground.heights[i]);
-    high = std::max(high, ground.heights[i]);
+  for (const float z : ground.heights) {
+    low = std::min(low, z);
+    high = std::max(high, z);
   }
   ground.low_m = low;
   ground.high_m = high;
@@ -82,11 +81,21 @@ HeldOutline land_around(const ContourSet& set, double height_m) {
   return {{"land", ring, -1, height_m, false, {}}, true};
 }
 
-double tin_area(const Tin& tin) {
-  double twice = 0.0;
-  for (const auto& [a, b, c] : tin.triangles)
-    twice += cross(tin.nodes[at(b)] - tin.nodes[at(a)], tin.nodes[at(c)] - tin.nodes[at(a)]);
-  return 0.5 * twice;
+/// Places of the land alone: nodes of the sea lie ever further apart.
+void enter_places(const Tin& tin, CoarseGround& ground) {
+  double area = 0.0;
+  const auto is_land = [&](int32_t node) { return tin.region.empty() || tin.region[at(node)] != Tin::kOutside; };
+  for (const auto& [a, b, c] : tin.triangles) {
+    const int corners = (is_land(a) ? 1 : 0) + (is_land(b) ? 1 : 0) + (is_land(c) ? 1 : 0);
+    area += corners / 6.0 * cross(tin.nodes[at(b)] - tin.nodes[at(a)], tin.nodes[at(c)] - tin.nodes[at(a)]);
+  }
+  for (size_t node = 0; node < tin.nodes.size(); ++node) {
+    if (!is_land(static_cast<int32_t>(node))) continue;
+    ground.places.push_back(tin.nodes[node]);
+    ground.heights.push_back(tin.height_m[node]);
+  }
+  ground.place_m2 = area / static_cast<double>(std::max<size_t>(ground.places.size(), 1));
+  ground.spacing_m = std::sqrt(geom::kDiscDensity * ground.place_m2);
 }
 
 /// Does land reach the frame's edge, so that the ground below the lowest contours belongs to it?
@@ -155,16 +164,12 @@ CoarseGround ground_of(const Tin& tin) {
   if (tin.height_m.empty()) throw InvalidArgument("tin", "has no heights yet; give it some with contour.heights");
   CoarseGround ground;
   ground.frame = tin.frame;
-  ground.place_m2 = tin_area(tin) / static_cast<double>(tin.nodes.size());
-  ground.spacing_m = std::sqrt(geom::kDiscDensity * ground.place_m2);
-  ground.places = tin.nodes;
-  ground.heights = tin.height_m;
+  enter_places(tin, ground);
+  measure_land(ground);
   if (tin.regions.empty()) {
-    measure_land(ground, std::vector<int32_t>(tin.nodes.size(), 0));
     ground.outlines.push_back(land_around({tin.frame, {}}, ground.low_m));
     return ground;
   }
-  measure_land(ground, tin.region);
   const std::vector<double> heights = outline_heights(tin);
   RegionTree tree = regions_of(tin);
   for (size_t i = 0; i < tree.regions.size(); ++i) {
@@ -194,7 +199,7 @@ CoarseGround ground_of(const ContourSet& set, const RunContext& run) {
     }
   }
   if (ground.places.empty()) throw InvalidArgument("contours", "enclose no cell of the domain");
-  measure_land(ground, std::vector<int32_t>(ground.places.size(), 0));
+  measure_land(ground);
   const double step = (ground.high_m - ground.levels.front()) / static_cast<double>(ground.levels.size());
   ground.low_m = std::min(ground.low_m, ground.levels.front() - (all_land ? 0.1 * step : 0.0));
   if (all_land) {

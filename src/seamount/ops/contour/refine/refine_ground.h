@@ -10,7 +10,8 @@
 
 namespace seamount::contour {
 
-/// A ground as heights at places that stand for equal areas, with the outlines and levels of it that are held.
+/// A ground, of land alone, as heights at places that stand for equal areas, with the outlines and levels of it that
+/// are held.
 struct CoarseGround {
   GridFrame frame;
   double spacing_m = 0.0;  ///< of its nodes, or of ones that would show as much

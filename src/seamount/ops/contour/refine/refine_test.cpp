@@ -56,11 +56,16 @@ Tin two_hills() {
                  1500);
 }
 
+/// Of the nodes of the land.
 double spacing(const Tin& tin) {
-  double twice = 0.0;
-  for (const auto& [a, b, c] : tin.triangles)
+  double twice = 0.0, corners = 0.0;
+  for (const auto& [a, b, c] : tin.triangles) {
+    const auto is_sea = [&](int32_t node) { return !tin.region.empty() && tin.region[at(node)] < 0; };
+    if (is_sea(a) || is_sea(b) || is_sea(c)) continue;
     twice += cross(tin.nodes[at(b)] - tin.nodes[at(a)], tin.nodes[at(c)] - tin.nodes[at(a)]);
-  return std::sqrt(geom::kDiscDensity * 0.5 * twice / static_cast<double>(tin.nodes.size()));
+    corners += 3.0;
+  }
+  return std::sqrt(geom::kDiscDensity * 0.5 * twice / (corners / 6.0));
 }
 
 template <class From>
