@@ -12,6 +12,8 @@
 namespace seamount::contour {
 namespace {
 
+constexpr double kLeastRise = 0.35;  ///< of the mean rise of ranks across a region
+
 size_t at(int32_t i) { return static_cast<size_t>(i); }
 
 /// At which share of its region's range a front starts that comes over the outline of `child` (-1: the region's own).
@@ -172,32 +174,59 @@ class RegionGrowth {
       double share = 1.0;
       if (up > 0.0) share = down > 0.0 ? up / (up + down) : up / all;
       if (up == 0.0 && down > 0.0) share = (all - down) / all;
-      work.score[node] = static_cast<uint32_t>((low + (high - low) * share) * 0xffffffffU);
+      work.score[node] = static_cast<uint32_t>((low + (high - low) * share) * (1.0 - kLeastRise) * 0xffffffffU);
     }
   }
 
-  /// The last pass: always on to the border node with the lowest score, from where the region drains to.
+  /// What a score rises by at least from a node to the next one up, so that the farthest nodes keep to their range: a
+  /// share of the mean rise across the region. One front alone leaves no hollows.
+  uint64_t least_rise(const std::vector<int32_t>& sources, Work& work) const {
+    if (upper_.empty()) return 0;
+    for (const int32_t node : members_) work.seen[at(node)] = 0;
+    std::vector<int32_t> reached;
+    for (const int32_t node : sources) {
+      if (work.seen[at(node)] == 0) reached.push_back(node);
+      work.seen[at(node)] = 1;
+    }
+    uint64_t across = 0;
+    for (size_t first = 0, last = reached.size(); first < last; first = last, last = reached.size(), ++across) {
+      for (size_t i = first; i < last; ++i) {
+        for (const int32_t neighbour : graph_.around(reached[i])) {
+          if (work.seen[at(neighbour)] == 0) reached.push_back(neighbour);
+          work.seen[at(neighbour)] = 1;
+        }
+      }
+    }
+    return static_cast<uint64_t>(kLeastRise * 0xffffffffU) / std::max<uint64_t>(across, 1);
+  }
+
+  /// The last pass: always on to the border node with the lowest score, from where the region drains to. Hollows of the
+  /// score, which the paper's pass fills level, rise from their outlet.
   std::vector<int32_t> flood(Work& work, const RunContext& run) const {
+    constexpr uint64_t kMost = 0xffffffffU;
     std::priority_queue<uint64_t, std::vector<uint64_t>, std::greater<>> border;
-    const auto push = [&](int32_t node) {
-      border.push((static_cast<uint64_t>(work.score[at(node)]) << 32) | static_cast<uint32_t>(node));
+    const auto push = [&](int32_t node, uint64_t least) {
+      const uint64_t score = std::min(std::max<uint64_t>(work.score[at(node)], least), kMost);
+      border.push((score << 32) | static_cast<uint32_t>(node));
     };
     std::vector<int32_t> sources = closed_parts(work);
     sources.insert(sources.end(), drains_.begin(), drains_.end());
+    const uint64_t rise = least_rise(sources, work);
     for (const int32_t node : members_) work.seen[at(node)] = 0;
-    const auto push_new = [&](int32_t node) {
-      if (work.seen[at(node)] == 0) push(node);
+    const auto push_new = [&](int32_t node, uint64_t least) {
+      if (work.seen[at(node)] == 0) push(node, least);
       work.seen[at(node)] = 1;
     };
-    for (const int32_t node : sources) push_new(node);
+    for (const int32_t node : sources) push_new(node, 0);
     std::vector<int32_t> order;
     order.reserve(members_.size());
     while (!border.empty()) {
       if (order.size() % 16384 == 0) run.check_cancelled();
       const auto node = static_cast<int32_t>(border.top() & 0xffffffffU);
+      const uint64_t score = border.top() >> 32;
       border.pop();
       order.push_back(node);
-      for (const int32_t neighbour : graph_.around(node)) push_new(neighbour);
+      for (const int32_t neighbour : graph_.around(node)) push_new(neighbour, score + rise);
     }
     return order;
   }
