@@ -33,7 +33,7 @@ class Drainage {
 
   std::vector<int64_t> sinks() const {
     std::vector<int64_t> found = find_sinks(heights_, run_);
-    std::erase_if(found, [&](int64_t c) { return std::binary_search(allowed_.begin(), allowed_.end(), c); });
+    std::erase_if(found, [&](int64_t c) { return is_allowed(c); });
     return found;
   }
 
@@ -80,6 +80,7 @@ class Drainage {
   static constexpr int8_t kStart = -1;
   static constexpr size_t kMostSeen = 1 << 17;
 
+  bool is_allowed(int64_t cell) const { return std::binary_search(allowed_.begin(), allowed_.end(), cell); }
   float height(int64_t cell) const { return heights_.cells()[static_cast<size_t>(cell)]; }
   bool on_border(int64_t cell) const {
     const int64_t x = cell % heights_.width();
@@ -113,8 +114,10 @@ class Drainage {
       if (seen.size() % 4096 == 0) run_.check_cancelled();
       const Waiting here = queue.top();
       queue.pop();
-      const bool leaves = on_border(here.cell);
-      if ((leaves || here.height < height(sink)) && cut_channel(sink, here.cell, leaves)) break;
+      const bool lower = here.height < height(sink);
+      const bool stays = here.height <= height(sink) && is_allowed(here.cell);
+      const bool leaves = on_border(here.cell) || stays;
+      if ((leaves || lower) && cut_channel(sink, here.cell, leaves)) break;
       for_each_neighbour(here.cell, [&](int64_t next) {
         int8_t& from = came_from_[static_cast<size_t>(next)];
         if (from != kUnseen) return;
@@ -129,7 +132,8 @@ class Drainage {
     for (const int64_t cell : seen) came_from_[static_cast<size_t>(cell)] = kUnseen;
   }
 
-  /// False if the ground falls by too little for as many steps. The border is lowered where it has to be.
+  /// False if the ground falls by too little for as many steps. The border and sinks that are allowed are lowered where
+  /// they have to be: to look further would lead out of a basin whose floor is nearly level.
   bool cut_channel(int64_t sink, int64_t outlet, bool leaves) {
     std::vector<int64_t> way;  // from the outlet up to the sink
     for (int64_t cell = outlet; cell != sink;) {

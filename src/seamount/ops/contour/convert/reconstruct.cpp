@@ -11,6 +11,7 @@
 #include "seamount/geom/solve/drain.h"
 #include "seamount/geom/tin/tin_raster.h"
 #include "seamount/ops/contour/convert/face_ground.h"
+#include "seamount/ops/contour/convert/tin_sinks.h"
 
 namespace seamount::contour {
 namespace {
@@ -78,35 +79,6 @@ void check_contours(const ContourSet& set, const RunContext& run) {
   }
 }
 
-/// The sinks that one comes to going down from the network's low nodes.
-std::vector<int64_t> sinks_below(const std::vector<int32_t>& nodes, const Tin& tin, const HeightField& heights,
-                                 const RunContext& run) {
-  std::vector<int64_t> sinks;
-  for (const int32_t node : nodes) {
-    run.check_cancelled();
-    const Vec2 p = tin.nodes[static_cast<size_t>(node)];
-    int x = static_cast<int>(std::lround(std::clamp(heights.frame().column(p.x), 0.0, heights.width() - 1.0)));
-    int y = static_cast<int>(std::lround(std::clamp(heights.frame().row(p.y), 0.0, heights.height() - 1.0)));
-    for (bool down = true; down;) {
-      down = false;
-      const int x0 = x;
-      const int y0 = y;
-      for (int ny = y0 - 1; ny <= y0 + 1; ++ny) {
-        for (int nx = x0 - 1; nx <= x0 + 1; ++nx) {
-          if (!heights.contains(nx, ny) || heights(nx, ny) >= heights(x, y)) continue;
-          x = nx;
-          y = ny;
-          down = true;
-        }
-      }
-    }
-    sinks.push_back(static_cast<int64_t>(y) * heights.width() + x);
-  }
-  std::sort(sinks.begin(), sinks.end());
-  sinks.erase(std::unique(sinks.begin(), sinks.end()), sinks.end());
-  return sinks;
-}
-
 }  // namespace
 
 HeightField reconstruct(const ContourSet& set, const ReconstructParams& params, const RunContext& run) {
@@ -126,7 +98,7 @@ HeightField reconstruct(const Tin& tin, const ReconstructParams& params, const R
   if (tin.nodes.empty() || tin.triangles.empty()) throw InvalidArgument("tin", "has no triangles");
   if (tin.height_m.empty()) throw InvalidArgument("tin", "has no heights yet; give it some with contour.heights");
   HeightField heights = geom::rasterise_tin(tin, wanted_frame(tin.frame, params.cell_m), run.part(0.0, 0.7));
-  geom::drain(heights, sinks_below(geom::find_low_nodes(tin, run), tin, heights, run), run.part(0.7, 1.0));
+  geom::drain(heights, sinks_of(tin, heights, run), run.part(0.7, 1.0));
   return heights;
 }
 

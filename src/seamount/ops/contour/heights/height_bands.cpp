@@ -180,6 +180,7 @@ class Planner {
     band.from_m = heights.at(band.level);
     band.to_m = heights.at(band.level + 1);
     band.outline_m = heights.at(outline_key(i));
+    set_depth(i);
     set_peak(i);
     if (regions_[i].basin) return;
     std::optional<double> highest;
@@ -198,13 +199,25 @@ class Planner {
     if (highest) band.to_m = plain ? std::max(band.to_m, *highest) : *highest;
   }
 
+  /// No basin in it.
+  bool is_floor(size_t i) const {
+    return regions_[i].basin &&
+           std::none_of(children_[i].begin(), children_[i].end(), [&](size_t child) { return regions_[child].basin; });
+  }
+
+  /// A basin's own depth where its keys reach down to the outline around its hill: not every crater is that deep.
+  void set_depth(size_t i) {
+    RegionBand& band = bands_[i];
+    if (!is_floor(i) || groups_[at(band.group)].root == static_cast<int>(i)) return;
+    band.from_m = band.to_m - params_.basin_depth_m.value_or(0.5 * (band.to_m - band.from_m));
+    band.alone = true;
+  }
+
   /// A peak of its own, for a summit or a basin's floor.
   void set_peak(size_t i) {
     const TinRegion& region = regions_[i];
     RegionBand& band = bands_[i];
-    const bool floor = region.basin && std::none_of(children_[i].begin(), children_[i].end(),
-                                                    [&](size_t child) { return regions_[child].basin; });
-    if (!region.peak_m || !(region.basin ? floor : band.summit)) return;
+    if (!region.peak_m || !(region.basin ? is_floor(i) : band.summit)) return;
     double& end = region.basin ? band.from_m : band.to_m;
     if (region.basin ? *region.peak_m >= band.to_m : *region.peak_m <= band.from_m) {
       throw InvalidArgument("tin", fmt::format("the peak of '{}' at {} m is not {} than its outline, which the "

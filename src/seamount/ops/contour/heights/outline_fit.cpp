@@ -78,13 +78,19 @@ class OutlineFit {
     }
   }
 
-  void apply(bool basin, std::vector<double>& height, std::vector<float>& beside) const {
+  /// The ground on either side keeps to its region's heights, however steep it is.
+  void apply(bool basin, const std::vector<RegionBand>& bands, std::vector<double>& height,
+             std::vector<float>& beside) const {
     for (size_t i = 0; i < beside_.size(); ++i) {
       const Beside& b = beside_[i];
       slot_[b.node] = -1;
       if (!(b.run > 0.0)) continue;
       const double sign = (inside_[i] != 0) != basin ? 1.0 : -1.0;
-      height[b.node] = outline_m_ + sign * b.distance * (b.rise / b.run);
+      double& z = height[b.node];
+      z = outline_m_ + sign * b.distance * (b.rise / b.run);
+      if (const int32_t region = tin_.region[b.node]; region >= 0) {
+        z = std::max(bands[at(region)].from_m, std::min(z, bands[at(region)].to_m));
+      }
       beside[b.node] = static_cast<float>(b.distance);
     }
   }
@@ -123,7 +129,7 @@ void follow_outlines(const Tin& tin, const geom::NodeGraph& graph, const std::ve
                    slot);
     fit.measure(tin.regions[outline].outline, run);
     fit.smooth(run);
-    fit.apply(tin.regions[outline].basin, height, beside);
+    fit.apply(tin.regions[outline].basin, bands, height, beside);
   }
 }
 

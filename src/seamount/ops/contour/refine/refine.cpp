@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "seamount/base/error.h"
@@ -42,12 +43,16 @@ void set_peaks(Tin& tin, const CoarseGround& ground, const std::vector<int32_t>&
   for (const TinRegion& r : tin.regions) {
     if (r.parent >= 0 && r.basin == tin.regions[at(r.parent)].basin) ends[at(r.parent)] = 0;
   }
-  const double least = kMinPeak * step_of(ground);
+  std::set<double> levels;
+  for (const TinRegion& r : tin.regions) levels.insert(*r.height_m);
+  const double least = kMinPeak * (ground.high_m - ground.low_m) / static_cast<double>(levels.size() + 1);
   for (size_t i = 0; i < count; ++i) {
     TinRegion& r = tin.regions[i];
     r.peak_m.reset();
     if (ends[i] == 0) continue;
-    r.peak_m = r.basin ? std::min<double>(low[i], *r.height_m - least) : std::max<double>(high[i], *r.height_m + least);
+    const double found = static_cast<double>(r.basin ? low[i] : high[i]);
+    const bool beyond = r.basin ? found < *r.height_m : found > *r.height_m;
+    r.peak_m = beyond ? found : *r.height_m + (r.basin ? -least : least);
   }
 }
 

@@ -155,10 +155,6 @@ std::vector<double> halfway_levels(const CoarseGround& ground) {
 
 }  // namespace
 
-double step_of(const CoarseGround& ground) {
-  return (ground.high_m - ground.low_m) / static_cast<double>(ground.levels.size() + 1);
-}
-
 CoarseGround ground_of(const Tin& tin) {
   if (tin.nodes.empty() || tin.triangles.empty()) throw InvalidArgument("tin", "has no triangles");
   if (tin.height_m.empty()) throw InvalidArgument("tin", "has no heights yet; give it some with contour.heights");

@@ -32,9 +32,6 @@ CoarseGround ground_of(const Tin& tin);
 /// InvalidArgument for a set without contours and for what regions_from_contours() refuses.
 CoarseGround ground_of(const ContourSet& set, const RunContext& run);
 
-/// The usual step between heights at which contours are held.
-double step_of(const CoarseGround& ground);
-
 /// Heights that a pass holds besides those of its outlines, ascending: for the first pass over a network `count`, or as
 /// many as make contours lie five spacings apart if it is 0; later halfway between those before, where there is room.
 std::vector<double> new_levels(const CoarseGround& ground, const Tin& tin, int count, const RunContext& run);

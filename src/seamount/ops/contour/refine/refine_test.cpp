@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <queue>
+#include <utility>
 
 #include "seamount/geom/contour/marching_triangles.h"
 #include "seamount/geom/contour/nesting.h"
@@ -172,6 +175,60 @@ TEST(Refine, BasinsStayBasins) {
   };
   EXPECT_LT(floor(fine), 40.0);
   EXPECT_NEAR(floor(fine), floor(coarse), 4.0);
+}
+
+/// Over which height a crater's water would leave a raster, and its deepest place.
+std::pair<double, double> spill_and_floor(const HeightField& ground, double radius) {
+  using Open = std::pair<float, int64_t>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  std::vector<char> seen(ground.size(), 0);
+  const GridFrame& f = ground.frame();
+  int64_t first = -1;
+  for (int64_t i = 0; i < static_cast<int64_t>(ground.size()); ++i) {
+    const double r = std::hypot(f.x(static_cast<int>(i % f.width)), f.y(static_cast<int>(i / f.width)));
+    const auto z = [&](int64_t cell) { return ground.cells()[static_cast<size_t>(cell)]; };
+    if (r < radius && (first < 0 || z(i) < z(first))) first = i;
+  }
+  open.emplace(ground.cells()[static_cast<size_t>(first)], first);
+  float spill = open.top().first;
+  const double floor = static_cast<double>(spill);
+  for (;;) {
+    const auto [z, cell] = open.top();
+    open.pop();
+    spill = std::max(spill, z);
+    const auto x = static_cast<int>(cell % f.width), y = static_cast<int>(cell / f.width);
+    if (x == 0 || y == 0 || x == f.width - 1 || y == f.height - 1) return {static_cast<double>(spill), floor};
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int64_t next = cell + static_cast<int64_t>(dy) * f.width + dx;
+        if (std::exchange(seen[static_cast<size_t>(next)], 1) == 0)
+          open.emplace(ground.cells()[static_cast<size_t>(next)], next);
+      }
+    }
+  }
+}
+
+TEST(Refine, DrawnCratersKeepTheirRimsAndFloors) {
+  const std::vector<std::vector<RegionOutline>> drawn = {
+      {{"isle", blob(420), 0.0, false, {}}, {"rim", blob(120), 200.0, false, {}}, {"crater", blob(70), {}, true, {}}},
+      {{"isle", blob(420), 0.0, false, {}},
+       {"rim", blob(100, {}, 12), 200.0, false, {}},
+       {"crater", blob(75, {}, 12), 200.5, true, 100.0}},
+      {{"isle", blob(420), {}, false, {}}, {"rim", blob(130), {}, false, {}}, {"crater", blob(80), {}, true, {}}}};
+  for (size_t i = 0; i < drawn.size(); ++i) {
+    for (uint64_t seed = 1; seed <= 2; ++seed) {
+      const Tin coarse = network(drawn[i], 800, seed);
+      for (const int passes : {1, 2}) {
+        const Tin fine = refine(coarse, {}, {.passes = passes}, Seed{seed}, {});
+        const auto [was, deep] = spill_and_floor(reconstruct(coarse, {}, {}), 80);
+        for (const double cell : {4.0, 10.0}) {
+          const auto [spill, floor] = spill_and_floor(reconstruct(fine, {.cell_m = cell}, {}), 80);
+          EXPECT_GT(spill, was - 12) << i << " seed " << seed << " passes " << passes << " cell " << cell;
+          EXPECT_NEAR(floor, deep, 6) << i << " seed " << seed << " passes " << passes << " cell " << cell;
+        }
+      }
+    }
+  }
 }
 
 TEST(Refine, RiversStayInTheirBeds) {
