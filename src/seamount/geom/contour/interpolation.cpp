@@ -23,21 +23,19 @@ constexpr size_t kCells = kLeaf * kLeaf;
 /// From one tile's own corner, so that floats are exact to a ten thousandth of a cell.
 struct Edge : GridEdge<float> {
   uint32_t bound;
-  int32_t number;  ///< among the edges of all rings
 };
 
 SEAMOUNT_VECTORISED void centre_distances(const Edge* edges, size_t count, float x, float y, float* squared) {
   for (size_t i = 0; i < count; ++i) squared[i] = squared_distance(edges[i], x, y);
 }
 
-SEAMOUNT_VECTORISED void leaf_distances(const Edge* edges, size_t count, const float* xs, const float* ys, float* best,
-                                        int32_t* nearest) {
+SEAMOUNT_VECTORISED void leaf_distances(const Edge* edges, size_t count, const float* xs, const float* ys,
+                                        float* best) {
   for (size_t i = 0; i < kCells; ++i) best[i] = std::numeric_limits<float>::infinity();
   for (size_t k = 0; k < count; ++k) {
     const Edge edge = edges[k];
     for (size_t i = 0; i < kCells; ++i) {
       const float d = squared_distance(edge, xs[i], ys[i]);
-      nearest[i] = d < best[i] ? edge.number : nearest[i];
       best[i] = d < best[i] ? d : best[i];
     }
   }
@@ -47,7 +45,6 @@ SEAMOUNT_VECTORISED void leaf_distances(const Edge* edges, size_t count, const f
 struct Piece {
   Vec2 a, b;
   uint32_t bound;
-  int32_t number;
 };
 
 /// The part of an edge within the frame (Liang and Barsky).
@@ -65,7 +62,7 @@ std::optional<Piece> clip(Vec2 a, Vec2 b, const GridFrame& frame) {
   const double bottom = frame.height - 0.5;
   if (!cut(-d.x, a.x + 0.5) || !cut(d.x, right - a.x) || !cut(-d.y, a.y + 0.5) || !cut(d.y, bottom - a.y))
     return std::nullopt;
-  return Piece{a + from * d, a + to * d, 0, 0};
+  return Piece{a + from * d, a + to * d, 0};
 }
 
 /// Each edge within the frame twice: as a bound of the face inside and of the face outside.
@@ -74,17 +71,15 @@ class BoundPieces {
   BoundPieces(const std::vector<Contour>& contours, const ContourFaces& faces, const GridFrame& frame,
               const RunContext& run)
       : starts_(faces.bounds().size() + 1, 0) {
-    int32_t number = 0;
     for (size_t c = 0; c < contours.size(); ++c) {
       const Ring& ring = contours[c].ring;
-      for (size_t i = 0; i < ring.size(); ++i, ++number) {
+      for (size_t i = 0; i < ring.size(); ++i) {
         run.check_cancelled();
         const Vec2& p = ring[i];
         const Vec2& q = ring[i + 1 < ring.size() ? i + 1 : 0];
         std::optional<Piece> piece =
             clip({frame.column(p.x), frame.row(p.y)}, {frame.column(q.x), frame.row(q.y)}, frame);
         if (!piece) continue;
-        piece->number = number;
         piece->bound = static_cast<uint32_t>(faces.inner_bound(c));
         pieces_.push_back(*piece);
         piece->bound = static_cast<uint32_t>(faces.outer_bound(c));
@@ -134,8 +129,7 @@ class Descent {
           edges.push_back(
               {{static_cast<float>(piece.a.x - left_), static_cast<float>(piece.a.y - top_), static_cast<float>(d.x),
                 static_cast<float>(d.y), squared > 1e-12 ? static_cast<float>(1.0 / squared) : 0.0F},
-               static_cast<uint32_t>(bound),
-               piece.number});
+               static_cast<uint32_t>(bound)});
         }
       }
     }
@@ -194,7 +188,7 @@ class Descent {
   void fill_leaf(const std::vector<Edge>& edges, int x0, int y0, int width, int height) {
     constexpr float kFar = std::numeric_limits<float>::infinity();
     std::array<float, kCells> xs, ys, best, low, high, weights, sums;
-    std::array<int32_t, kCells> faces, nearest, low_edge, high_edge;
+    std::array<int32_t, kCells> faces;
     for (size_t i = 0; i < kCells; ++i) {
       const int dx = static_cast<int>(i) % kLeaf;
       const int dy = static_cast<int>(i) / kLeaf;
@@ -203,10 +197,9 @@ class Descent {
       faces[i] = made_.face.clamped(x0 + dx, y0 + dy);
       low[i] = high[i] = kFar;
       weights[i] = sums[i] = 0.0F;
-      nearest[i] = low_edge[i] = high_edge[i] = -1;
     }
     for_each_group(edges, [&](size_t first, size_t end) {
-      leaf_distances(edges.data() + first, end - first, xs.data(), ys.data(), best.data(), nearest.data());
+      leaf_distances(edges.data() + first, end - first, xs.data(), ys.data(), best.data());
       const ContourFaces::Bound& bound = faces_.bounds()[edges[first].bound];
       const bool lowest = edges[first].bound == faces_.first_bound(bound.face);
       const bool highest = edges[first].bound + 1 == faces_.first_bound(bound.face + 1);
@@ -217,8 +210,8 @@ class Descent {
         const float weight = 1.0F / std::max(d, 1e-6F);
         weights[i] += weight;
         sums[i] += weight * rise;
-        if (lowest) low[i] = d, low_edge[i] = nearest[i];
-        if (highest) high[i] = d, high_edge[i] = nearest[i];
+        if (lowest) low[i] = d;
+        if (highest) high[i] = d;
       }
     });
     for (int y = 0; y < height; ++y) {
@@ -228,8 +221,6 @@ class Descent {
         made_.height_m(x0 + x, y0 + y) = weights[i] > 0.0F ? base + sums[i] / weights[i] : base;
         made_.low(x0 + x, y0 + y) = low[i];
         made_.high(x0 + x, y0 + y) = high[i];
-        made_.low_edge(x0 + x, y0 + y) = low_edge[i];
-        made_.high_edge(x0 + x, y0 + y) = high_edge[i];
       }
     }
   }
@@ -248,12 +239,8 @@ class Descent {
 
 ContourInterpolation interpolate_contours(const std::vector<Contour>& contours, const ContourFaces& faces,
                                           const GridFrame& frame, const RunContext& run) {
-  ContourInterpolation made{rasterise_faces(contours, frame, run),
-                            HeightField(frame),
-                            ScalarField(frame),
-                            ScalarField(frame),
-                            Grid<int32_t>(frame),
-                            Grid<int32_t>(frame)};
+  ContourInterpolation made{rasterise_faces(contours, frame, run), HeightField(frame), ScalarField(frame),
+                            ScalarField(frame)};
   const BoundPieces pieces(contours, faces, frame, run);
   const int columns = (frame.width + kTile - 1) / kTile;
   const int rows = (frame.height + kTile - 1) / kTile;

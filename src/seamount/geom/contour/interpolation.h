@@ -12,18 +12,15 @@
 
 namespace seamount::geom {
 
-/// Edges of all rings are numbered on, ring after ring; an edge leaves the point of its number.
 struct ContourInterpolation {
-  Grid<int32_t> face;       ///< rasterise_faces()
-  HeightField height_m;     ///< between the bounds of the face; the bound itself where there is one only
-  ScalarField low, high;    ///< in cells, to the lowest and the highest bound of the face (the same where it has one);
-                            ///< +infinity where none lies within the frame
-  Grid<int32_t> low_edge;   ///< the nearest edge of the lowest bound, -1: none
-  Grid<int32_t> high_edge;  ///< the same of the highest
+  Grid<int32_t> face;     ///< rasterise_faces()
+  HeightField height_m;   ///< between the bounds of the face; the bound itself where there is one only
+  ScalarField low, high;  ///< in cells, to the lowest and the highest bound of the face (the same where it has one);
+                          ///< +infinity where none lies within the frame
 };
 
 /// REQUIRES: a nested and oriented set with at least one contour; `faces` are its own. Parallel; about cells x
-/// log(edges near a cell), 24 bytes per cell.
+/// log(edges near a cell), 16 bytes per cell.
 ContourInterpolation interpolate_contours(const std::vector<Contour>& contours, const ContourFaces& faces,
                                           const GridFrame& frame, const RunContext& run);
 

@@ -6,7 +6,9 @@
 // terraces, and lets spurs and valleys between two branches of a contour be as steep as their sides. Summits, rims and
 // basin floors, for which there is no further contour, get a shape from the slopes around them. Nothing passes the
 // levels beyond. Water leaves every cell but in basins that a contour asks for, by every method but stairs, whose steps
-// are level.
+// are level. `smooth` stays within half an interval of the plain interpolation, raises hollows instead of cutting
+// through what is before them, and hangs continuously on the contours: points moved by a millimetre move heights by
+// millimetres.
 #pragma once
 
 #include <array>

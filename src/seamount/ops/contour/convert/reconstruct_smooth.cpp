@@ -1,130 +1,78 @@
-// Each contour has one slope at each of its edges, the mean of those of the bands on either side. From the contour
-// below the ground rises at that slope, from the contour above it falls at that contour's, and the two are blended
-// across the band (Hormann, Spinello and Schroeder 2003 do so with cubics along the way between the nearest points):
+// From the contour below the ground rises at the slope about the place (ground_slope.h), from the contour above it
+// falls at that slope, and the two are blended across the band (Hormann, Spinello and Schroeder 2003 do so with cubics
+// along the way between the nearest points):
 //
-//   h = (1 - b) (h_k + I s(m_k d_k / I)) + b (h_{k+1} - I s(m_{k+1} d_{k+1} / I)),  b = 3 t^2 - 2 t^3,
+//   h = h_k + I ((1 - b) s(m d_k / I) + b (1 - s(m d_{k+1} / I))),  b = 3 t^2 - 2 t^3,
 //   t = d_k / (d_k + d_{k+1}), I = h_{k+1} - h_k, s saturating below 1,
 //
 // so heights meet each contour with the same slope from both sides and stay between the levels, while spurs and valleys
 // between two branches of one contour, which the plain interpolation leaves almost level, go on as steep as the slopes
-// beside them. Creases on the medial axes stay: they are the ridges and the valleys. A plate's few sweeps take the
-// noise of the distances, and the channels by which valley floors are drained, into the surface.
+// beside them. Creases on the medial axes stay: they are the ridges and the valleys. Wide valleys, which neither slope
+// reaches the middle of, tilt from their head to their mouth, and nothing leaves the plain interpolation by half an
+// interval. A plate's few sweeps take the noise of the distances out.
+//
+// Hollows that this leaves are raised to where their water leaves, and tilted to there, not cut through: nothing but
+// distances counts, and a little noise in the contours changes heights by little. What no ground can be raised for (a
+// valley that is narrower than a cell between steep sides) is cut at last.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/solve/drain.h"
+#include "seamount/geom/solve/raise_sinks.h"
 #include "seamount/geom/solve/thin_plate.h"
 #include "seamount/ops/contour/convert/face_ground.h"
+#include "seamount/ops/contour/convert/ground_slope.h"
 
 namespace seamount::contour {
 namespace {
 
-constexpr float kNoSlope = -1.0F;
-constexpr float kBeside = 6.0F;  ///< cells over which an edge's own slope fades into that of open ground
-
-/// Metres a cell across the face's band where it is nearest to a place (in cells); kNoSlope where no cell of the face
-/// is near or no band has two bounds.
-float slope_beside(const FaceGround& ground, int32_t face, double column, double row) {
-  if (ground.faces.bounds_of(face) != 2) return kNoSlope;
-  constexpr int kNear = 2;
-  const auto x0 = static_cast<int>(std::clamp(std::round(column), -1e6, 1e9));
-  const auto y0 = static_cast<int>(std::clamp(std::round(row), -1e6, 1e9));
-  double nearest = 1e30;
-  float width = 0.0F;
-  for (int y = y0 - kNear; y <= y0 + kNear; ++y) {
-    for (int x = x0 - kNear; x <= x0 + kNear; ++x) {
-      if (!ground.between.face.contains(x, y) || ground.between.face(x, y) != face) continue;
-      const double squared = (x - column) * (x - column) + (y - row) * (y - row);
-      const float across = ground.between.low(x, y) + ground.between.high(x, y);
-      if (squared >= nearest || !std::isfinite(across)) continue;
-      nearest = squared;
-      width = across;
-    }
-  }
-  if (nearest == 1e30) return kNoSlope;
-  return static_cast<float>(ground.faces.high_m(face) - ground.faces.low_m(face)) / std::max(width, 0.5F);
-}
-
-/// The mean over five edges of those that have a slope.
-void average_along(std::span<const float> raw, std::span<float> slopes) {
-  const size_t n = raw.size();
-  for (size_t i = 0; i < n; ++i) {
-    float sum = 0.0F;
-    float count = 0.0F;
-    for (size_t k = 0; k < 5; ++k) {
-      const float slope = raw[(i + 2 * n + k - 2) % n];
-      if (slope <= kNoSlope) continue;
-      sum += slope;
-      count += 1.0F;
-    }
-    slopes[i] = count > 0.0F ? sum / count : kNoSlope;
-  }
-}
-
-/// Per edge of all rings.
-std::vector<float> edge_slopes(const ContourSet& set, const FaceGround& ground, const RunContext& run) {
-  std::vector<size_t> first = {0};
-  first.reserve(set.contours.size() + 1);
-  for (const Contour& contour : set.contours) first.push_back(first.back() + contour.ring.size());
-  std::vector<float> slopes(first.back());
-  const GridFrame& frame = ground.between.face.frame();
-  parallel_blocks(run, static_cast<int64_t>(set.contours.size()), 8, [&](int64_t begin, int64_t end) {
-    for (auto c = static_cast<size_t>(begin); c < static_cast<size_t>(end); ++c) {
-      const Ring& ring = set.contours[c].ring;
-      std::vector<float> raw(ring.size());
-      for (size_t i = 0; i < ring.size(); ++i) {
-        const Vec2 middle = 0.5 * (ring[i] + ring[i + 1 < ring.size() ? i + 1 : 0]);
-        const double column = frame.column(middle.x);
-        const double row = frame.row(middle.y);
-        const float inside = slope_beside(ground, static_cast<int32_t>(c) + 1, column, row);
-        const float outside = slope_beside(ground, set.contours[c].parent + 1, column, row);
-        raw[i] = inside > kNoSlope && outside > kNoSlope ? 0.5F * (inside + outside) : std::max(inside, outside);
-      }
-      average_along(raw, std::span(slopes).subspan(first[c], ring.size()));
-    }
-  });
-  return slopes;
-}
+constexpr float kBeside = 6.0F;  ///< cells over which the slope beside a contour fades into that of open ground
 
 /// The height of one cell.
 class Blend {
  public:
-  Blend(const FaceGround& ground, const std::vector<float>& slopes) : ground_(ground), slopes_(slopes) {}
+  Blend(const FaceGround& ground, const GroundSlope& slopes) : ground_(ground), slopes_(slopes) {}
 
   float at(int x, int y) const {
     const int32_t face = ground_.between.face(x, y);
     const float low = ground_.between.low(x, y);
     const float high = ground_.between.high(x, y);
     const auto foot = static_cast<float>(ground_.faces.bounds_of(face) > 0 ? ground_.faces.low_m(face) : 0.0);
-    const auto f = static_cast<size_t>(face);
-    if (ground_.open(face)) {
-      const float reach = ground_.reach_m[f];
-      if (!std::isfinite(low)) return foot + ground_.sign(face) * reach * 0.5F;
-      // The nearest edge's own slope counts beside it alone, or else each edge would draw a ray across open ground.
-      const float own = slope_of(ground_.between.low_edge(x, y), ground_.slope[f]) - ground_.slope[f];
-      const float climb = low * (ground_.slope[f] + own * std::exp(-low / kBeside));
-      return foot + ground_.sign(face) * reach * saturated(climb / reach);
-    }
+    if (ground_.open(face)) return foot + ground_.sign(face) * leave(x, y, face, low);
     if (ground_.faces.bounds_of(face) != 2 || !std::isfinite(low) || !std::isfinite(high))
       return ground_.between.height_m(x, y);
     const float rise = static_cast<float>(ground_.faces.high_m(face)) - foot;
-    const float across = std::max(low + high, 1e-6F);
-    const float up = saturated_late(slope_of(ground_.between.low_edge(x, y), rise / across) * low / rise);
-    const float down = saturated_late(slope_of(ground_.between.high_edge(x, y), rise / across) * high / rise);
-    return foot + rise * (up + (1.0F - down - up) * geom::smoothstep(low / across));
+    const float t = low / std::max(low + high, 1e-6F);
+    const float slope = slopes_.at(x, y) / rise;
+    const float up = saturated_late(slope * low);
+    const float down = saturated_late(slope * high);
+    const float share = up + (1.0F - down - up) * geom::smoothstep(t);
+    // Where both contours are further off than their slopes reach, in wide valleys and on wide spurs, the ground lies
+    // level by either; it tilts from one to the other.
+    const float wide = geom::smoothstep((slope * std::min(low, high) - kReach) / kReach);
+    const float off = share + wide * (0.5F + kLevel * (t - 0.5F) - share) - t;
+    return foot + rise * (t + kMostOff * saturated_late(off / kMostOff));
   }
 
  private:
-  float slope_of(int32_t edge, float otherwise) const {
-    const float slope = edge >= 0 ? slopes_[static_cast<size_t>(edge)] : kNoSlope;
-    return slope > 0.0F ? slope : otherwise;
+  static constexpr float kReach = 1.5F;     ///< of slopes, in intervals
+  static constexpr float kLevel = 0.6F;     ///< share of the interval over which such ground tilts
+  static constexpr float kMostOff = 0.45F;  ///< from the plain interpolation, in intervals
+
+  /// How far the ground of a face with one bound leaves it.
+  float leave(int x, int y, int32_t face, float low) const {
+    const auto f = static_cast<size_t>(face);
+    const float reach = ground_.reach_m[f];
+    if (!std::isfinite(low)) return 0.5F * reach;
+    const float beside = slopes_.at(x, y);
+    const float own = beside > 0.0F ? beside - ground_.slope[f] : 0.0F;
+    return reach * saturated(low * (ground_.slope[f] + own * std::exp(-low / kBeside)) / reach);
   }
 
   const FaceGround& ground_;
-  const std::vector<float>& slopes_;
+  const GroundSlope& slopes_;
 };
 
 /// How far smoothing may move heights: less next to a contour, and never beyond the levels.
@@ -159,49 +107,68 @@ Bounds smoothing_bounds(const FaceGround& ground, const HeightField& heights, co
   return bounds;
 }
 
-/// Smooths; drains, and smooths the channels' surroundings down to them.
-HeightField settle(const FaceGround& ground, HeightField heights, Bounds bounds, const RunContext& run) {
+/// No ground that is raised leaves its levels.
+geom::Rising rising(const FaceGround& ground, double usual_m) {
+  constexpr double kTilt = 1e-3;        ///< of the usual interval, a cell
+  constexpr double kMostTilted = 0.25;  ///< of a pit's depth
+  return {static_cast<float>(kTilt * usual_m), static_cast<float>(kMostTilted), [&ground](int64_t cell) {
+            const int32_t face = ground.between.face.cells()[static_cast<size_t>(cell)];
+            if (ground.faces.bounds_of(face) == 0) return 1e30F;
+            const auto high = static_cast<float>(ground.faces.high_m(face));
+            if (!ground.open(face)) return high;
+            return ground.faces.rises(face) ? high + ground.reach_m[static_cast<size_t>(face)] : high;
+          }};
+}
+
+/// Raises what would hold water; smoothing may not lower it again.
+void raise(const FaceGround& ground, const geom::Rising& rising, HeightField& heights, Bounds& bounds,
+           const RunContext& run) {
+  const HeightField before = heights;
+  geom::raise_sinks(heights, basin_floors(ground, heights), rising, run.part(0.0, 0.8));
+  parallel_rows(run.part(0.8, 1.0), heights.width(), heights.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < heights.width(); ++x) {
+        const float z = heights(x, y);
+        if (z == before(x, y)) continue;
+        bounds.low(x, y) = z;
+        bounds.high(x, y) = std::max(z, bounds.high(x, y));
+      }
+    }
+  });
+}
+
+/// Smooths; raises what would hold water, and smooths again without taking that away; drains what is left.
+HeightField settle(const FaceGround& ground, HeightField heights, Bounds bounds, double usual_m,
+                   const RunContext& run) {
   constexpr int kFirstSweeps = 3;
   constexpr int kSweeps = 7;
-  constexpr int kRounds = 2;
+  const geom::Rising raising = rising(ground, usual_m);
   heights = geom::smooth_thin_plate(std::move(heights), bounds.low, bounds.high, kFirstSweeps, run.part(0.0, 0.2));
-  for (int round = 0; round < kRounds; ++round) {
-    geom::drain(heights, basin_floors(ground, heights), run.part(0.2 + 0.3 * round, 0.3 + 0.3 * round));
-    // Where a channel was cut or a floor raised, the surface may not go back.
-    parallel_rows(run.part(0.3, 0.3), heights.width(), heights.height(), [&](int begin, int end) {
-      for (int y = begin; y < end; ++y) {
-        for (int x = 0; x < heights.width(); ++x) {
-          float& low = bounds.low(x, y);
-          float& high = bounds.high(x, y);
-          const float z = heights(x, y);
-          if (z < low) high = z;
-          low = std::min(low, z);
-          high = std::max(high, low);
-        }
-      }
-    });
-    heights = geom::smooth_thin_plate(std::move(heights), bounds.low, bounds.high, kSweeps,
-                                      run.part(0.3 + 0.3 * round, 0.5 + 0.3 * round));
-  }
-  geom::drain(heights, basin_floors(ground, heights), run.part(0.8, 1.0));
+  raise(ground, raising, heights, bounds, run.part(0.2, 0.45));
+  heights = geom::smooth_thin_plate(std::move(heights), bounds.low, bounds.high, kSweeps, run.part(0.45, 0.7));
+  bounds = {};
+  geom::raise_sinks(heights, basin_floors(ground, heights), raising, run.part(0.7, 0.85));
+  geom::drain(heights, basin_floors(ground, heights), run.part(0.85, 1.0));
   return heights;
 }
 
 }  // namespace
 
 HeightField smooth_surface(const ContourSet& set, FaceGround ground, const RunContext& run) {
-  const std::vector<float> slopes = edge_slopes(set, ground, run.part(0.0, 0.05));
-  const Blend blend(ground, slopes);
-  HeightField& heights = ground.between.height_m;
-  parallel_rows(run.part(0.05, 0.1), heights.width(), heights.height(), [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < heights.width(); ++x) heights(x, y) = blend.at(x, y);
-    }
-  });
-  ground.between.low_edge = ground.between.high_edge = {};
+  HeightField heights(ground.between.face.frame());
+  {
+    const GroundSlope slopes(ground, run.part(0.0, 0.05));
+    const Blend blend(ground, slopes);
+    parallel_rows(run.part(0.05, 0.1), heights.width(), heights.height(), [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) {
+        for (int x = 0; x < heights.width(); ++x) heights(x, y) = blend.at(x, y);
+      }
+    });
+  }
+  ground.between.height_m = {};
   Bounds bounds = smoothing_bounds(ground, heights, run.part(0.1, 0.15));
   ground.between.low = ground.between.high = {};
-  return settle(ground, std::move(heights), std::move(bounds), run.part(0.15, 1.0));
+  return settle(ground, std::move(heights), std::move(bounds), usual_interval(set), run.part(0.15, 1.0));
 }
 
 }  // namespace seamount::contour
