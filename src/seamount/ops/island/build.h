@@ -1,9 +1,11 @@
 // island.build: from the plan and the profile of an island to its height field and label map.
 //
 // Source: P0 sec. 1.4.1, eq. 1.1 and 1.2, Algorithm 1 part 1, and the low-amplitude noise of its last paragraph.
-// Departures: plans of any form (coordinate.h); heights in metres; irregular detail of coasts below what the plan
-// shows; gullies that run down the slopes (geom/water/gullies.h), since a surface of revolution with noise does not
-// drain.
+// Departures: plans of any form (coordinate.h); a summit for every lobe of the land, or those that are given
+// (summits.h), each exactly as high as it was asked for when everything else is done (peak_heights.h): what other
+// operators do later - wind, subsidence, erosion - may move and lower it; heights in metres; irregular detail of random
+// coasts; gullies that run down the slopes (geom/water/gullies.h), and what pits remain is breached, so that all land
+// drains to the sea.
 #pragma once
 
 #include "seamount/base/rng.h"
@@ -22,8 +24,9 @@ struct Island {
   ScalarField coordinate;  ///< x~ in [0, 5]
 };
 
-/// Heights over x~ in metres: params.profile, or the shape of an old volcanic island scaled to peak and floor.
-Curve profile_curve(const Plan& plan, const BuildParams& params);
+/// Heights over x~ in metres for a summit of this height: params.profile with its land scaled to it, or the shape of an
+/// old volcanic island.
+Curve profile_curve(const Plan& plan, const BuildParams& params, double peak_m);
 
 /// Builds the island of a plan on a frame. `params` gives everything but the plan: its coast, outlines, areas and
 /// widths have gone into the plan and are not looked at again. Throws InvalidArgument for params out of range, a

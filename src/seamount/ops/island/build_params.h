@@ -10,6 +10,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/model/drawn.h"
+#include "seamount/ops/island/summit_params.h"
 #include "seamount/ops/island/width_params.h"
 
 namespace seamount::island {
@@ -28,7 +29,7 @@ struct BuildDetail {
   static constexpr auto fields() {
     using P = BuildDetail;
     return std::tuple(field(&P::coast_m, "coast_m", "m", between(0, 1e5),
-                            "size of bays and headlands below what the plan shows; derived if absent"),
+                            "size of bays and headlands below what the plan shows; none on drawn coasts if absent"),
                       field(&P::valley_spacing_m, "valley_spacing_m", "m", between(1, 1e6),
                             "distance between the largest valleys; derived if absent"),
                       field(&P::smoothing, "smoothing", "", between(0, 1),
@@ -50,6 +51,7 @@ struct BuildParams {
   double irregularity = 0.35;
   std::optional<double> peak_m;
   std::optional<double> floor_m;
+  std::vector<Summit> summits;
   double massif = 0.5;
   double relief = 1.0;
   Curve profile;
@@ -74,10 +76,13 @@ struct BuildParams {
         field(&P::irregularity, "irregularity", "", between(0, 1),
               "how much the coast of a random island departs from a circle"),
         field(&P::peak_m, "peak_m", "m", between(0, 9000),
-              "height of the summit; derived from the land's area if absent"),
+              "height of the highest summit, to the metre; derived from the land's width if absent"),
         field(&P::floor_m, "floor_m", "m", between(-12000, -1), "height of the sea floor; derived if absent"),
+        field(&P::summits, "summits",
+              "summits with their heights; lobes of the land without one have their own, as high as their width lets "
+              "them be"),
         field(&P::massif, "massif", "", between(0, 1),
-              "how unevenly the mountains rise: 0 one smooth cone, 1 several massifs"),
+              "how unevenly the mountains rise: 0 smooth cones, 1 several massifs"),
         field(&P::relief, "relief", "", between(0, 2), "depth of the valleys that run down the slopes"),
         field(
             &P::profile, "profile", "m", between(-12000, 12000),

@@ -12,7 +12,6 @@
 #include "seamount/geom/grid/upsample_rows.h"
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/scalar/blend.h"
-#include "seamount/geom/solve/poisson.h"
 
 namespace seamount::island {
 namespace {
@@ -110,17 +109,16 @@ SEAMOUNT_VECTORISED void add_share(const float* inner, float inner_offset, const
   }
 }
 
-/// x~ inside the innermost outline: sqrt(1 - u / max u). u itself is read in the interior, and near the outline its
-/// slope times the depth inside it, which is exact there.
-SEAMOUNT_VECTORISED void dome_loop(const float* field, float offset, const float* u, const float* slope,
+/// x~ inside the innermost outline: 1 - v. v itself is read in the interior, and near the outline its slope times the
+/// depth inside it, which is exact there.
+SEAMOUNT_VECTORISED void dome_loop(const float* field, float offset, const float* v, const float* slope,
                                    const float* shift, float rim, float base, int count, float* __restrict out) {
   for (int i = 0; i < count; ++i) {
     const float inside = offset - field[i] - shift[i];
     const float depth = inside > 0.0F ? inside : 0.0F;
     const float t = geom::smoothstep(depth / rim);
     const float near_rim = slope[i] * depth;
-    const float rest = 1.0F - (near_rim + t * (u[i] - near_rim));
-    out[i] = base + std::sqrt(rest > 0.0F ? rest : 0.0F);
+    out[i] = base + clamp01(1.0F - (near_rim + t * (v[i] - near_rim)));
   }
 }
 
@@ -152,18 +150,12 @@ void soften(ScalarField& distance, double smoothing, const RunContext& run) {
   }
 }
 
-/// Highest value of a smooth field: at its highest node, and above it by the parabolas through the neighbours.
-float summit(const ScalarField& u) {
-  const auto highest = std::max_element(u.cells().begin(), u.cells().end());
-  const auto at = static_cast<int>(highest - u.cells().begin());
-  const int x = at % u.width(), y = at / u.width();
-  float sum = *highest;
-  for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}}) {
-    const float a = u.clamped(x - dx, y - dy), b = u.clamped(x + dx, y + dy);
-    const float bend = 2.0F * *highest - a - b;
-    if (bend > 0.0F) sum += (b - a) * (b - a) / (8.0F * bend);
-  }
-  return sum;
+/// One of equal height for every lobe.
+std::vector<Peak> peaks_of_lobes(const Plan& plan) {
+  std::vector<Peak> peaks;
+  for (const Lobe& lobe : plan.lobes.empty() ? find_lobes(land_of(plan)) : plan.lobes)
+    peaks.push_back({lobe.centre, lobe.radius_m, 1.0});
+  return peaks;
 }
 
 /// u / depth where u is well inside, spread a little outwards, so that it can be read right up to the outline.
@@ -189,25 +181,12 @@ ScalarField slope_at_rim(const ScalarField& u, const ScalarField& distance, doub
 
 }  // namespace
 
-/// Solves laplace(u) = -1 inside distance < offset and scales it to a summit of 1.
-RegionCoordinate::Dome RegionCoordinate::make_dome(const ScalarField& distance, double offset, const RunContext& run) {
-  const GridFrame& frame = distance.frame();
-  Grid<uint8_t> fixed(frame);
-  Dome dome{ScalarField(frame, 0.0F), {}};
-  for (size_t c = 0; c < fixed.size(); ++c) fixed.cells()[c] = distance.cells()[c] >= offset ? 1 : 0;
-  const ScalarField source(frame, static_cast<float>(-1.0 / (frame.cell_m * frame.cell_m)));
-  geom::solve_poisson(dome.u, fixed, source, run, {.tolerance = 1e-3});
-  const float highest = std::max(1e-20F, summit(dome.u));
-  for (float& u : dome.u.cells()) u /= highest;
-  dome.slope = slope_at_rim(dome.u, distance, offset, run);
-  return dome;
-}
-
-RegionCoordinate::RegionCoordinate(const Plan& plan, const GridFrame& frame, double smoothing, const RunContext& run)
+RegionCoordinate::RegionCoordinate(const Plan& plan, const GridFrame& frame, double smoothing, const RunContext& run,
+                                   const Interior& interior)
     : lattice_(geom::coarser_frame(frame, std::max(frame.width_m(), frame.height_m()) / kLatticeSide)),
       centre_(plan.centre) {
   if (plan.polar.empty()) {
-    prepare_areas(plan, smoothing, run);
+    prepare_areas(plan, smoothing, interior, run);
   } else {
     prepare_polar(plan);
   }
@@ -230,7 +209,8 @@ void RegionCoordinate::prepare_polar(const Plan& plan) {
   }
 }
 
-void RegionCoordinate::prepare_areas(const Plan& plan, double smoothing, const RunContext& run) {
+void RegionCoordinate::prepare_areas(const Plan& plan, double smoothing, const Interior& interior,
+                                     const RunContext& run) {
   while (first_ < kCoast && plan.areas[first_].empty() && plan.areas[kCoast].empty()) ++first_;
   while (first_ + 1 < kOutlineCount && plan.areas[kCoast].empty() && plan.areas[first_].empty()) ++first_;
   const std::array<double, kOutlineCount> widths = {0, plan.widths.beach_m, plan.widths.lagoon_m, plan.widths.reef_m,
@@ -253,8 +233,13 @@ void RegionCoordinate::prepare_areas(const Plan& plan, double smoothing, const R
     }
   }
   const double cell = std::max(2.0 * lattice_.cell_m, std::max(lattice_.width_m(), lattice_.height_m()) / kDomeSide);
-  const ScalarField& innermost = fields_[static_cast<size_t>(levels_[0].field)];
-  dome_ = make_dome(geom::resample(innermost, geom::coarser_frame(lattice_, cell), run), levels_[0].offset_m, run);
+  const double offset = levels_[0].offset_m;
+  ScalarField depth =
+      geom::resample(fields_[static_cast<size_t>(levels_[0].field)], geom::coarser_frame(lattice_, cell), run);
+  for (float& d : depth.cells()) d -= static_cast<float>(offset);
+  dome_.v = rise(interior.peaks.empty() ? peaks_of_lobes(plan) : interior.peaks, depth, interior.shape, interior.foot_m,
+                 interior.unevenness, interior.seed, run);
+  dome_.slope = slope_at_rim(dome_.v, depth, 0.0, run);
 }
 
 void RegionCoordinate::row(double x0, double dx, double y, std::span<const float> shift_m, std::span<float> out) const {
@@ -281,12 +266,12 @@ void RegionCoordinate::area_row(double x0, double dx, double y, std::span<const 
   const auto count = static_cast<int>(out.size());
   std::vector<std::vector<float>> rows(fields_.size(), std::vector<float>(out.size()));
   for (size_t f = 0; f < fields_.size(); ++f) geom::RowUpsampler(fields_[f]).read(x0, dx, y, rows[f]);
-  std::vector<float> u(out.size()), slope(out.size());
-  geom::RowUpsampler(dome_.u).read(x0, dx, y, u);
+  std::vector<float> v(out.size()), slope(out.size());
+  geom::RowUpsampler(dome_.v).read(x0, dx, y, v);
   geom::RowUpsampler(dome_.slope).read(x0, dx, y, slope);
   const auto field_row = [&](const Level& level) { return rows[static_cast<size_t>(level.field)].data(); };
-  dome_loop(field_row(levels_[0]), static_cast<float>(levels_[0].offset_m), u.data(), slope.data(), shift_m.data(),
-            static_cast<float>(4.0 * dome_.u.cell_m()), static_cast<float>(first_), count, out.data());
+  dome_loop(field_row(levels_[0]), static_cast<float>(levels_[0].offset_m), v.data(), slope.data(), shift_m.data(),
+            static_cast<float>(4.0 * dome_.v.cell_m()), static_cast<float>(first_), count, out.data());
   for (size_t k = 0; k + 1 < levels_.size(); ++k) {
     add_share(field_row(levels_[k]), static_cast<float>(levels_[k].offset_m), field_row(levels_[k + 1]),
               static_cast<float>(levels_[k + 1].offset_m), shift_m.data(), count, out.data());

@@ -1,10 +1,9 @@
 // The region coordinate x~: where a place lies across the regions of an island (P0 eq. 1.1 and its general form).
 //
 // Between outlines i and i + 1, x~ = i + d_i / (d_i + d_{i+1}). In polar form d are differences of radii along the ray,
-// which is eq. 1.1 as printed. For areas of any form d are distances to the outlines; distances alone have creases
-// along the medial axis, so inside the innermost outline x~ = sqrt(1 - u / max u) with laplace(u) = -1, u = 0 on the
-// outline (on a circle this is r / R, eq. 1.1 again), and further out distances are smoothed the more the further they
-// are. x~ is continuous, 0 at the summit and clamped to 5 beyond the last outline.
+// which is eq. 1.1 as printed. For areas of any form d are distances to the outlines, smoothed the more the further
+// they are, since distances alone have creases along the medial axis; inside the innermost outline the summits stand
+// for outline 0 (summits.h). x~ is continuous, 0 at the highest summit and clamped to 5 beyond the last outline.
 #pragma once
 
 #include <span>
@@ -13,8 +12,18 @@
 #include "seamount/base/run_context.h"
 #include "seamount/model/grid.h"
 #include "seamount/ops/island/shape.h"
+#include "seamount/ops/island/summits.h"
 
 namespace seamount::island {
+
+/// The summits of the land and how it falls from them.
+struct Interior {
+  std::vector<Peak> peaks;  ///< highest first; empty: one of equal height for every lobe
+  geom::CurveFunction shape{{{{0.0, 1.0}, {1.0, 0.0}}}, geom::CurveKind::linear};  ///< share of the height over x~
+  double foot_m = 0;                                                               ///< height of the mountains' foot
+  double unevenness = 0;  ///< how far slopes are bent out of the round, in [0, 1]
+  Seed seed = {};
+};
 
 /// x~ of a plan, ready to be read along rows of any frame.
 class RegionCoordinate {
@@ -22,7 +31,8 @@ class RegionCoordinate {
   /// `smoothing` in [0, 1]: how much creases of distance fields are softened; 0 gives plain distances. For areas,
   /// fields are computed on a lattice of at most 1024 nodes a side, whatever the frame's size, so that a preview shows
   /// the same island. About 80 ns of CPU time per node.
-  RegionCoordinate(const Plan& plan, const GridFrame& frame, double smoothing, const RunContext& run);
+  RegionCoordinate(const Plan& plan, const GridFrame& frame, double smoothing, const RunContext& run,
+                   const Interior& interior = {});
 
   /// out[i] = x~ at (x0 + i dx, y). `shift_m` (empty: none) is added to the distance from the coast: its irregular
   /// detail.
@@ -30,7 +40,7 @@ class RegionCoordinate {
 
  private:
   void prepare_polar(const Plan& plan);
-  void prepare_areas(const Plan& plan, double smoothing, const RunContext& run);
+  void prepare_areas(const Plan& plan, double smoothing, const Interior& interior, const RunContext& run);
   void polar_row(double x0, double dx, double y, std::span<const float> shift_m, std::span<float> out) const;
   void area_row(double x0, double dx, double y, std::span<const float> shift_m, std::span<float> out) const;
 
@@ -40,12 +50,11 @@ class RegionCoordinate {
     double offset_m = 0;
   };
 
-  /// x~ inside the innermost outline, as u with x~ = sqrt(1 - u).
+  /// x~ inside the innermost outline, as v = 1 - x~.
   struct Dome {
-    ScalarField u;      ///< 0 on the outline, 1 at the summit
-    ScalarField slope;  ///< u per metre of depth inside the outline, near it
+    ScalarField v;      ///< 0 on the outline, 1 at the summit
+    ScalarField slope;  ///< v per metre of depth inside the outline, near it
   };
-  static Dome make_dome(const ScalarField& distance, double offset_m, const RunContext& run);
 
   GridFrame lattice_;
   // Polar form: radii of the outlines per angle, one table after another.

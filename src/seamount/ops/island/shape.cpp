@@ -38,15 +38,6 @@ double areas_m2(const std::vector<Polygon>& polygons) {
   return sum;
 }
 
-/// The innermost outline that encloses anything: the coast of an island, the lagoon of an atoll.
-const std::vector<Polygon>& innermost(const Plan& plan) {
-  if (!plan.areas[kCoast].empty()) return plan.areas[kCoast];
-  for (const auto& area : plan.areas) {
-    if (!area.empty()) return area;
-  }
-  return plan.areas[kCoast];
-}
-
 void check_order(const std::vector<PolarOutline>& outlines) {
   for (size_t i = 0; i + 1 < outlines.size(); ++i) {
     for (size_t a = 0; a < outlines[i].radii_m.size(); ++a) {
@@ -116,19 +107,37 @@ void check_nesting(const Plan& plan, const std::string& name) {
 }
 
 void measure(Plan& plan, const GivenWidths& widths) {
-  const std::vector<Polygon>& land = innermost(plan);
-  plan.land_m2 = areas_m2(land);
+  plan.land_m2 = areas_m2(land_of(plan));
   plan.widths = complete_widths(plan.land_m2, widths);
-  size_t vertices = 0;
-  double length = 0;
-  for (const Polygon& polygon : land) {
-    vertices += polygon.outer.size();
-    length += geom::ring_length(polygon.outer);
-  }
-  plan.edge_m = vertices > 0 ? length / static_cast<double>(vertices) : 0;
+  plan.lobes = find_lobes(land_of(plan));
 }
 
 }  // namespace
+
+const std::vector<Polygon>& land_of(const Plan& plan) {
+  if (!plan.areas[kCoast].empty()) return plan.areas[kCoast];
+  for (const auto& area : plan.areas) {
+    if (!area.empty()) return area;
+  }
+  return plan.areas[kCoast];
+}
+
+Plan as_areas(const Plan& plan) {
+  if (plan.polar.empty()) return plan;
+  Plan out = plan;
+  out.polar.clear();
+  for (size_t i = 0; i < plan.polar.size(); ++i) {
+    const std::vector<double>& radii = plan.polar[i].radii_m;
+    Ring ring;
+    for (size_t a = 0; a < radii.size(); ++a) {
+      const double angle = 2 * kPi * static_cast<double>(a) / static_cast<double>(radii.size());
+      ring.push_back(plan.centre + radii[a] * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    out.areas[i] = {{std::move(ring), {}}};
+  }
+  out.lobes = find_lobes(land_of(out));
+  return out;
+}
 
 RegionWidths natural_widths(double land_m2) {
   const double radius = std::sqrt(land_m2 / kPi);
@@ -169,7 +178,7 @@ Plan plan_from_polar(std::vector<PolarOutline> outlines, Vec2 centre, const Give
   plan.centre = centre;
   const std::vector<double>& coast = outlines.size() == 1 ? outlines[0].radii_m : outlines[kCoast].radii_m;
   plan.land_m2 = polar_area(coast);
-  plan.edge_m = 0.08 * std::sqrt(plan.land_m2 / kPi);
+  plan.lobes = {{centre, std::sqrt(plan.land_m2 / kPi)}};
   plan.widths = complete_widths(plan.land_m2, widths);
   if (outlines.size() == 1) {
     const RegionWidths& w = plan.widths;
@@ -223,7 +232,7 @@ Plan plan_from_areas(const Drawing& drawing, const GivenWidths& widths, const st
       }
     }
   }
-  if (innermost(plan).empty()) throw InvalidArgument(name, "holds no area");
+  if (land_of(plan).empty()) throw InvalidArgument(name, "holds no area");
   check_nesting(plan, name);
   measure(plan, widths);
   return plan;
@@ -260,7 +269,9 @@ Plan random_plan(const GridFrame& frame, Vec2 centre, double irregularity, Seed 
     const double noise = geom::fbm_circle(seed.derive("island.coast"), 2 * kPi * a / kPolarSamples, 3.0, 5);
     coast.radii_m[static_cast<size_t>(a)] = radius * std::max(0.3, 1.0 + irregularity * noise);
   }
-  return plan_from_polar({coast}, centre, widths);
+  Plan plan = plan_from_polar({coast}, centre, widths);
+  plan.detail_m = 0.028 * plan.lobes.front().radius_m;
+  return plan;
 }
 
 Extent extent_of(const Plan& plan) {
@@ -273,7 +284,7 @@ Extent extent_of(const Plan& plan) {
       include(plan.centre + radii[a] * Vec2{std::cos(angle), std::sin(angle)});
     }
   } else {
-    for (const Polygon& polygon : innermost(plan)) {
+    for (const Polygon& polygon : land_of(plan)) {
       for (const Vec2 p : polygon.outer) include(p);
     }
   }

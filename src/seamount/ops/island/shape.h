@@ -17,6 +17,7 @@
 #include "seamount/model/extent.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
+#include "seamount/ops/island/lobes.h"
 #include "seamount/ops/island/width_params.h"
 
 namespace seamount::island {
@@ -47,9 +48,10 @@ struct Plan {
   std::array<std::vector<Polygon>, kOutlineCount> areas;
   RegionWidths widths;
 
-  std::string crs;     ///< of the areas' coordinates, empty: local metres
-  double land_m2 = 0;  ///< area inside the coast (of the innermost outline, if there is no land)
-  double edge_m = 0;   ///< typical length of the coast's edges: smaller forms it cannot show
+  std::string crs;          ///< of the areas' coordinates, empty: local metres
+  double land_m2 = 0;       ///< area inside the coast (of the innermost outline, if there is no land)
+  double detail_m = 0;      ///< size of bays and headlands to add where nobody asks: 0 for whatever was drawn
+  std::vector<Lobe> lobes;  ///< of the land, the largest first
 };
 
 /// Widths that suit an island with this much land: a beach of 1.2 %, a lagoon of 9 %, a reef of 7 % and a slope of 55 %
@@ -70,6 +72,12 @@ Plan plan_from_labels(const LabelMap& labels, const GivenWidths& widths, const R
 
 /// A plausible coast when nothing is given: P0 eq. 1.16, r(theta) = r* + noise, r* = 0.26 of the frame's shorter side.
 Plan random_plan(const GridFrame& frame, Vec2 centre, double irregularity, Seed seed, const GivenWidths& widths);
+
+/// The land, or what the innermost outline encloses where there is none. Empty for polar plans.
+const std::vector<Polygon>& land_of(const Plan& plan);
+
+/// A polar plan in the general form; others as they are.
+Plan as_areas(const Plan& plan);
 
 /// Around the coast.
 Extent extent_of(const Plan& plan);
