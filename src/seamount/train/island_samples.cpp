@@ -127,6 +127,7 @@ IslandPair make_island(const IslandSetParams& params, const IslandDraw& draw, do
   // What the labels cannot show, the network cannot know: no passes and no islets; labels stay those before subsidence.
   island::CoralParams coral;
   coral.subsidence = subsidence;
+  coral.exposure = 0;
   coral.passes = 0;
   coral.islets = 0;
   coral.relabel = false;

@@ -23,15 +23,17 @@ struct ArchipelagoParams {
 
   static constexpr auto fields() {
     using P = ArchipelagoParams;
-    return std::tuple(field(&P::places, "places",
-                            "where each island's centre goes; a single island is copied to every place; none: islands "
-                            "stay where they are"),
-                      field(&P::turns_deg, "turns_deg", "deg", between(-360, 360),
-                            "how far each island is turned, counter-clockwise; missing ones are 0"),
-                      field(&P::scales, "scales", "", between(0.05, 5),
-                            "how much each island is scaled, width and height alike; missing ones are 1"),
-                      field(&P::blend_m, "blend_m", "m", between(0.001, 100),
-                            "how much the smooth maximum exceeds two islands where they are equal"));
+    return std::tuple(
+        field(&P::places, "places",
+              "where each island's centre goes; a single island is copied to every place; none: islands "
+              "stay where they are"),
+        field(&P::turns_deg, "turns_deg", "deg", between(-360, 360),
+              "how far each island is turned, counter-clockwise; missing ones are 0"),
+        field(&P::scales, "scales", "", between(0.05, 5),
+              "how much each island is scaled, width and height of its land alike; reefs keep their depths; missing "
+              "ones are 1"),
+        field(&P::blend_m, "blend_m", "m", between(0.001, 100),
+              "how much the smooth maximum exceeds two islands where they are equal"));
   }
 };
 
@@ -49,10 +51,11 @@ struct Archipelago {
 /// The label that wins where islands overlap.
 Region prior_label(Region a, Region b);
 
-/// Blends islands on a frame. All come to lie on one sea floor, the lowest of theirs: what a member has below 150 m or
-/// half its depth is stretched down to it, reefs and lagoons keep their depths, and what is under water fades to the
-/// floor along the member's own edge. Throws InvalidArgument for params out of range or a number of places that fits
-/// neither one island nor all of them. Parallel; about 15 ns of CPU time per cell and member.
+/// Blends islands on a frame. All come to lie on one sea floor, the lowest of theirs: what a member has below 60 m or
+/// half its depth is stretched down to it, reefs, lagoons and beaches keep their heights whatever the scale, and what
+/// is under water fades to the floor along the member's own edge. Where the lagoon of one reaches over the reef of
+/// another there is one lagoon, without a wall across it. Throws InvalidArgument for params out of range or a number of
+/// places that fits neither one island nor all of them. Parallel; about 15 ns of CPU time per cell and member.
 Archipelago archipelago(const std::vector<Member>& members, const ArchipelagoParams& params, const GridFrame& frame,
                         const RunContext& run);
 

@@ -9,6 +9,7 @@
 #include "seamount/base/error.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/ops/island/archipelago.h"
+#include "seamount/ops/island/choose_plan.h"
 #include "seamount/ops/island/coordinate.h"
 #include "seamount/ops/island/outlines.h"
 
@@ -91,6 +92,36 @@ TEST(Build, SameBytesOnAnyNumberOfThreadsAndAnotherSeedDiffers) {
   EXPECT_EQ(one.terrain, many.terrain);
   EXPECT_EQ(one.labels, many.labels);
   EXPECT_NE(one.terrain, build(plan, {}, frame, Seed{2}, {}).terrain);
+}
+
+TEST(Build, SinksAsThePaintingsBrightnessSays) {
+  const GridFrame frame = GridFrame::centred(160, 160, 80);
+  LabelMap labels(frame, Region::abyss);
+  for (int y = 0; y < 160; ++y) {
+    for (int x = 0; x < 160; ++x) {
+      const double r = std::hypot(x - 80, y - 80);
+      labels(x, y) = r < 38   ? Region::mountain
+                     : r < 40 ? Region::beach
+                     : r < 50 ? Region::lagoon
+                     : r < 56 ? Region::reef
+                              : Region::abyss;
+    }
+  }
+  BuildParams params;
+  params.coast.path = "painted.png";
+  const auto painted = [&](float lambda) {
+    const auto read = [&](const FilePath&) -> CoastFile {
+      return PaintedCoast{labels, lambda > 0 ? ScalarField(frame, lambda) : ScalarField()};
+    };
+    return build({.read_coast = read}, params, frame, Seed{3}, {});
+  };
+  const Island before = painted(0.0F), after = painted(0.4F);
+  EXPECT_EQ(before.labels, after.labels);
+  const float floor = *std::min_element(before.terrain.cells().begin(), before.terrain.cells().end());
+  for (size_t c = 0; c < before.terrain.size(); ++c) {
+    const float expected = floor + 0.6F * (before.terrain.cells()[c] - floor);
+    ASSERT_NEAR(after.terrain.cells()[c], expected, 0.01F);
+  }
 }
 
 TEST(Build, TinyAndThinFramesWork) {

@@ -9,8 +9,14 @@
 
 namespace seamount::island {
 
-/// What a coast file holds: areas, or a painted label map laid over the domain.
-using CoastFile = std::variant<Drawing, LabelMap>;
+/// A painted label map laid over the domain.
+struct PaintedCoast {
+  LabelMap labels;
+  ScalarField subsidence = {};  ///< what the brightness says, in [0, 1]; empty: nothing has sunk
+};
+
+/// What a coast file holds.
+using CoastFile = std::variant<Drawing, PaintedCoast>;
 
 /// What an island can be built on besides what stands in its parameters.
 struct BuildInputs {
@@ -26,7 +32,9 @@ Plan choose_plan(const BuildParams& params, const BuildInputs& inputs, const Gri
                  const RunContext& run);
 
 /// The island of that plan, on the labels' frame if they are given, else on the domain; areas in a coordinate system of
-/// their own lend it to the frame. Says what was ignored or fitted. Throws what choose_plan and build throw.
+/// their own lend it to the frame. Where a painting says by its brightness that a place has sunk, heights sink by that
+/// share of their height over the sea floor (P0 eq. 1.8, sec. 1.5), and labels stay those before. Says what was ignored
+/// or fitted. Throws what choose_plan and build throw.
 Island build(const BuildInputs& inputs, const BuildParams& params, const GridFrame& domain, Seed seed,
              const RunContext& run);
 

@@ -4,8 +4,8 @@
 // Source: P0 sec. 1.4.2, eq. 1.8 to 1.15, Algorithm 2, with the corrections that heights are in metres about sea level:
 // z_s = floor + (1 - lambda) (z - floor) for eq. 1.8, and smax of eq. 1.15 with the coefficient 1 / (2 k) as blend_m.
 // Departures, each with a parameter that turns it off: beyond the reef the fore reef falls on at the slope of its talus
-// instead of staying at h_abyss (fore_reef_slope_deg = 0); passes; an uneven floor of the lagoon; islets of sand on the
-// reef.
+// instead of staying at h_abyss (fore_reef_slope_deg = 0); passes off the largest rivers; a reef that is narrower,
+// higher and longer of islets to windward (exposure); an uneven floor of the lagoon; islets of sand on the reef.
 #pragma once
 
 #include "seamount/base/rng.h"

@@ -40,7 +40,9 @@ struct ReefSection {
 
 struct CoralParams {
   double subsidence = 0.0;
-  int passes = 5;
+  double swell_from_deg = 130.0;
+  double exposure = 0.5;
+  int passes = -1;
   double pass_width_m = 350.0;
   double pass_depth_m = 18.0;
   double lagoon_relief_m = 5.0;
@@ -56,7 +58,11 @@ struct CoralParams {
     return std::tuple(
         field(&P::subsidence, "subsidence", "", between(0, 1),
               "share of its height over the sea floor by which the island has sunk"),
-        field(&P::passes, "passes", "", between(0, 200), "channels through the reef"),
+        field(&P::swell_from_deg, "swell_from_deg", "deg", between(-360, 360), "bearing from which the swell comes"),
+        field(&P::exposure, "exposure", "", between(0, 1),
+              "how much the reef differs to windward, narrow, high and with long islets, and to leeward"),
+        field(&P::passes, "passes", "", between(-1, 200),
+              "channels through the reef, the first off the largest rivers; -1: one for 16 km of reef, at least two"),
         field(&P::pass_width_m, "pass_width_m", "m", between(1, 1e5), "width of a pass"),
         field(&P::pass_depth_m, "pass_depth_m", "m", between(0, 500), "depth of a pass"),
         field(&P::lagoon_relief_m, "lagoon_relief_m", "m", between(0, 100),

@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/ops/island/build.h"
+#include "seamount/ops/island/reef_passes.h"
 
 namespace seamount::island {
 namespace {
@@ -64,8 +67,12 @@ Island small_island(int size = 160) {
 
 /// Only what the paper has: no talus, passes, islets or uneven floor.
 CoralParams paper_only(double subsidence) {
-  return {
-      .subsidence = subsidence, .passes = 0, .lagoon_relief_m = 0, .islets = 0, .section = {.fore_reef_slope_deg = 0}};
+  return {.subsidence = subsidence,
+          .exposure = 0,
+          .passes = 0,
+          .lagoon_relief_m = 0,
+          .islets = 0,
+          .section = {.fore_reef_slope_deg = 0}};
 }
 
 TEST(Coral, IsAlgorithm2OnEveryCell) {
@@ -145,6 +152,56 @@ TEST(Coral, RefusesRastersOfDifferentSize) {
   const HeightField terrain(GridFrame::centred(8, 8, 10), 0.0F);
   EXPECT_THROW(coral(terrain, LabelMap(GridFrame::centred(8, 9, 10), Region::reef), nullptr, {}, {}, {}),
                IncompatibleInputs);
+}
+
+TEST(Coral, WindwardReefsAreNarrowerAndHigherThanLeewardOnes) {
+  const GridFrame frame = GridFrame::centred(200, 200, 64);
+  const Plan plan = plan_from_polar({{{2500}}}, {}, {.lagoon_m = 900, .reef_m = 1200, .slope_m = 1500});
+  const Island isle = build(plan, {.peak_m = 500.0, .floor_m = -500.0}, frame, Seed{5}, {});
+  for (const double from : {0.0, 90.0, 230.0}) {
+    const Reefed reef = coral(isle.terrain, isle.labels, &isle.coordinate,
+                              {.subsidence = 0.2,
+                               .swell_from_deg = from,
+                               .exposure = 1,
+                               .passes = 0,
+                               .lagoon_relief_m = 0,
+                               .islets = 0,
+                               .section = {.back_end = 0.2, .crest_start = 0.4, .crest_end = 0.8}},
+                              Seed{1}, {});
+    std::array<int, 2> flat{};
+    std::array<float, 2> crest = {-1e9F, -1e9F};
+    for (int y = 0; y < frame.height; ++y) {
+      for (int x = 0; x < frame.width; ++x) {
+        const double towards = (frame.x(x) * std::sin(from * std::numbers::pi / 180) +
+                                frame.y(y) * std::cos(from * std::numbers::pi / 180)) /
+                               std::hypot(frame.x(x), frame.y(y));
+        if (std::abs(towards) < 0.8 || isle.labels(x, y) != Region::reef) continue;
+        const size_t side = towards > 0 ? 0 : 1;
+        flat[side] += reef.terrain(x, y) > -4.0F ? 1 : 0;
+        crest[side] = std::max(crest[side], reef.terrain(x, y));
+      }
+    }
+    EXPECT_LT(flat[0], 0.95 * flat[1]) << from;
+    EXPECT_GT(crest[0], crest[1] + 0.8F) << from;
+    EXPECT_LT(crest[0], 0.0F);
+  }
+}
+
+TEST(ReefPasses, TheFirstLiesOffTheLargestRiver) {
+  for (const uint64_t seed : {1U, 2U, 3U, 4U}) {
+    const GridFrame frame = GridFrame::centred(200, 200, 64);
+    const Plan plan = plan_from_polar({{{3000, 3400, 2900, 3300}}}, {}, {.lagoon_m = 700, .reef_m = 600});
+    const Island isle = build(plan, {}, frame, Seed{seed}, {});
+    const std::vector<RiverMouth> mouths = river_mouths(isle.terrain, 0.0F, {});
+    ASSERT_GT(mouths.size(), 3U);
+    EXPECT_GE(mouths[0].catchment_m2, mouths[1].catchment_m2);
+    const ReefPasses passes(isle.coordinate, 4, 200, mouths, Seed{seed}, {});
+    ASSERT_EQ(passes.count(), 4);
+    const Vec2 d = passes.place(0) - mouths[0].place;
+    EXPECT_LT(std::sqrt(dot(d, d)), 1400) << seed;
+    const ReefPasses many(isle.coordinate, -1, 200, mouths, Seed{seed}, {});
+    EXPECT_EQ(many.count(), 2);  // a reef of 26 km
+  }
 }
 
 /// Elevation models of land give the sea as 0 m: it has no floor, so no reef grows, and none of it becomes land.

@@ -17,6 +17,7 @@ struct Candidate {
 
 constexpr float kMiddle = 3.6F;
 constexpr int kLatticeSide = 512;
+constexpr double kReefPerPass_m = 16000.0;
 
 /// Places where x~ passes kMiddle, looked for at every few cells of a large raster.
 std::vector<Candidate> places_on_reef(const ScalarField& coordinate) {
@@ -51,11 +52,31 @@ const Candidate& place_towards(const std::vector<Candidate>& places, Vec2 middle
   return *best;
 }
 
-double squared_distance(Vec2 a, Vec2 b) { return dot(a - b, a - b); }
+double squared_distance_to(const std::vector<Vec2>& places, Vec2 p) {
+  double nearest = 1e300;
+  for (const Vec2 place : places) nearest = std::min(nearest, dot(place - p, place - p));
+  return nearest;
+}
+
+const Candidate& nearest_to(const std::vector<Candidate>& places, Vec2 p) {
+  const Candidate* best = &places.front();
+  for (const Candidate& place : places) {
+    if (dot(place.place - p, place.place - p) < dot(best->place - p, best->place - p)) best = &place;
+  }
+  return *best;
+}
+
+/// Length of the reef along its middle: a step of length has 0.9 nodes whose right or lower neighbour lies across it,
+/// directions averaged.
+double reef_length(const std::vector<Candidate>& places, const GridFrame& frame) {
+  const int step = std::max(1, std::max(frame.width, frame.height) / kLatticeSide);
+  return static_cast<double>(places.size()) * step * frame.cell_m / 0.9;
+}
 
 }  // namespace
 
-ReefPasses::ReefPasses(const ScalarField& coordinate, int count, double width_m, Seed seed, const RunContext& run) {
+ReefPasses::ReefPasses(const ScalarField& coordinate, int count, double width_m, const std::vector<RiverMouth>& mouths,
+                       Seed seed, const RunContext& run) {
   run.check_cancelled();
   const std::vector<Candidate> places = places_on_reef(coordinate);
   if (places.empty()) return;
@@ -66,29 +87,39 @@ ReefPasses::ReefPasses(const ScalarField& coordinate, int count, double width_m,
     middle = middle + (1.0 / static_cast<double>(places.size())) * place.place;
   }
   reef_width_m_ = static_cast<double>(places.size()) / steepness;
+  const double length_m = reef_length(places, coordinate.frame());
+  if (count < 0) count = std::max(2, static_cast<int>(std::lround(length_m / kReefPerPass_m)));
+  if (count == 0) return;
 
   Rng rng(seed.derive("island.passes"));
-  std::vector<Candidate> chosen;
+  std::vector<Vec2> chosen;
+  const auto open = [&](const Candidate& at) {
+    chosen.push_back(at.place);
+    const double steep = std::hypot(at.gradient.x, at.gradient.y);
+    const double length = 0.9 / steep;
+    const Vec2 out = (1.0 / steep) * at.gradient;
+    const double turn = rng.uniform(-0.5, 0.5);
+    const Vec2 way{out.x * std::cos(turn) - out.y * std::sin(turn), out.x * std::sin(turn) + out.y * std::cos(turn)};
+    passes_.push_back({at.place - length * way, at.place + length * way, 0.5 * width_m * rng.uniform(0.6, 1.4)});
+  };
+  const double apart = std::max(4.0 * width_m, 0.45 * length_m / count);
+  for (const RiverMouth& mouth : mouths) {
+    if (static_cast<int>(chosen.size()) >= count) break;
+    const Candidate& off = nearest_to(places, mouth.place);
+    if (squared_distance_to(chosen, off.place) > apart * apart) open(off);
+  }
   constexpr int kTries = 12;  // best of twelve: spread out, but not evenly
-  for (int k = 0; k < count; ++k) {
+  for (int k = static_cast<int>(chosen.size()); k < count; ++k) {
     const Candidate* best = nullptr;
     double best_distance = 16.0 * width_m * width_m;  // at least four widths apart
     for (int t = 0; t < kTries; ++t) {
       const Candidate& place = place_towards(places, middle, rng.uniform(0.0, 2.0 * std::numbers::pi));
-      double nearest = 1e300;
-      for (const Candidate& other : chosen) nearest = std::min(nearest, squared_distance(place.place, other.place));
+      const double nearest = squared_distance_to(chosen, place.place);
       if (nearest < best_distance) continue;
       best = &place;
       best_distance = nearest;
     }
-    if (best == nullptr) continue;
-    chosen.push_back(*best);
-    const double steep = std::hypot(best->gradient.x, best->gradient.y);
-    const double length = 0.9 / steep;
-    const Vec2 out = (1.0 / steep) * best->gradient;
-    const double turn = rng.uniform(-0.5, 0.5);
-    const Vec2 way{out.x * std::cos(turn) - out.y * std::sin(turn), out.x * std::sin(turn) + out.y * std::cos(turn)};
-    passes_.push_back({best->place - length * way, best->place + length * way, 0.5 * width_m * rng.uniform(0.6, 1.4)});
+    if (best != nullptr) open(*best);
   }
 }
 

@@ -26,7 +26,10 @@ const char* const kCoordinate = "region coordinate: 0 at the summit, i on outlin
 /// those of the island.
 island::CoastFile read_coast(const island::BuildParams& params, const Call& call, GridFrame& domain) {
   const std::string path = call.resolve(params.coast);
-  if (is_picture(path)) return read_label_picture(path, domain, call.run);
+  if (is_picture(path)) {
+    PaintedPicture picture = read_painted_picture(path, domain, call.run);
+    return island::PaintedCoast{std::move(picture.labels), std::move(picture.subsidence)};
+  }
   return bring_drawing(
       io::read_areas(path, {.feature = params.feature, .layer = params.layer, .crs = params.crs}, call.run), domain,
       path);
@@ -101,7 +104,7 @@ void add_island_operators(Registry& registry) {
       wind));
   registry.add(make_operator<island::CoralParams>(
       {.name = "island.coral",
-       .revision = 2,
+       .revision = 3,
        .summary = "Sinks an island and grows its reef: fringing reef, barrier reef, atoll",
        .source = "P0 sec. 1.4.2, eq. 1.8-1.15",
        .stochastic = true},
@@ -111,6 +114,7 @@ void add_island_operators(Registry& registry) {
       outputs(out<Terrain>("terrain", kHeights), out<Labels>("labels", kRegions)), coral));
   registry.add(make_operator<island::ArchipelagoParams>(
       {.name = "island.archipelago",
+       .revision = 2,
        .summary = "Several islands, or copies of one, in one sea",
        .source = "P0 sec. 1.5.1, eq. 1.15"},
       inputs(placed(Placing::system, in_rows<Terrain, Labels>(kMostIslands, {"terrain", "labels"},
