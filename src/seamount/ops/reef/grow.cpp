@@ -2,15 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/contour/contour.h"
 #include "seamount/geom/grid/pyramid.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/grid/voids.h"
+#include "seamount/geom/solve/fill_voids.h"
 #include "seamount/geom/water/flat_sea.h"
+#include "seamount/geom/water/inland.h"
 #include "seamount/model/same_size.h"
+#include "seamount/ops/reef/cays.h"
 #include "seamount/ops/reef/habitat.h"
+#include "seamount/ops/reef/lagoons.h"
+#include "seamount/ops/reef/passes.h"
 #include "seamount/ops/reef/shape.h"
 #include "seamount/ops/reef/surface.h"
 
@@ -22,9 +29,25 @@ constexpr int64_t kCellsPerParticle = 8;                  // about P4's 3000 par
 constexpr float kBeachTop_m = 4.0F;
 constexpr float kDry_m = 0.3F;
 constexpr double kBackReefDepth_m = 1.2;  // behind the rim and this far below the flat is lagoon
+constexpr double kLeastHole = 12.0;       // squares of the kernels' radius: smaller holes and lagoons are closed
 constexpr int kOutlineCells = 2048;
 
-/// How many particles to shoot; throws where there is no room for those that are wanted.
+/// Cells at the rim of a mask.
+int64_t rim_cells(const Grid<uint8_t>& mask) {
+  int64_t count = 0;
+  for (int y = 0; y < mask.height(); ++y) {
+    for (int x = 0; x < mask.width(); ++x) {
+      if (mask(x, y) == 0) continue;
+      const bool inner = mask.clamped(x - 1, y) != 0 && mask.clamped(x + 1, y) != 0 && mask.clamped(x, y - 1) != 0 &&
+                         mask.clamped(x, y + 1) != 0;
+      count += inner ? 0 : 1;
+    }
+  }
+  return count;
+}
+
+/// How many particles to shoot; throws where there is no room for those that are wanted. A habitat as narrow as an
+/// island's shelf is grown over by half, a wide one by P4's share.
 int particles_for(int wanted, double lattice_m, const Habitat& habitat) {
   const int64_t room =
       reachable_habitat(habitat.suitable, habitat.kernels) - static_cast<int64_t>(habitat.kernels.size());
@@ -33,7 +56,9 @@ int particles_for(int wanted, double lattice_m, const Habitat& habitat) {
                                            " free lattice cells that growth can reach; take fewer, or a lattice_m "
                                            "below " +
                                            format_number(lattice_m));
-  return wanted > 0 ? wanted : static_cast<int>(room / kCellsPerParticle);
+  if (wanted > 0) return wanted;
+  const int64_t inner = std::max<int64_t>(0, room - rim_cells(habitat.suitable));
+  return static_cast<int>(std::min(room, inner / kCellsPerParticle + (room - inner) / 2));
 }
 
 WalkRules walk_rules(const WalkParams& p, int particles) {
@@ -47,45 +72,6 @@ WalkRules walk_rules(const WalkParams& p, int particles) {
   return rules;
 }
 
-/// Islets: bumps on colonies in the thick of the reef, apart from each other.
-ScalarField make_cays(int count, const std::vector<Colony>& colonies, const ScalarField& distance,
-                      double swell_from_deg, double radius_m, Seed seed) {
-  std::vector<std::pair<uint64_t, size_t>> order;
-  for (size_t i = 0; i < colonies.size(); ++i) {
-    const GridFrame& f = distance.frame();
-    const double depth = static_cast<double>(
-        geom::sample_bilinear(distance, f.column(colonies[i].centre.x), f.row(colonies[i].centre.y)));
-    if (depth > 0.5 * radius_m) order.emplace_back(seed.derive("reef.cay", i).value, i);
-  }
-  std::sort(order.begin(), order.end());
-  ScalarField cays(distance.frame(), 0.0F);
-  std::vector<Vec2> placed;
-  for (const auto& [hash, i] : order) {
-    if (static_cast<int>(placed.size()) >= count) break;
-    const Vec2 c = colonies[i].centre;
-    if (std::any_of(placed.begin(), placed.end(), [&](Vec2 o) { return dot(o - c, o - c) < 36 * radius_m * radius_m; }))
-      continue;
-    placed.push_back(c);
-    Rng rng(seed.derive("reef.cay_shape", i));
-    const double along = radius_m * rng.uniform(0.45, 0.8), across = along * rng.uniform(0.4, 0.7);
-    // Waves bend around the reef and pile the sand up across their way.
-    const double angle = (swell_from_deg + rng.uniform(-35, 35)) * std::numbers::pi / 180.0;
-    const Vec2 to_swell{std::sin(angle), std::cos(angle)};
-    const GridFrame& f = cays.frame();
-    const int reach = static_cast<int>(std::ceil(along / f.cell_m));
-    const int cx = static_cast<int>(std::lround(f.column(c.x))), cy = static_cast<int>(std::lround(f.row(c.y)));
-    for (int y = std::max(0, cy - reach); y <= std::min(f.height - 1, cy + reach); ++y) {
-      for (int x = std::max(0, cx - reach); x <= std::min(f.width - 1, cx + reach); ++x) {
-        const Vec2 d{f.x(x) - c.x, f.y(y) - c.y};
-        const double u = dot(d, to_swell) / across, v = cross(d, to_swell) / along;
-        const double bump = std::max(0.0, 1.0 - u * u - v * v);
-        cays(x, y) = std::max(cays(x, y), static_cast<float>(bump * (2.0 - bump)));
-      }
-    }
-  }
-  return placed.empty() ? ScalarField() : cays;
-}
-
 /// Where land is and where water is enclosed, on the form's lattice.
 ScalarField open_sea(const Form& form, const HeightField& terrain, double gap_m, const RunContext& run) {
   const HeightField ground = geom::resample(terrain, form.distance.frame(), run);
@@ -95,8 +81,10 @@ ScalarField open_sea(const Form& form, const HeightField& terrain, double gap_m,
 void stretch(HeightField& field, const FinishParams& p, const RunContext& run) {
   if (p.low_m >= p.high_m)
     throw InvalidArgument("finish.low_m", format_number(p.low_m) + " is not below finish.high_m");
-  const auto [low, high] = std::minmax_element(field.cells().begin(), field.cells().end());
-  const double from = *low, span = std::max(1e-6, static_cast<double>(*high) - from);
+  float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
+  for (const float z : field.cells())
+    low = std::min(low, std::isnan(z) ? low : z), high = std::max(high, std::isnan(z) ? high : z);
+  const double from = low, span = std::max(1e-6, static_cast<double>(high) - from);
   const auto scale = static_cast<float>((p.high_m - p.low_m) / span);
   const auto offset = static_cast<float>(p.low_m);
   parallel_blocks(run, static_cast<int64_t>(field.size()), 1 << 18, [&](int64_t begin, int64_t end) {
@@ -107,15 +95,20 @@ void stretch(HeightField& field, const FinishParams& p, const RunContext& run) {
   });
 }
 
-Region region_of(float z, float reef, float to_open_sea, float lagoon_top) {
-  if (z > kDry_m) return z < kBeachTop_m ? Region::beach : Region::mountain;
-  if (reef >= 0.999F && z < lagoon_top) return Region::lagoon;  // behind the rim
+/// What labels are read from: heights of land and cays, of lagoons behind rims, and where cays begin to be green.
+struct Borders {
+  float lagoon_top_m, plants_m;
+};
+
+Region region_of(float z, float z0, float reef, float to_open_sea, const Borders& borders) {
+  if (z > kDry_m) return z < (z0 <= 0.0F ? borders.plants_m : kBeachTop_m) ? Region::beach : Region::mountain;
+  if (reef >= 0.999F && z < borders.lagoon_top_m) return Region::lagoon;  // behind the rim
   if (reef >= 0.5F) return Region::reef;
   return to_open_sea > 0.0F ? Region::lagoon : Region::abyss;
 }
 
 /// New regions; land and water that were labelled before and have no reef keep their labels, but for enclosed water.
-LabelMap label_regions(const Grown& grown, const LabelMap* before, const ScalarField& to_open_sea, float lagoon_top,
+LabelMap label_regions(const Grown& grown, const GrowInputs& in, const ScalarField& to_open_sea, const Borders& borders,
                        const RunContext& run) {
   const GridFrame& frame = grown.terrain.frame();
   LabelMap labels(frame);
@@ -126,10 +119,10 @@ LabelMap label_regions(const Grown& grown, const LabelMap* before, const ScalarF
     for (int y = begin; y < end; ++y) {
       rows.read(frame.x(0), frame.cell_m, frame.y(y), away);
       for (int x = 0; x < frame.width; ++x) {
-        Region region =
-            region_of(grown.terrain(x, y), grown.aggregate(x, y), away[static_cast<size_t>(x)] - node, lagoon_top);
-        if (before != nullptr) {
-          const Region old = (*before)(x, y);
+        Region region = region_of(grown.terrain(x, y), in.terrain(x, y), grown.aggregate(x, y),
+                                  away[static_cast<size_t>(x)] - node, borders);
+        if (in.labels != nullptr) {
+          const Region old = (*in.labels)(x, y);
           const bool both_land = region <= Region::beach && old <= Region::beach;
           if (both_land || (region == Region::abyss && old > Region::beach)) region = old;
         }
@@ -140,18 +133,38 @@ LabelMap label_regions(const Grown& grown, const LabelMap* before, const ScalarF
   return labels;
 }
 
-/// Nothing stands on a sea without a floor.
-void keep_floorless(const HeightField& terrain, Grown& out, const RunContext& run) {
+/// Where no reef can stand whatever the height: on a sea without a floor, which is said, and in hollows of the land.
+Grid<uint8_t> dry_ground(const HeightField& terrain, const RunContext& run) {
+  Grid<uint8_t> dry = geom::find_hollows(terrain, 0.0F, std::nullopt, run);
   const Grid<uint8_t> no_floor = geom::flat_sea_to_coast(terrain, run);
-  if (no_floor.empty()) return;
+  if (no_floor.empty()) return dry;
   run.say(
       "the sea of this terrain is 0 m everywhere, as elevation models of land give it: where it has no floor there "
       "is no reef (terrain.sea_floor gives it one)");
-  for (size_t i = 0; i < no_floor.size(); ++i) {
-    if (no_floor.cells()[i] == 0) continue;
-    out.terrain.cells()[i] = 0.0F;
+  if (dry.empty()) return no_floor;
+  for (size_t i = 0; i < dry.size(); ++i) dry.cells()[i] |= no_floor.cells()[i];
+  return dry;
+}
+
+/// Dry and unknown ground stays as it was.
+void keep_dry(const HeightField& terrain, const Grid<uint8_t>& dry, Grown& out, const RunContext& run) {
+  for (size_t i = 0; i < dry.size(); ++i) {
+    if (dry.cells()[i] == 0) continue;
+    out.terrain.cells()[i] = terrain.cells()[i];
     out.aggregate.cells()[i] = 0.0F;
   }
+  if (geom::count_voids(terrain, run) == 0) return;
+  for (size_t i = 0; i < terrain.size(); ++i) {
+    if (!std::isnan(terrain.cells()[i])) continue;
+    out.terrain.cells()[i] = terrain.cells()[i];
+    out.aggregate.cells()[i] = 0.0F;
+  }
+}
+
+void blur(HeightField& terrain, double blur_m, const RunContext& run) {
+  if (blur_m <= 0) return;
+  if (geom::count_voids(terrain, run) > 0) geom::fill_voids(terrain, run);
+  geom::gaussian_blur(terrain, blur_m, run);
 }
 
 void check_inputs(const GrowInputs& in, const GrowParams& params) {
@@ -159,49 +172,91 @@ void check_inputs(const GrowInputs& in, const GrowParams& params) {
   if (in.labels != nullptr) check_same_size("labels", in.labels->frame(), in.terrain.frame());
 }
 
+/// Everything about a reef but its heights, from where its particles settled.
+Form make_form(const Aggregate& reef, const GridFrame& lattice, const GridFrame& frame, const GrowParams& params,
+               double radius, const KernelTables& tables, Seed seed, const RunContext& run) {
+  const bool rising = params.heights.mode == Lift::saturating;
+  const double irregular = params.irregularity;
+  const KernelParams& kernel = params.kernel;
+  const std::vector<Colony> colonies = place_colonies(
+      reef.cells, lattice, {radius, 0.45 * irregular, 0.3 * irregular, kernel.k1, kernel.k1_jitter}, seed);
+  Form form;
+  form.tables = &tables;
+  const Bend bend{0.3 * radius * irregular, 5.0 * radius};
+  const double least_hole_m2 = rising ? kLeastHole * radius * radius : 0.0;
+  form.distance =
+      outline_distance(colonies, reef.cells, lattice, shape_frame(frame, std::max(radius / 8.0, 0.5 * frame.cell_m)),
+                       bend, least_hole_m2, seed, run);
+  if (kernel.combine == Combine::sum) form.sums.emplace(colonies, kernel.k, kernel.k2);
+  if (!rising && kernel.combine == Combine::sum) return form;
+  form.crowding = crowding(form.distance, 2.5 * radius, run);
+  form.exposure = exposure(form.distance, params.swell_from_deg, 0.6 * radius, run);
+  if (!rising) return form;
+  form.lagoon =
+      lagoon_depths(form.distance, form.exposure, params.heights.flat_width_m, kLeastHole * radius * radius, seed, run);
+  form.knolls = scatter_knolls(form.distance, form.lagoon, form.crowding, params.sand.knolls_per_km2, seed);
+  form.cays = make_cays({params.sand.cays, params.swell_from_deg, radius}, form.distance, form.lagoon, form.exposure,
+                        form.crowding, seed);
+  return form;
+}
+
+void raise(const Form& form, const SurfaceParams& surface, const HeightField& base, Seed seed, HeightField& terrain,
+           ScalarField& aggregate, const RunContext& run) {
+  parallel_rows(run, base.width(), base.height(), [&](int begin, int end) {
+    SurfaceRows rows(form, surface, base.frame(), seed);
+    for (int y = begin; y < end; ++y) rows.row(y, base.row(y), terrain.row(y), aggregate.row(y));
+  });
+}
+
+/// The passes of a form, sought on its own lattice.
+ScalarField passes_of(const Form& form, const SurfaceParams& surface, const PassParams& passes,
+                      const HeightField& terrain, Seed seed, const RunContext& run) {
+  const HeightField ground = geom::resample(terrain, form.distance.frame(), run);
+  HeightField reef(ground.frame());
+  ScalarField aggregate(ground.frame());
+  raise(form, surface, ground, seed, reef, aggregate, run);
+  return find_passes(ground, reef, form.exposure, passes, terrain.cell_m(), run);
+}
+
 }  // namespace
 
 Grown grow(const GrowInputs& in, const GrowParams& params, Seed seed, const RunContext& run) {
   check_inputs(in, params);
   const GridFrame& frame = in.terrain.frame();
-  const double radius = params.kernel.radius_m.value_or(kRadiusInCells * params.lattice_m);
+  const double lattice_m = params.lattice_m.value_or(default_lattice_m(frame));
+  if (!params.lattice_m && lattice_m > default_lattice_m({}))
+    run.say("lattice_m: " + format_number(std::round(lattice_m)) +
+            " m, as wide as this terrain's cells and size allow: "
+            "reefs come out some times that wide");
+  const double radius = params.kernel.radius_m.value_or(kRadiusInCells * lattice_m);
   const bool rising = params.heights.mode == Lift::saturating;
-  const Habitat habitat =
-      find_habitat(in.terrain, {in.habitat, in.start, in.drawing}, params.lattice_m,
-                   params.bounds.margin_m.value_or(3.0 * radius), params.starts, params.bounds, seed, run);
-  const WalkRules rules = walk_rules(params.walk, particles_for(params.particles, params.lattice_m, habitat));
+  const Grid<uint8_t> dry = dry_ground(in.terrain, run);
+  const BoundParams bounds = rising ? bounds_in_light(params.bounds) : params.bounds;
+  const Habitat habitat = find_habitat(in.terrain, {in.habitat, in.start, in.drawing, &dry}, lattice_m,
+                                       bounds.margin_m.value_or(3.0 * radius), params.starts, bounds, seed, run);
+  const WalkRules rules = walk_rules(params.walk, particles_for(params.particles, lattice_m, habitat));
   const Aggregate reef = aggregate(habitat.suitable, habitat.kernels, rules, seed, run.part(0.0, 0.2));
 
-  const double irregular = params.irregularity;
-  const KernelParams& kernel = params.kernel;
-  const std::vector<Colony> colonies = place_colonies(
-      reef.cells, habitat.lattice, {radius, 0.45 * irregular, 0.3 * irregular, kernel.k1, kernel.k1_jitter}, seed);
-  const KernelTables tables(kernel);
-  Form form;
-  form.tables = &tables;
-  const GridFrame shape = shape_frame(frame, radius / 8.0);
-  const Bend bend{0.3 * radius * irregular, 5.0 * radius};
-  form.distance = outline_distance(colonies, reef.cells, habitat.lattice, shape, bend, seed, run.part(0.2, 0.4));
-  if (kernel.combine == Combine::sum) form.sums.emplace(colonies, kernel.k, kernel.k2);
-  if (rising || kernel.combine == Combine::union_) {
-    form.crowding = crowding(form.distance, 2.5 * radius, run);
-    form.exposure = exposure(form.distance, params.swell_from_deg, 0.6 * radius, run);
-  }
-  if (rising && params.sand.cays > 0)
-    form.cays = make_cays(params.sand.cays, colonies, form.distance, params.swell_from_deg, radius, seed);
+  const KernelTables tables(params.kernel);
+  Form form = make_form(reef, habitat.lattice, frame, params, radius, tables, seed, run.part(0.2, 0.4));
+  const SurfaceParams surface{params.kernel,
+                              params.heights,
+                              params.sand,
+                              params.detail,
+                              params.irregularity,
+                              radius,
+                              bounds.low_m.value_or(-1e9)};
+  if (rising) form.passes = passes_of(form, surface, params.passes, in.terrain, seed, run.part(0.4, 0.5));
 
   Grown out{HeightField(frame), ScalarField(frame), LabelMap()};
-  const SurfaceParams surface{kernel, params.heights, params.sand, params.detail, irregular, radius};
-  parallel_rows(run.part(0.5, 0.9), frame.width, frame.height, [&](int begin, int end) {
-    SurfaceRows rows(form, surface, frame, seed);
-    for (int y = begin; y < end; ++y) rows.row(y, in.terrain.row(y), out.terrain.row(y), out.aggregate.row(y));
-  });
-  if (params.finish.blur_m > 0) geom::gaussian_blur(out.terrain, params.finish.blur_m, run);
-  keep_floorless(in.terrain, out, run);
+  raise(form, surface, in.terrain, seed, out.terrain, out.aggregate, run.part(0.5, 0.9));
+  blur(out.terrain, params.finish.blur_m, run);
+  keep_dry(in.terrain, dry, out, run);
   if (params.finish.normalise) stretch(out.terrain, params.finish, run);
-  const auto lagoon_top = static_cast<float>(rising ? params.heights.flat_m - kBackReefDepth_m : -1e9);
+  const Borders borders{static_cast<float>(rising ? params.heights.flat_m - kBackReefDepth_m : -1e9),
+                        static_cast<float>(kPlants * params.sand.cay_m)};
   const ScalarField to_open_sea = open_sea(form, out.terrain, params.lagoon_gap_m.value_or(2.0 * radius), run);
-  out.labels = label_regions(out, in.labels, to_open_sea, lagoon_top, run.part(0.9, 1.0));
+  out.labels = label_regions(out, in, to_open_sea, borders, run.part(0.9, 1.0));
   return out;
 }
 

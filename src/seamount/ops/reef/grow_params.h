@@ -30,7 +30,7 @@ struct FinishParams {
 };
 
 struct GrowParams {
-  double lattice_m = 70.0;
+  std::optional<double> lattice_m;
   int particles = 0;
   double irregularity = 1.0;
   double swell_from_deg = 130.0;
@@ -41,6 +41,7 @@ struct GrowParams {
   KernelParams kernel;
   HeightParams heights;
   SandParams sand;
+  PassParams passes;
   DetailParams detail;
   FinishParams finish;
 
@@ -48,8 +49,11 @@ struct GrowParams {
     using P = GrowParams;
     return std::tuple(
         field(&P::lattice_m, "lattice_m", "m", between(0.1, 1e6),
-              "cell of the lattice on which particles walk and settle"),
-        field(&P::particles, "particles", "", between(0, 4000000), "particles to shoot; 0: one for 8 cells of habitat"),
+              "cell of the lattice on which particles walk and settle; if absent 70, or the terrain's cells or 1 / "
+              "2048 of "
+              "it where those are larger"),
+        field(&P::particles, "particles", "", between(0, 4000000),
+              "particles to shoot; 0: one for 8 cells of wide habitat, one for 2 along its rim"),
         field(&P::irregularity, "irregularity", "", between(0, 1),
               "how far particles, radii and outlines depart from the lattice"),
         field(&P::swell_from_deg, "swell_from_deg", "deg", between(-360, 360), "bearing from which the swell comes"),
@@ -59,6 +63,7 @@ struct GrowParams {
         field(&P::walk, "walk", "how particles come to the reef"),
         field(&P::kernel, "kernel", "shape of the reef around each particle"),
         field(&P::heights, "heights", "how far the reef lifts the ground"), field(&P::sand, "sand", "lagoons and cays"),
+        field(&P::passes, "passes", "ways from lagoons to the open sea"),
         field(&P::detail, "detail", "unevenness of the reef"),
         field(&P::finish, "finish", "blur and range of the result"));
   }

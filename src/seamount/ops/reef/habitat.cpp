@@ -9,8 +9,8 @@
 #include "seamount/geom/polygon/polygon.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/scalar/spline.h"
-#include "seamount/geom/water/inland.h"
 #include "seamount/model/same_size.h"
+#include "seamount/ops/reef/pieces.h"
 
 namespace seamount::reef {
 namespace {
@@ -165,24 +165,6 @@ void add_random(int count, const Grid<uint8_t>& where, const std::string& name, 
     kernels.add(places[static_cast<size_t>(rng.integer(0, static_cast<int>(places.size()) - 1))]);
 }
 
-/// The habitat under water that lies nearest to the middle, or any habitat where there is no such.
-LatticeCell middle_of(const Grid<uint8_t>& habitat, const HeightField& ground) {
-  LatticeCell best;
-  double least = 1e300;
-  for (int y = 0; y < habitat.height(); ++y) {
-    for (int x = 0; x < habitat.width(); ++x) {
-      if (habitat(x, y) == 0) continue;
-      const double dx = x - 0.5 * (habitat.width() - 1), dy = y - 0.5 * (habitat.height() - 1);
-      const double cost = dx * dx + dy * dy + (ground(x, y) < 0 ? 0.0 : 1e12);
-      if (cost < least) {
-        least = cost;
-        best = {x, y};
-      }
-    }
-  }
-  return best;
-}
-
 /// The strip along the edge that stays free: at least margin_m wide, up to twice that with bays, so that no reef ends
 /// in a straight line.
 class Margin {
@@ -206,8 +188,17 @@ class Margin {
   Seed seed_;
 };
 
-Grid<uint8_t> suitable_cells(const HeightField& ground, const ScalarField* share, double margin_m, const BoundParams& p,
-                             Seed seed) {
+[[noreturn]] void throw_no_ground(const BoundParams& p, bool floorless) {
+  throw InvalidArgument(
+      p.low_m ? "bounds.low_m" : "bounds.high_m",
+      "no sea floor lies between them (" + window_text(p) + "), which is where corals have light" +
+          (floorless ? "; the sea of this terrain is 0 m everywhere, as elevation models of land give it: "
+                       "terrain.sea_floor gives it a floor"
+                     : "; bounds.light_depth_m or bounds.low_m make the habitat deeper"));
+}
+
+Grid<uint8_t> suitable_cells(const HeightField& ground, const ScalarField* share, bool floorless, double margin_m,
+                             const BoundParams& p, Seed seed) {
   if (p.low_m && p.high_m && *p.low_m >= *p.high_m)
     throw InvalidArgument("bounds.low_m", format_number(*p.low_m) + " is not below bounds.high_m");
   Grid<uint8_t> habitat(ground.frame(), 0);
@@ -220,7 +211,7 @@ Grid<uint8_t> suitable_cells(const HeightField& ground, const ScalarField* share
       if (share != nullptr && (*share)(x, y) < 0.5F) continue;
       ++masked;
       const double z = ground(x, y);
-      if (z < p.low_m.value_or(-1e9) || z > p.high_m.value_or(1e9)) continue;
+      if (!(z >= p.low_m.value_or(-1e9) && z <= p.high_m.value_or(1e9))) continue;  // NaN is not
       habitat(x, y) = 1;
       ++cells;
     }
@@ -230,13 +221,39 @@ Grid<uint8_t> suitable_cells(const HeightField& ground, const ScalarField* share
                                                  format_number(ground.frame().width_m()) + " x " +
                                                  format_number(ground.frame().height_m()) + " m; give a smaller one");
   if (masked == 0) throw InvalidArgument("habitat", "the mask has no lattice cell: it is nowhere 0.5 over lattice_m");
-  if (cells == 0)
-    throw InvalidArgument(p.low_m ? "bounds.low_m" : "bounds.high_m",
-                          "no ground lies between them (" + window_text(p) + ")");
+  if (cells == 0) throw_no_ground(p, floorless);
   return habitat;
 }
 
+/// The terrain as it is for growth, on the lattice: what is dry is land.
+HeightField ground_on(const HeightField& terrain, const Grid<uint8_t>* dry, const GridFrame& lattice,
+                      const RunContext& run) {
+  if (dry == nullptr || dry->empty()) return geom::resample(terrain, lattice, run);
+  constexpr float kLand_m = 1.0F;
+  HeightField ground = terrain;
+  for (size_t i = 0; i < ground.size(); ++i)
+    if (dry->cells()[i] != 0) ground.cells()[i] = kLand_m;
+  return geom::resample(ground, lattice, run);
+}
+
 }  // namespace
+
+double default_lattice_m(const GridFrame& frame) {
+  constexpr double kFine_m = 70.0, kCellsASide = 2048.0;
+  return std::max({kFine_m, frame.cell_m, std::max(frame.width_m(), frame.height_m()) / kCellsASide});
+}
+
+BoundParams bounds_in_light(BoundParams bounds) {
+  constexpr double kAwash_m = -0.5;
+  if (!bounds.low_m && bounds.high_m.value_or(0.0) <= -bounds.light_depth_m)
+    throw InvalidArgument("bounds.high_m", format_number(*bounds.high_m) +
+                                               " m lies in the dark, below bounds.light_depth_m (" +
+                                               format_number(bounds.light_depth_m) +
+                                               " m): raise one of them, or give bounds.low_m as well");
+  if (!bounds.low_m) bounds.low_m = -bounds.light_depth_m;
+  if (!bounds.high_m) bounds.high_m = kAwash_m;
+  return bounds;
+}
 
 GridFrame lattice_frame(const GridFrame& frame, double lattice_m) {
   GridFrame lattice = frame;
@@ -261,11 +278,11 @@ Habitat find_habitat(const HeightField& terrain, const HabitatInputs& in, double
   check_size(in.start, terrain, "start");
   Habitat out;
   out.lattice = lattice_frame(terrain.frame(), lattice_m);
-  constexpr float kLand_m = 1.0F;  // no reef grows where the sea does not reach
-  const HeightField ground = geom::resample(geom::fill_hollows(terrain, 0.0F, kLand_m, run), out.lattice, run);
+  const bool floorless = in.dry != nullptr && !in.dry->empty();
+  const HeightField ground = ground_on(terrain, in.dry, out.lattice, run);
   ScalarField share;
   if (in.habitat != nullptr) share = on_lattice(*in.habitat, terrain, out.lattice, run);
-  out.suitable = suitable_cells(ground, in.habitat != nullptr ? &share : nullptr, margin_m, bounds, seed);
+  out.suitable = suitable_cells(ground, in.habitat != nullptr ? &share : nullptr, floorless, margin_m, bounds, seed);
   Kernels kernels(out.suitable);
   add_points(starts.points, bounds, ground, kernels);
   add_lines(starts, in.drawing, ground, window_text(bounds), seed, kernels);
@@ -277,8 +294,7 @@ Habitat find_habitat(const HeightField& terrain, const HabitatInputs& in, double
   } else if (starts.random > 0) {
     add_random(starts.random, out.suitable, "starts.random", seed, kernels);
   }
-  if (kernels.cells().empty()) kernels.add(middle_of(out.suitable, ground));
-  out.kernels = kernels.cells();
+  out.kernels = kernels.cells().empty() ? starts_of_pieces(out.suitable, seed) : kernels.cells();
   return out;
 }
 

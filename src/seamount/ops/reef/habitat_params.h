@@ -22,7 +22,8 @@ struct StartParams {
   static constexpr auto fields() {
     using P = StartParams;
     return std::tuple(
-        field(&P::points, "points", "m", {}, "places where growth starts; the middle of the sea if there is no start"),
+        field(&P::points, "points", "m", {},
+              "places where growth starts; without any start each separate piece of habitat has one"),
         field(&P::line, "line", "m", {}, "a line along which growth starts, such as a shelf edge"),
         field(&P::contour_m, "contour_m", "m", between(-12000, 9000), "growth starts along the contour at this height"),
         field(&P::line_cover, "line_cover", "", between(0, 1),
@@ -35,6 +36,7 @@ struct StartParams {
 
 /// Where particles may settle.
 struct BoundParams {
+  double light_depth_m = 40.0;
   std::optional<double> low_m;
   std::optional<double> high_m;
   std::optional<double> margin_m;
@@ -43,8 +45,13 @@ struct BoundParams {
     using P = BoundParams;
     const Range height = between(-12000, 9000);
     return std::tuple(
-        field(&P::low_m, "low_m", "m", height, "no growth where the ground is lower; no bound if absent"),
-        field(&P::high_m, "high_m", "m", height, "no growth where the ground is higher; none if absent"),
+        field(&P::light_depth_m, "light_depth_m", "m", between(1, 200),
+              "depth at which a tenth of the light is left, which corals need: 60 in the clearest ocean, 40 in clear "
+              "water, 25 over shelves, 10 off muddy rivers"),
+        field(&P::low_m, "low_m", "m", height,
+              "no growth where the ground is lower; if absent, below light_depth_m (heights.mode proportional: none)"),
+        field(&P::high_m, "high_m", "m", height,
+              "no growth where the ground is higher; if absent, the sea's surface (heights.mode proportional: none)"),
         field(&P::margin_m, "margin_m", "m", between(0, 1e7),
               "no growth this near to the terrain's edge, in bays up to twice that; 3 kernel radii if absent"));
   }

@@ -10,6 +10,7 @@
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/scalar/blend.h"
 #include "seamount/geom/scalar/noise.h"
+#include "seamount/ops/reef/regions.h"
 
 namespace seamount::reef {
 namespace {
@@ -115,8 +116,8 @@ GridFrame shape_frame(const GridFrame& frame, double step_m) {
 }
 
 ScalarField outline_distance(const std::vector<Colony>& colonies, const std::vector<LatticeCell>& cells,
-                             const GridFrame& lattice, const GridFrame& frame, const Bend& bend, Seed seed,
-                             const RunContext& run) {
+                             const GridFrame& lattice, const GridFrame& frame, const Bend& bend, double least_hole_m2,
+                             Seed seed, const RunContext& run) {
   const ColonyGrid grid(colonies, cells, lattice);
   const geom::Fbm noise{.wavelength_m = bend.wavelength_m, .octaves = 6, .gain = 0.55, .cell_m = 0.7 * frame.cell_m};
   const double strength = bend.amplitude_m / 0.35;
@@ -132,11 +133,15 @@ ScalarField outline_distance(const std::vector<Colony>& colonies, const std::vec
       for (int x = 0; x < frame.width; ++x) {
         const auto i = static_cast<size_t>(x);
         t(x, y) = grid.nearest(frame.x(x) + strength * east[i], frame.y(y) + strength * north[i]);
-        inside(x, y) = t(x, y) < 1.0F ? 1 : 0;
-        outside(x, y) = 1 - inside(x, y);
+        outside(x, y) = t(x, y) < 1.0F ? 0 : 1;
       }
     }
   });
+  if (least_hole_m2 > 0) drop_small(outside, least_hole_m2, /*at_edge=*/false);
+  for (size_t i = 0; i < outside.size(); ++i) {
+    inside.cells()[i] = 1 - outside.cells()[i];
+    if (inside.cells()[i] != 0 && t.cells()[i] >= 1.0F) t.cells()[i] = 0.9F;
+  }
   ScalarField distance(frame);
   write_depth(t, outside, 1.0F, distance, run.part(0.6, 0.8));
   write_depth(t, inside, -1.0F, distance, run.part(0.8, 1.0));

@@ -24,10 +24,11 @@ GridFrame shape_frame(const GridFrame& frame, double step_m);
 
 /// Signed distance in metres from each node to the outline of the union of the colonies' discs (radius_m), positive
 /// inside, after the plane has been bent by noise. -1e6 without colonies. `cells` are the colonies' cells in
-/// `lattice`, which finds them by place. Exact to about a third of a node. Parallel; about 150 ns a node near the reef.
+/// `lattice`, which finds them by place. Holes smaller than `least_hole_m2` are closed. Exact to about a third of a
+/// node. Parallel; about 150 ns a node near the reef.
 ScalarField outline_distance(const std::vector<Colony>& colonies, const std::vector<LatticeCell>& cells,
-                             const GridFrame& lattice, const GridFrame& frame, const Bend& bend, Seed seed,
-                             const RunContext& run);
+                             const GridFrame& lattice, const GridFrame& frame, const Bend& bend, double least_hole_m2,
+                             Seed seed, const RunContext& run);
 
 /// Share of reef around each node, as a Gaussian of deviation sigma_m sees it. Parallel.
 ScalarField crowding(const ScalarField& distance, double sigma_m, const RunContext& run);

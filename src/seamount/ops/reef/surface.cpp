@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "seamount/base/simd.h"
 #include "seamount/geom/scalar/blend.h"
@@ -11,32 +12,30 @@ namespace {
 
 constexpr float kSoft = 1.0F;  // 1 / m: lifts approach the surface within about half a metre
 constexpr int kSamples = 4096;
-constexpr double kGrooveWavelength_m = 28.0;
 
 struct Law {
   float w0, datum, w1, w2;
   float lift_m, rim_m, flat_m, crest_m, lagoon_m, fill, relief_m, lee_rim, cay_m, radius_m, k1, k1_jitter;
+  float fore_slope, lee_slope, shoulder_m;
+  float dark_m, light_m, lightless_m;  ///< ground at which growth ends, is full, and at which sand ends
 };
 
 Law make_law(const SurfaceParams& p) {
   const auto f = [](double v) { return static_cast<float>(v); };
+  const auto slope = [&](double degrees) { return f(std::tan(degrees * std::numbers::pi / 180.0)); };
   const HeightParams& h = p.heights;
-  return {f(h.w0),
-          f(h.datum_m),
-          f(h.w1),
-          f(h.w2),
-          f(h.lift_m),
-          f(h.rim_m),
-          f(h.flat_m),
-          f(h.crest_m),
-          f(p.sand.lagoon_m),
-          f(p.sand.fill),
-          f(p.detail.relief_m),
-          f(h.lee_rim),
-          f(p.sand.cay_m),
-          f(p.radius_m),
-          f(p.kernel.k1),
-          f(p.kernel.k1_jitter)};
+  const float span = std::max(1.0F, 0.25F * std::abs(f(p.low_m)));
+  Law law{};
+  law.w0 = f(h.w0), law.datum = f(h.datum_m), law.w1 = f(h.w1), law.w2 = f(h.w2);
+  law.lift_m = f(h.lift_m), law.rim_m = f(h.rim_m), law.flat_m = f(h.flat_m), law.crest_m = f(h.crest_m);
+  law.lagoon_m = f(p.sand.lagoon_m), law.fill = f(p.sand.fill), law.relief_m = f(p.detail.relief_m);
+  law.lee_rim = f(h.lee_rim), law.cay_m = f(p.sand.cay_m), law.radius_m = f(p.radius_m);
+  law.k1 = f(p.kernel.k1), law.k1_jitter = f(p.kernel.k1_jitter);
+  law.fore_slope = slope(h.fore_slope_deg), law.lee_slope = slope(h.lee_slope_deg);
+  law.shoulder_m = law.radius_m / law.k1;
+  law.dark_m = f(p.low_m) - 0.6F * span, law.light_m = f(p.low_m) + 0.4F * span;
+  law.lightless_m = f(p.low_m) - 4.0F * span;
+  return law;
 }
 
 /// What a lift adds below a ceiling: smoothly the smaller of both, never negative.
@@ -70,28 +69,64 @@ SEAMOUNT_VECTORISED void proportional(const Law law, const float* base, const fl
 /// Share of the way to the lagoon's floor that sand fills, by how crowded the reef is.
 SEAMOUNT_INLINE float sand_share(float crowding) { return geom::smoothstep((crowding - 0.04F) * 2.4F); }
 
-SEAMOUNT_VECTORISED void saturating(const Law law, const float* base, const float* distance, const float* crowding,
-                                    const float* exposure, const float* cay, const float* normal, const float* edge,
-                                    const float* relief, int count, float* out) {
+/// 0 where the ground is land or too deep for light, 1 between.
+SEAMOUNT_INLINE float light_on(float z, float dark, float light) {
+  const float below = geom::smoothstep((z - dark) / (light - dark));
+  const float wet = -2.0F * z;
+  return wet <= 0.0F ? 0.0F : (wet < 1.0F ? wet * below : below);
+}
+
+/// Metres by which the side of a reef has fallen, x metres outside the edge of its flat: a round shoulder, then a
+/// slope.
+SEAMOUNT_INLINE float fall(float x, float slope, float shoulder) {
+  return x > 0.0F ? slope * x * x / (x + shoulder) : 0.0F;
+}
+
+/// Rows that saturating() reads, of one length.
+struct Rows {
+  const float *base, *distance, *crowding, *exposure, *lagoon, *knoll, *cay, *pass, *normal, *edge, *relief;
+};
+
+/// The ground of a reef and its share of it (grow.h). sums: N of P4's kernels
+/// shapes the sides instead of a slope.
+SEAMOUNT_VECTORISED void saturating(const Law law, const Rows rows, bool sums, int count, float* __restrict out,
+                                    float* __restrict aggregate) {
   for (int i = 0; i < count; ++i) {
-    const float z0 = law.datum + law.w0 * (base[i] - law.datum);
-    const float crowd = crowding[i], rough = relief[i];
-    const float windward = geom::smoothstep(0.5F + 0.8F * exposure[i]);
-    // Sand between reefs, with patch reefs where the noise is high.
-    const float knolls = rough > 0.3F ? 5.0F * (rough - 0.3F) : 0.0F;
-    const float floor = law.lagoon_m + law.relief_m * (2.0F * rough + knolls);
-    float z = z0 + law.fill * sand_share(crowd) * (floor > z0 ? floor - z0 : 0.0F);
-    // The flat sinks to a lagoon far behind the rim, sooner in the lee.
-    const float behind = (distance[i] / law.radius_m - 0.55F - 0.5F * windward) * 0.7F;
-    const float deep = geom::smoothstep(behind + 0.5F * rough);
-    const float flat = law.flat_m + law.relief_m * (0.8F * rough - 0.9F * (1.0F - windward)) +
-                       deep * (law.lagoon_m + law.relief_m * knolls - law.flat_m);
-    z += saturated(law.w1 * law.lift_m * normal[i], flat - z);
-    const float rim = law.w2 * law.rim_m * (law.lee_rim + (1.0F - law.lee_rim) * windward) * edge[i];
-    z += saturated(rim, law.crest_m + 0.4F * law.relief_m * (rough < 0.0F ? rough : 0.0F) - z);
-    const float sand = law.cay_m * cay[i] + law.flat_m * (1.0F - cay[i]) + 0.5F * rough * cay[i];
-    z += cay[i] * (sand > z ? sand - z : 0.0F);
-    out[i] = z;
+    const float z0 = law.w0 == 1.0F ? rows.base[i] : law.datum + law.w0 * (rows.base[i] - law.datum);
+    const float rough = rows.relief[i], crowd = rows.crowding[i], in_lagoon = rows.lagoon[i];
+    const float windward = geom::smoothstep(0.5F + 0.8F * rows.exposure[i]);
+    const float light = light_on(z0, law.dark_m, law.light_m);
+    const float sandy = light_on(z0, law.lightless_m, law.dark_m);
+    const float floor = law.lagoon_m + 2.0F * law.relief_m * rough;
+    float z = z0 + law.fill * sandy * sand_share(crowd) * (floor > z0 ? floor - z0 : 0.0F);
+    // The flat gives way to the slope of the back reef, then to the lagoon.
+    const float back = geom::smoothstep(in_lagoon * (1.0F / 90.0F) + 0.5F * rough);
+    const float deep = back * (0.6F + 0.4F * geom::smoothstep(in_lagoon * (1.0F / 500.0F)));
+    const float flat = law.flat_m + law.relief_m * (0.8F * rough - 0.9F * (1.0F - windward));
+    const float slope = law.lee_slope + windward * (law.fore_slope - law.lee_slope);
+    const float outside = law.shoulder_m - rows.distance[i];
+    const float top = flat + deep * (floor - flat) - (sums ? 0.0F : fall(outside, slope, law.shoulder_m));
+    const float reach = sums ? rows.normal[i] : 1.0F;
+    const float room = top - z;
+    const float lift = saturated(law.w1 * law.lift_m * light * reach, room);
+    const float share = lift / (flat - z0 > 2.0F ? flat - z0 : 2.0F);
+    z += lift;
+    // Rims stand where waves come in, not around holes in the thick of a reef.
+    const float open = 1.0F - geom::smoothstep((crowd - 0.55F) * 5.0F);
+    const float rim = law.w2 * law.rim_m * light * (law.lee_rim + (1.0F - law.lee_rim) * windward) * rows.edge[i];
+    z += saturated(open * rim, law.crest_m + 0.4F * law.relief_m * (rough < 0.0F ? rough : 0.0F) - z);
+    const float knoll = light * (rows.knoll[i] > 0.0F ? rows.knoll[i] : 0.0F), knoll_top = law.flat_m - 1.0F;
+    z += knoll * (knoll_top > z ? knoll_top - z : 0.0F);
+    const float cay = light * (rows.cay[i] > 0.0F ? rows.cay[i] : 0.0F);
+    const float sand = law.cay_m * cay + law.flat_m * (1.0F - cay) + 0.5F * rough * cay;
+    z += cay * (sand > z ? sand - z : 0.0F);
+    const float bed = -rows.pass[i] > z0 ? -rows.pass[i] : z0;
+    const bool cut = rows.pass[i] > 0.0F && bed < z;
+    out[i] = cut ? bed : z;
+    const float kept = cut ? 1.0F - geom::smoothstep((rows.pass[i] - 2.5F) * 0.25F) : 1.0F;
+    const float on_reef = light * rows.normal[i], of_side = geom::smoothstep(1.25F * (sums ? 0.0F : share));
+    const float on = kept * (on_reef > of_side ? (on_reef < 1.0F ? on_reef : 1.0F) : of_side);
+    aggregate[i] = on > 0.0F ? on : 0.0F;  // none on unknown ground (NaN)
   }
 }
 
@@ -113,12 +148,15 @@ SurfaceRows::SurfaceRows(const Form& form, const SurfaceParams& params, const Gr
       distance_rows_(form.distance),
       crowding_rows_(form.crowding),
       exposure_rows_(form.exposure),
+      lagoon_rows_(form.lagoon.empty() ? form.distance : form.lagoon),
+      knoll_rows_(form.knolls.empty() ? form.distance : form.knolls),
       cay_rows_(form.cays.empty() ? form.distance : form.cays),
+      pass_rows_(form.passes.empty() ? form.distance : form.passes),
       above_rows_(form.distance),
       below_rows_(form.distance) {
   const auto width = static_cast<size_t>(frame.width);
-  for (auto* row : {&distance_, &crowding_, &exposure_, &cay_, &above_, &below_, &fine_noise_, &relief_noise_,
-                    &normal_lift_, &edge_lift_})
+  for (auto* row : {&distance_, &crowding_, &exposure_, &lagoon_, &knoll_, &cay_, &pass_, &above_, &below_,
+                    &fine_noise_, &relief_noise_, &normal_lift_, &edge_lift_})
     row->assign(width, 0.0F);
 }
 
@@ -134,15 +172,18 @@ bool SurfaceRows::read_lifts(int y) {
   crowding_rows_.read(x0, dx, place, crowding_);
   const float crowd = *std::max_element(crowding_.begin(), crowding_.end());
   if (!form_.sums) {
-    if (nearest < -params_.radius_m * normal_reach(params_.kernel.k) && crowd <= 0.0F) return false;
+    const Law law = make_law(params_);
+    const float reach = std::max(law.radius_m * static_cast<float>(normal_reach(params_.kernel.k)),
+                                 law.lift_m / std::min(law.fore_slope, law.lee_slope) + 2.0F * law.shoulder_m);
+    if (nearest < -reach && crowd <= 0.0F) return false;
     if (params_.irregularity > 0) {
       geom::fbm_row(seed_.derive("reef.fine"), fine_, x0, dx, place, fine_noise_);
       const auto scale = static_cast<float>(0.12 * params_.radius_m * params_.irregularity);
       for (size_t i = 0; i < distance_.size(); ++i) distance_[i] += scale * fine_noise_[i];
     }
     if (params_.detail.grooves_m > 0) add_grooves(y);
-    union_lifts(make_law(params_), form_.tables->normal, form_.tables->edge, distance_.data(), fine_noise_.data(),
-                frame_.width, normal_lift_.data(), edge_lift_.data());
+    union_lifts(law, form_.tables->normal, form_.tables->edge, distance_.data(), fine_noise_.data(), frame_.width,
+                normal_lift_.data(), edge_lift_.data());
   }
   return true;
 }
@@ -150,29 +191,43 @@ bool SurfaceRows::read_lifts(int y) {
 /// Spurs and grooves run straight down the fore reef: noise at the foot of the perpendicular on the outline pushes the
 /// edge in and out. Only where cells can carry them.
 void SurfaceRows::add_grooves(int y) {
-  const double weight = geom::octave_weight(kGrooveWavelength_m, frame_.cell_m);
+  const double spacing = params_.detail.groove_spacing_m, weight = geom::octave_weight(spacing, frame_.cell_m);
   if (weight <= 0) return;
   const double x0 = frame_.x(0), dx = frame_.cell_m, place = frame_.y(y), h = form_.distance.cell_m();
   const auto width = distance_.size();
   above_rows_.read(x0, dx, place + h, above_);
   below_rows_.read(x0, dx, place - h, below_);
-  const auto deep = static_cast<float>(-0.5 * params_.radius_m), shallow = static_cast<float>(0.25 * params_.radius_m);
+  const double slope = std::tan(params_.heights.fore_slope_deg * std::numbers::pi / 180.0);
+  const auto deep = static_cast<float>(-25.0 / slope - 20.0), shallow = static_cast<float>(0.3 * params_.radius_m);
   const auto span = std::max<size_t>(1, static_cast<size_t>(h / dx));
   const Seed noise = seed_.derive("reef.grooves");
+  const double wavelength = spacing / 1.7;  // peaks of gradient noise lie about 1.7 of its wavelengths apart
   std::vector<float> plain = distance_;
   for (size_t i = 0; i < width; ++i) {
     const float d = plain[i];
     if (d <= deep || d >= shallow) continue;
+    const double windward = geom::smoothstep(0.4 + 1.2 * static_cast<double>(exposure_[i]));
+    if (windward <= 0) continue;
     const size_t a = i >= span ? i - span : 0, b = std::min(width - 1, i + span);
     const double gx = (plain[b] - plain[a]) / (static_cast<double>(b - a + (a == b ? 1 : 0)) * dx);
     const double gy = (above_[i] - below_[i]) / (2.0 * h);
     const double square = std::max(gx * gx + gy * gy, 0.25);
     const double px = x0 + static_cast<double>(i) * dx - d * gx / square, py = place - d * gy / square;
-    const double n = geom::perlin(noise, px / kGrooveWavelength_m, py / kGrooveWavelength_m);
+    const double n = geom::perlin(noise, px / wavelength, py / wavelength);
     const double along = static_cast<double>(d > 0 ? 1.0F - d / shallow : 1.0F - d / deep);
-    const double windward = geom::smoothstep(0.5 + 0.8 * static_cast<double>(exposure_[i]));
-    distance_[i] += static_cast<float>(6.0 * params_.detail.grooves_m * weight * along * windward * n);
+    distance_[i] += static_cast<float>(1.6 * params_.detail.grooves_m / slope * weight * along * windward * n);
   }
+}
+
+/// Reads what only rising reefs have.
+void SurfaceRows::read_form(double place) {
+  const double x0 = frame_.x(0), dx = frame_.cell_m;
+  exposure_rows_.read(x0, dx, place, exposure_);
+  if (!form_.lagoon.empty()) lagoon_rows_.read(x0, dx, place, lagoon_);
+  if (!form_.knolls.empty()) knoll_rows_.read(x0, dx, place, knoll_);
+  if (!form_.cays.empty()) cay_rows_.read(x0, dx, place, cay_);
+  if (!form_.passes.empty()) pass_rows_.read(x0, dx, place, pass_);
+  if (params_.detail.relief_m > 0) geom::fbm_row(seed_.derive("reef.relief"), relief_, x0, dx, place, relief_noise_);
 }
 
 void SurfaceRows::row(int y, std::span<const float> base, std::span<float> height, std::span<float> aggregate) {
@@ -185,16 +240,17 @@ void SurfaceRows::row(int y, std::span<const float> base, std::span<float> heigh
     std::fill(normal_lift_.begin(), normal_lift_.end(), 0.0F);
     std::fill(edge_lift_.begin(), edge_lift_.end(), 0.0F);
   }
-  for (size_t i = 0; i < aggregate.size(); ++i) aggregate[i] = std::min(1.0F, normal_lift_[i]);
   if (!rising || !near) {
+    for (size_t i = 0; i < aggregate.size(); ++i) aggregate[i] = std::min(1.0F, normal_lift_[i]);
     proportional(law, base.data(), normal_lift_.data(), edge_lift_.data(), frame_.width, height.data());
+    if (rising && law.w0 == 1.0F) std::copy(base.begin(), base.end(), height.begin());
     return;
   }
-  exposure_rows_.read(x0, dx, place, exposure_);
-  if (!form_.cays.empty()) cay_rows_.read(x0, dx, place, cay_);
-  if (params_.detail.relief_m > 0) geom::fbm_row(seed_.derive("reef.relief"), relief_, x0, dx, place, relief_noise_);
-  saturating(law, base.data(), distance_.data(), crowding_.data(), exposure_.data(), cay_.data(), normal_lift_.data(),
-             edge_lift_.data(), relief_noise_.data(), frame_.width, height.data());
+  read_form(place);
+  const Rows rows{base.data(),         distance_.data(),  crowding_.data(),    exposure_.data(),
+                  lagoon_.data(),      knoll_.data(),     cay_.data(),         pass_.data(),
+                  normal_lift_.data(), edge_lift_.data(), relief_noise_.data()};
+  saturating(law, rows, form_.sums.has_value(), frame_.width, height.data(), aggregate.data());
 }
 
 }  // namespace seamount::reef

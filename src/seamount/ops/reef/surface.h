@@ -28,7 +28,10 @@ struct Form {
   ScalarField distance;  ///< to the outline, metres, positive inside
   ScalarField crowding;  ///< share of reef in the surroundings
   ScalarField exposure;  ///< 1 windward, -1 in the lee
+  ScalarField lagoon;    ///< metres from the flat into the lagoon behind it, negative on flats and outside
+  ScalarField knolls;    ///< share of the way from a lagoon's floor to the flat; empty: none
   ScalarField cays;      ///< 0 ... 1: islets; empty: none
+  ScalarField passes;    ///< metres of water in passes, 0 outside; empty: none
   const KernelTables* tables = nullptr;
   std::optional<KernelSums> sums;  ///< of P4's kernels; absent: union
 };
@@ -41,6 +44,7 @@ struct SurfaceParams {
   DetailParams detail;
   double irregularity = 1.0;
   double radius_m = 100.0;  ///< of the kernels
+  double low_m = -40.0;     ///< the lowest ground on which corals have light
 };
 
 /// Computes rows of the result. Keeps scratch: one per thread. `form` must outlive it.
@@ -53,6 +57,7 @@ class SurfaceRows {
 
  private:
   bool read_lifts(int y);
+  void read_form(double place);
   void add_grooves(int y);
 
   const Form& form_;
@@ -60,9 +65,10 @@ class SurfaceRows {
   GridFrame frame_;
   Seed seed_;
   geom::Fbm fine_, relief_;
-  geom::RowUpsampler distance_rows_, crowding_rows_, exposure_rows_, cay_rows_, above_rows_, below_rows_;
-  std::vector<float> distance_, crowding_, exposure_, cay_, above_, below_, fine_noise_, relief_noise_, normal_lift_,
-      edge_lift_;
+  geom::RowUpsampler distance_rows_, crowding_rows_, exposure_rows_, lagoon_rows_, knoll_rows_, cay_rows_, pass_rows_,
+      above_rows_, below_rows_;
+  std::vector<float> distance_, crowding_, exposure_, lagoon_, knoll_, cay_, pass_, above_, below_, fine_noise_,
+      relief_noise_, normal_lift_, edge_lift_;
 };
 
 }  // namespace seamount::reef

@@ -19,11 +19,11 @@ std::tuple<HeightField, ScalarField, LabelMap, Drawing> grow(const reef::GrowPar
 void add_reef_operators(Registry& registry) {
   registry.add(make_operator<reef::GrowParams>(
       {.name = "reef.grow",
-       .revision = 3,
+       .revision = 4,
        .summary = "Grows barrier reefs, ribbon reefs and patch reefs by diffusion-limited aggregation",
        .source = "P4 sec. 3.2-3.3, eq. 1 and 2",
        .stochastic = true},
-      inputs(in<kinds::Terrain>("terrain", "heights in metres: the ground on which the reef grows"),
+      inputs(with_voids(in<kinds::Terrain>("terrain", "heights in metres: the ground on which the reef grows")),
              optional_in<kinds::Labels>("labels", "its regions; places without reef keep them"),
              optional_in<kinds::Field>("habitat", "particles settle only where it is at least 0.5"),
              optional_in<kinds::Field>("start", "random kernels lie where it is at least 0.5"),
