@@ -11,7 +11,7 @@
 namespace seamount::reef {
 namespace {
 
-constexpr double kBeach_m = 35.0;  // from the water to the top of a cay: 3 m in about 5 degrees
+constexpr double kBeach_m = 25.0;  // from the water half way to the top of a cay
 
 struct Site {
   double score = 0.0;
@@ -34,7 +34,9 @@ std::vector<Site> sites_of(const CayRules& rules, const ScalarField& distance, c
                 ay = static_cast<int>(std::lround(f.row(ahead.y)));
       Rng rng(seed.derive("reef.cay",
                           static_cast<uint64_t>(y) * static_cast<uint64_t>(f.width) + static_cast<uint64_t>(x)));
-      const double lee = -static_cast<double>(exposure(x, y)), broad = crowding.clamped(ax, ay);
+      const double lee = -static_cast<double>(exposure(x, y));
+      if (lee < 0.15) continue;
+      const double broad = crowding.clamped(ax, ay);
       sites.push_back({lee + 1.2 * broad + 0.7 * rng.uniform(), place, room});
     }
   }
@@ -58,10 +60,11 @@ ScalarField make_cays(const CayRules& rules, const ScalarField& distance, const 
     Rng rng(seed.derive("reef.cay_shape", placed.size()));
     placed.push_back(c);
     // As long as the flat allows: a few large ones, many small.
-    const double longest = std::min(320.0, 1.1 * site.room_m + 20.0);
-    const double along = std::max(30.0, longest * rng.uniform(0.55, 1.0)), flatness = rng.uniform(0.38, 0.7);
+    const double longest = std::min(400.0, 1.5 * site.room_m + 40.0);
+    const double along = std::max(45.0, longest * (0.25 + 0.75 * rng.uniform() * rng.uniform(0.3, 1.0))),
+                 flatness = rng.uniform(0.38, 0.7);
     const double half_width = along * flatness;
-    const double top = half_width > 50.0 ? rng.uniform(0.85, 1.0) : rng.uniform(0.38, 0.5);
+    const double top = half_width > 50.0 ? rng.uniform(0.88, 1.0) : rng.uniform(0.6, 0.66);
     const double bearing = angle + (90.0 + rng.uniform(-40, 40)) * std::numbers::pi / 180.0;
     const double beach = std::max(std::min(kBeach_m, 0.7 * half_width), 1.5 * cays.cell_m());
     const Blob blob(c, along, flatness, bearing, rng);

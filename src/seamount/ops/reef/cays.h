@@ -9,7 +9,7 @@
 
 namespace seamount::reef {
 
-/// Share of cay_m above which a cay carries plants; small ones stay below it.
+/// Share of cay_m in height above which a cay carries plants; bare banks stay below it.
 inline constexpr double kPlants = 0.6;
 
 struct CayRules {
@@ -18,7 +18,7 @@ struct CayRules {
   double radius_m = 100.0;  ///< of the reef's kernels
 };
 
-/// Up to `count` cays: 1 on the top of large ones, about 0.4 on that of bare banks, 0 outside; they lie on flats with
+/// Up to `count` cays: 1 on the top of large ones, about 0.6 on that of bare banks, 0 outside; they lie on flats with
 /// reef to windward (`distance` to the outline, positive inside; `lagoon` negative on flats; exposure and crowding as
 /// of shape.h) and apart from each other. Only what the lattice resolves. Empty where there is none.
 ScalarField make_cays(const CayRules& rules, const ScalarField& distance, const ScalarField& lagoon,

@@ -209,9 +209,10 @@ void raise(const Form& form, const SurfaceParams& surface, const HeightField& ba
 }
 
 /// The passes of a form, sought on its own lattice.
-ScalarField passes_of(const Form& form, const SurfaceParams& surface, const PassParams& passes,
-                      const HeightField& terrain, Seed seed, const RunContext& run) {
+ScalarField passes_of(const Form& form, SurfaceParams surface, const PassParams& passes, const HeightField& terrain,
+                      Seed seed, const RunContext& run) {
   const HeightField ground = geom::resample(terrain, form.distance.frame(), run);
+  surface.detail.grooves_m = 0.0;  // as fine as the terrain's cells, which are others
   HeightField reef(ground.frame());
   ScalarField aggregate(ground.frame());
   raise(form, surface, ground, seed, reef, aggregate, run);

@@ -176,6 +176,7 @@ TEST(ReefGrow, WaterBehindARingIsLagoon) {
   p.starts.line_cover = 1;
   p.particles = 30;
   p.passes.least_km2 = 1e6;
+  p.sand.cays = 0;
   const Grown grown = grow({.terrain = base, .drawing = &ring}, p, Seed{2}, {});
   EXPECT_EQ(grown.labels(100, 100), Region::lagoon);
   EXPECT_EQ(grown.labels(2, 100), Region::abyss);

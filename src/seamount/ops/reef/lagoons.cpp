@@ -15,6 +15,7 @@ namespace seamount::reef {
 namespace {
 
 constexpr double kSmallest_m = 15.0, kLargest_m = 160.0;  // radii of knolls
+constexpr double kBackReef_m = 80.0;                      // width of the slope to a lagoon's floor
 constexpr float kNone = -1e6F;
 
 /// Radius with a density that falls with its third power: four times fewer of twice the size.
@@ -29,7 +30,7 @@ ScalarField lagoon_depths(const ScalarField& distance, const ScalarField& exposu
                           double least_m2, Seed seed, const RunContext& run) {
   const GridFrame& frame = distance.frame();
   const geom::Fbm noise{.wavelength_m = 2.0 * flat_width_m, .octaves = 5, .cell_m = frame.cell_m};
-  Grid<uint8_t> in(frame), out(frame);
+  Grid<uint8_t> in(frame), floor(frame), out(frame);
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
     std::vector<float> uneven(static_cast<size_t>(frame.width));
     for (int y = begin; y < end; ++y) {
@@ -38,11 +39,19 @@ ScalarField lagoon_depths(const ScalarField& distance, const ScalarField& exposu
         const double windward = geom::smoothstep(0.5 + 0.8 * static_cast<double>(exposure(x, y)));
         const double width =
             flat_width_m * (0.5 + 0.5 * windward) * (1.0 + 1.1 * static_cast<double>(uneven[static_cast<size_t>(x)]));
-        in(x, y) = static_cast<double>(distance(x, y)) > width ? 1 : 0;
+        const double behind = static_cast<double>(distance(x, y)) - width;
+        in(x, y) = behind > 0 ? 1 : 0;
+        floor(x, y) = behind > kBackReef_m ? 1 : 0;
       }
     }
   });
-  drop_small(in, least_m2, /*at_edge=*/true);
+  const double cell_m2 = frame.cell_m * frame.cell_m;
+  for (const RegionOfMask& region : regions_of(in)) {
+    double floor_m2 = 0;
+    for (const int64_t i : region.cells) floor_m2 += floor.cells()[static_cast<size_t>(i)] * cell_m2;
+    if (floor_m2 >= least_m2) continue;
+    for (const int64_t i : region.cells) in.cells()[static_cast<size_t>(i)] = 0;
+  }
   int64_t cells = 0;
   for (size_t i = 0; i < in.size(); ++i) cells += in.cells()[i], out.cells()[i] = 1 - in.cells()[i];
   if (cells == 0) return ScalarField(frame, kNone);

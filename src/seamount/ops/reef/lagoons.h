@@ -9,7 +9,7 @@ namespace seamount::reef {
 
 /// Metres from the inner edge of the flat into the lagoon behind it; negative on flats and outside. The flat is
 /// `flat_width_m` wide to windward (exposure 1) and half of that in the lee, unevenly; what lies further from the
-/// outline is lagoon, in pieces of at least least_m2: a reef that is hardly wider has no pools. Parallel.
+/// outline is lagoon, in pieces with a floor of at least least_m2: a reef that is hardly wider has no pools. Parallel.
 ScalarField lagoon_depths(const ScalarField& distance, const ScalarField& exposure, double flat_width_m,
                           double least_m2, Seed seed, const RunContext& run);
 

@@ -8,6 +8,7 @@
 
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/scalar/blend.h"
+#include "seamount/geom/scalar/noise.h"
 #include "seamount/model/drawn.h"
 #include "seamount/ops/reef/regions.h"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr std::array<int, 8> kStepX = {1, -1, 0, 0, 1, 1, -1, -1}, kStepY = {0, 0, 1, -1, 1, -1, 1, -1};
 constexpr int kStraight = 5, kDiagonal = 7;  // lengths of steps
 constexpr int kDearest = 60;                 // of a cell
+constexpr Seed kWalls{17};                   // of noise in a place: whatever the reef, it bends walls alike
 constexpr int32_t kUnreached = 1 << 30;
 
 /// Cheapest ways of all cells to the open sea: Dijkstra with whole costs in buckets (Dial 1969).
@@ -99,10 +101,11 @@ std::vector<Vec2> smoothed(const std::vector<int64_t>& way, const GridFrame& f, 
   return line;
 }
 
-/// Digs around a place: depth_m in the middle, walls at the sides.
+/// Digs around a place: depth_m in the middle, uneven walls at the sides.
 void dig(ScalarField& passes, Vec2 at, double half_width_m, double depth_m) {
   const GridFrame& f = passes.frame();
-  const double reach = 1.5 * half_width_m;
+  const double reach = 2.0 * half_width_m;
+  const geom::Fbm walls{.wavelength_m = 1.5 * half_width_m, .octaves = 3, .cell_m = f.cell_m};
   const int west = std::max(0, static_cast<int>(f.column(at.x - reach)));
   const int east = std::min(f.width - 1, static_cast<int>(f.column(at.x + reach)) + 1);
   const int north = std::max(0, static_cast<int>(f.row(at.y + reach)));
@@ -110,7 +113,8 @@ void dig(ScalarField& passes, Vec2 at, double half_width_m, double depth_m) {
   for (int y = north; y <= south; ++y) {
     for (int x = west; x <= east; ++x) {
       const Vec2 d = Vec2{f.x(x), f.y(y)} - at;
-      const double from_middle = std::sqrt(dot(d, d)) / half_width_m;
+      const double bent = 1.0 - 0.5 * geom::fbm(kWalls, walls, f.x(x), f.y(y));
+      const double from_middle = bent * std::sqrt(dot(d, d)) / half_width_m;
       const double depth = depth_m * (1.0 - geom::smoothstep((from_middle - 0.55) / 0.95));
       passes(x, y) = std::max(passes(x, y), static_cast<float>(depth));
     }

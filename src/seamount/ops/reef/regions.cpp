@@ -30,10 +30,10 @@ std::vector<RegionOfMask> regions_of(const Grid<uint8_t>& mask) {
   return regions;
 }
 
-void drop_small(Grid<uint8_t>& mask, double least_m2, bool at_edge) {
+void drop_small(Grid<uint8_t>& mask, double least_m2) {
   const double cell_m2 = mask.cell_m() * mask.cell_m();
   for (const RegionOfMask& region : regions_of(mask)) {
-    if ((region.at_edge && !at_edge) || static_cast<double>(region.cells.size()) * cell_m2 >= least_m2) continue;
+    if (region.at_edge || static_cast<double>(region.cells.size()) * cell_m2 >= least_m2) continue;
     for (const int64_t i : region.cells) mask.cells()[static_cast<size_t>(i)] = 0;
   }
 }

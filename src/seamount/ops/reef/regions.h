@@ -17,7 +17,7 @@ struct RegionOfMask {
 /// Regions of mask != 0, in the order of their first cells. Linear; 8 bytes a cell.
 std::vector<RegionOfMask> regions_of(const Grid<uint8_t>& mask);
 
-/// Clears regions smaller than least_m2, those at the edge of the grid only if at_edge.
-void drop_small(Grid<uint8_t>& mask, double least_m2, bool at_edge);
+/// Clears regions smaller than least_m2 that do not touch the edge of the grid.
+void drop_small(Grid<uint8_t>& mask, double least_m2);
 
 }  // namespace seamount::reef

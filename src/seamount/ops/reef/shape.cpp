@@ -137,7 +137,7 @@ ScalarField outline_distance(const std::vector<Colony>& colonies, const std::vec
       }
     }
   });
-  if (least_hole_m2 > 0) drop_small(outside, least_hole_m2, /*at_edge=*/false);
+  if (least_hole_m2 > 0) drop_small(outside, least_hole_m2);
   for (size_t i = 0; i < outside.size(); ++i) {
     inside.cells()[i] = 1 - outside.cells()[i];
     if (inside.cells()[i] != 0 && t.cells()[i] >= 1.0F) t.cells()[i] = 0.9F;

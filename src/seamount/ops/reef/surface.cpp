@@ -66,8 +66,12 @@ SEAMOUNT_VECTORISED void proportional(const Law law, const float* base, const fl
   }
 }
 
-/// Share of the way to the lagoon's floor that sand fills, by how crowded the reef is.
-SEAMOUNT_INLINE float sand_share(float crowding) { return geom::smoothstep((crowding - 0.04F) * 2.4F); }
+/// Share of the way to the lagoon's floor that sand fills: by how crowded the reef is, and hardly before a reef to
+/// windward, from where waves carry it across.
+SEAMOUNT_INLINE float sand_share(float crowding, float windward) {
+  const float sheltered = geom::smoothstep((crowding - 0.35F) * 4.0F);
+  return geom::smoothstep((crowding - 0.04F) * 2.4F) * (1.0F - 0.9F * windward * (1.0F - sheltered));
+}
 
 /// 0 where the ground is land or too deep for light, 1 between.
 SEAMOUNT_INLINE float light_on(float z, float dark, float light) {
@@ -98,7 +102,7 @@ SEAMOUNT_VECTORISED void saturating(const Law law, const Rows rows, bool sums, i
     const float light = light_on(z0, law.dark_m, law.light_m);
     const float sandy = light_on(z0, law.lightless_m, law.dark_m);
     const float floor = law.lagoon_m + 2.0F * law.relief_m * rough;
-    float z = z0 + law.fill * sandy * sand_share(crowd) * (floor > z0 ? floor - z0 : 0.0F);
+    float z = z0 + law.fill * sandy * sand_share(crowd, windward) * (floor > z0 ? floor - z0 : 0.0F);
     // The flat gives way to the slope of the back reef, then to the lagoon.
     const float back = geom::smoothstep(in_lagoon * (1.0F / 90.0F) + 0.5F * rough);
     const float deep = back * (0.6F + 0.4F * geom::smoothstep(in_lagoon * (1.0F / 500.0F)));
@@ -117,10 +121,12 @@ SEAMOUNT_VECTORISED void saturating(const Law law, const Rows rows, bool sums, i
     z += saturated(open * rim, law.crest_m + 0.4F * law.relief_m * (rough < 0.0F ? rough : 0.0F) - z);
     const float knoll = light * (rows.knoll[i] > 0.0F ? rows.knoll[i] : 0.0F), knoll_top = law.flat_m - 1.0F;
     z += knoll * (knoll_top > z ? knoll_top - z : 0.0F);
-    const float cay = light * (rows.cay[i] > 0.0F ? rows.cay[i] : 0.0F);
+    const float heap = light * (rows.cay[i] > 0.0F ? rows.cay[i] : 0.0F);
+    const float cay = heap > 0.0F ? heap + 0.35F * rough * heap * (1.0F - heap) : 0.0F;
     const float sand = law.cay_m * cay + law.flat_m * (1.0F - cay) + 0.5F * rough * cay;
-    z += cay * (sand > z ? sand - z : 0.0F);
-    const float bed = -rows.pass[i] > z0 ? -rows.pass[i] : z0;
+    z += geom::smoothstep(3.0F * cay) * (sand > z ? sand - z : 0.0F);
+    const float channel = -rows.pass[i] * (1.0F + 0.2F * rough);
+    const float bed = channel > z0 ? channel : z0;
     const bool cut = rows.pass[i] > 0.0F && bed < z;
     out[i] = cut ? bed : z;
     const float kept = cut ? 1.0F - geom::smoothstep((rows.pass[i] - 2.5F) * 0.25F) : 1.0F;

@@ -85,7 +85,7 @@ struct HeightParams {
 struct SandParams {
   double lagoon_m = -9.0;
   double fill = 0.8;
-  double knolls_per_km2 = 12.0;
+  double knolls_per_km2 = 25.0;
   int cays = 3;
   double cay_m = 3.0;
 
