@@ -19,19 +19,20 @@ class GroundSlope {
   /// Parallel; linear. REQUIRES: the distances of `ground` are still there.
   GroundSlope(const FaceGround& ground, const RunContext& run);
 
-  /// Metres a cell; 0 where no band has two bounds anywhere.
-  float at(int x, int y) const;
+  /// Metres a cell, over as many cells about as the nearest contour is away; 0 where no band has two bounds anywhere.
+  float at(int x, int y, float near) const;
 
  private:
   struct Level {
     int width = 0, height = 0;
-    std::vector<float> slopes, weights;  ///< weighted sums at first, then means
+    std::vector<float> slopes, weights;  ///< sums of weighted slopes, at last slopes; of weights
+    std::vector<float> known;            ///< how many cells told something
   };
   Level gather(const FaceGround& ground, const RunContext& run) const;
   static void soften(Level& level, const RunContext& run);
   static Level coarser(const Level& fine);
 
-  Level finest_;
+  std::vector<Level> levels_;  ///< squares of 2, 4, 8, ... cells
 };
 
 }  // namespace seamount::contour

@@ -45,7 +45,7 @@ class Blend {
       return ground_.between.height_m(x, y);
     const float rise = static_cast<float>(ground_.faces.high_m(face)) - foot;
     const float t = low / std::max(low + high, 1e-6F);
-    const float slope = slopes_.at(x, y) / rise;
+    const float slope = slopes_.at(x, y, std::min(low, high)) / rise;
     const float up = saturated_late(slope * low);
     const float down = saturated_late(slope * high);
     const float share = up + (1.0F - down - up) * geom::smoothstep(t);
@@ -66,7 +66,7 @@ class Blend {
     const auto f = static_cast<size_t>(face);
     const float reach = ground_.reach_m[f];
     if (!std::isfinite(low)) return 0.5F * reach;
-    const float beside = slopes_.at(x, y);
+    const float beside = slopes_.at(x, y, low);
     const float own = beside > 0.0F ? beside - ground_.slope[f] : 0.0F;
     return reach * saturated(low * (ground_.slope[f] + own * std::exp(-low / kBeside)) / reach);
   }
