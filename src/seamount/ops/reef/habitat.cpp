@@ -64,12 +64,27 @@ class Kernels {
     }
     return true;
   }
+  /// No colony will settle around that place.
+  void keep_free(Vec2 p) {
+    if (within(p)) free_.push_back(cell_at(p));
+  }
   const std::vector<LatticeCell>& cells() const { return cells_; }
+
+  /// Clears the habitat around free places but for the kernels.
+  void clear_free(Grid<uint8_t>& habitat) const {
+    constexpr int kReach = 2;
+    for (const LatticeCell s : free_) {
+      for (int y = std::max(0, s.y - kReach); y <= std::min(habitat.height() - 1, s.y + kReach); ++y) {
+        for (int x = std::max(0, s.x - kReach); x <= std::min(habitat.width() - 1, s.x + kReach); ++x)
+          if (taken_(x, y) == 0) habitat(x, y) = 0;
+      }
+    }
+  }
 
  private:
   const Grid<uint8_t>& habitat_;
   Grid<uint8_t> taken_;
-  std::vector<LatticeCell> cells_;
+  std::vector<LatticeCell> cells_, free_;
 };
 
 void add_points(const Polyline& points, const BoundParams& bounds, const HeightField& ground, Kernels& kernels) {
@@ -91,7 +106,8 @@ void add_points(const Polyline& points, const BoundParams& bounds, const HeightF
   }
 }
 
-/// Starts growth along the covered share of a line's segments; true if any place was in the habitat.
+/// Starts growth along the covered share of a line's segments, between which passes stay free; true if any place was
+/// in the habitat.
 bool add_line(const Polyline& line, double lattice_m, const StartParams& p, Rng rng, Kernels& kernels) {
   const double step = 0.5 * lattice_m;
   bool any = false;
@@ -105,7 +121,9 @@ bool add_line(const Polyline& line, double lattice_m, const StartParams& p, Rng 
         segment = p.segment_m * rng.uniform(0.5, 1.5);
         covered = p.line_cover >= 1.0 ? segment : segment * std::min(1.0, p.line_cover * rng.uniform(0.8, 1.2));
       }
-      if (covered > 0.0) any = kernels.add(a + (static_cast<double>(j) / steps) * d) || any;
+      const Vec2 place = a + (static_cast<double>(j) / steps) * d;
+      if (covered > 0.0) any = kernels.add(place) || any;
+      if (covered < -lattice_m && segment > lattice_m) kernels.keep_free(place);
       segment -= length / steps;
       covered -= length / steps;
     }
@@ -152,6 +170,20 @@ void add_lines(const StartParams& p, const Drawing* drawing, const HeightField& 
   if (!any) throw InvalidArgument("drawing", "nothing of it lies in the habitat (" + window + ")");
 }
 
+/// First colonies around a place, as many as reefs differ in age: one of n times the size for n of the size.
+void add_patch(LatticeCell first, const Grid<uint8_t>& where, Rng& rng, Kernels& kernels) {
+  constexpr double kMost = 60.0;
+  std::vector<LatticeCell> patch = {first};
+  kernels.add(first);
+  const auto size = static_cast<size_t>(std::min(kMost, 1.0 / (1.0 - rng.uniform())));
+  for (size_t tries = 0; patch.size() < size && tries < 4 * size; ++tries) {
+    const LatticeCell from = patch[static_cast<size_t>(rng.integer(0, static_cast<int>(patch.size()) - 1))];
+    const LatticeCell next{from.x + rng.integer(-1, 1), from.y + rng.integer(-1, 1)};
+    if (!where.contains(next.x, next.y) || where(next.x, next.y) == 0) continue;
+    if (kernels.add(next)) patch.push_back(next);
+  }
+}
+
 void add_random(int count, const Grid<uint8_t>& where, const std::string& name, Seed seed, Kernels& kernels) {
   std::vector<LatticeCell> places;
   for (int y = 0; y < where.height(); ++y) {
@@ -162,7 +194,7 @@ void add_random(int count, const Grid<uint8_t>& where, const std::string& name, 
   if (places.empty()) throw InvalidArgument(name, "no lattice cell of it lies in the habitat");
   Rng rng(seed.derive("reef.random_kernels"));
   for (int i = 0; i < count; ++i)
-    kernels.add(places[static_cast<size_t>(rng.integer(0, static_cast<int>(places.size()) - 1))]);
+    add_patch(places[static_cast<size_t>(rng.integer(0, static_cast<int>(places.size()) - 1))], where, rng, kernels);
 }
 
 /// The strip along the edge that stays free: at least margin_m wide, up to twice that with bays, so that no reef ends
@@ -294,6 +326,7 @@ Habitat find_habitat(const HeightField& terrain, const HabitatInputs& in, double
   } else if (starts.random > 0) {
     add_random(starts.random, out.suitable, "starts.random", seed, kernels);
   }
+  kernels.clear_free(out.suitable);
   out.kernels = kernels.cells().empty() ? starts_of_pieces(out.suitable, seed) : kernels.cells();
   return out;
 }

@@ -30,7 +30,7 @@ struct StartParams {
               "share of lines where growth starts; the rest are passes"),
         field(&P::segment_m, "segment_m", "m", between(1, 1e7), "length of a stretch of line with its pass"),
         field(&P::random, "random", "", between(0, 100000),
-              "number of random places of the habitat, or of the input 'start'"));
+              "number of random places of the habitat, or of the input 'start': many small reefs, few large"));
   }
 };
 

@@ -19,6 +19,8 @@ constexpr std::array<int, 8> kStepX = {1, -1, 0, 0, 1, 1, -1, -1}, kStepY = {0, 
 constexpr int kStraight = 5, kDiagonal = 7;  // lengths of steps
 constexpr int kDearest = 60;                 // of a cell
 constexpr Seed kWalls{17};                   // of noise in a place: whatever the reef, it bends walls alike
+constexpr float kDeeper_m = 6.5F;            // sills to be cut once all water reaches the sea somehow
+constexpr float kBelow = 1.5F;               // passes are that many times deeper than the water that is sought
 constexpr int32_t kUnreached = 1 << 30;
 
 /// Cheapest ways of all cells to the open sea: Dijkstra with whole costs in buckets (Dial 1969).
@@ -149,12 +151,12 @@ void spread(std::vector<int64_t> from, const Grid<uint8_t>& within, int steps, G
   }
 }
 
-Waters find_waters(const HeightField& reef, double cell_m, const RunContext& run) {
+Waters find_waters(const HeightField& reef, float depth_m, double cell_m, const RunContext& run) {
   const GridFrame& f = reef.frame();
   Waters out{Grid<uint8_t>(f, 0), Grid<uint8_t>(f, 0), {}, {}, std::max({1.5 * f.cell_m, 1.1 * cell_m, 25.0})};
   Grid<uint8_t> shoal(f, 0), wet(f, 0), open(f, 0);
   for (size_t i = 0; i < shoal.size(); ++i) {
-    shoal.cells()[i] = reef.cells()[i] > -kPassable_m ? 1 : 0;  // unknown ground is none
+    shoal.cells()[i] = reef.cells()[i] > -depth_m ? 1 : 0;  // unknown ground is none
     wet.cells()[i] = 1 - shoal.cells()[i];
   }
   out.room = geom::distance_to(shoal, run);
@@ -184,11 +186,11 @@ Waters find_waters(const HeightField& reef, double cell_m, const RunContext& run
 }
 
 /// Price of passing a cell: thick reefs, their windward sides and high ground are dear; 0: no way.
-Grid<uint8_t> price_of(const HeightField& ground, const ScalarField& exposure, const Waters& waters) {
+Grid<uint8_t> price_of(const HeightField& ground, const ScalarField& exposure, const Waters& waters, float depth_m) {
   Grid<uint8_t> price(ground.frame(), 0);
   for (size_t i = 0; i < price.size(); ++i) {
     const float z = ground.cells()[i];
-    if (!(z <= -1.5F * kPassable_m)) continue;  // NaN is not
+    if (!(z <= -kBelow * depth_m)) continue;  // NaN is not
     const float shallow = std::clamp(1.0F + 30.0F / (-z), 1.0F, 4.0F);
     const float windward = 1.0F + 0.8F * geom::smoothstep(0.5F + 0.8F * exposure.cells()[i]);
     price.cells()[i] = static_cast<uint8_t>(
@@ -233,10 +235,10 @@ double shore_m(const RegionOfMask& region, const Grid<uint8_t>& mask) {
 
 /// Digs along a way from a lagoon to the sea, from the depth of the one to that of the other, so that no pool is left.
 void dig_way(const std::vector<int64_t>& way, const Channel& channel, const HeightField& reef, const Waters& waters,
-             ScalarField& passes) {
+             float depth_m, ScalarField& passes) {
   const auto depth_at = [&](int64_t cell) {
     const double depth = -static_cast<double>(reef.cells()[static_cast<size_t>(cell)]);
-    return std::clamp(depth, std::min(1.5 * static_cast<double>(kPassable_m), channel.depth_m), channel.depth_m);
+    return std::clamp(depth, std::min(static_cast<double>(kBelow * depth_m), channel.depth_m), channel.depth_m);
   };
   const GridFrame& f = passes.frame();
   const int rounding = std::max(2, static_cast<int>(0.8 * channel.half_width_m / f.cell_m));
@@ -251,9 +253,9 @@ void dig_way(const std::vector<int64_t>& way, const Channel& channel, const Heig
 
 /// Digs from all that is shut; false where nothing is.
 bool open_lagoons(const HeightField& ground, const HeightField& reef, const ScalarField& exposure,
-                  const PassParams& passes, double cell_m, ScalarField& out, const RunContext& run) {
+                  const PassParams& passes, float depth_m, double cell_m, ScalarField& out, const RunContext& run) {
   const GridFrame& f = ground.frame();
-  const Waters waters = find_waters(reef, cell_m, run);
+  const Waters waters = find_waters(reef, depth_m, cell_m, run);
   std::vector<RegionOfMask> lagoons = regions_of(waters.shut);
   const auto km2 = [&](const RegionOfMask& r) {
     return static_cast<double>(r.cells.size()) * f.cell_m * f.cell_m * 1e-6;
@@ -265,13 +267,13 @@ bool open_lagoons(const HeightField& ground, const HeightField& reef, const Scal
   if (lagoons.empty()) return false;
   run.check_cancelled();
   if (out.empty()) out = ScalarField(f, 0.0F);
-  const Ways ways(price_of(ground, exposure, waters), waters.sea);
+  const Ways ways(price_of(ground, exposure, waters, depth_m), waters.sea);
   bool any = false;
   for (const RegionOfMask& lagoon : lagoons) {
     const auto count = static_cast<size_t>(std::max(1.0, shore_m(lagoon, waters.shut) / passes.spacing_m));
     const Channel channel = channel_of(km2(lagoon), passes, 1.25 * waters.half_m);
     for (const int64_t mouth : mouths_of(lagoon, ways, f, count, 0.6 * passes.spacing_m)) {
-      dig_way(ways.from(mouth), channel, reef, waters, out);
+      dig_way(ways.from(mouth), channel, reef, waters, depth_m, out);
       any = true;
     }
   }
@@ -282,11 +284,12 @@ bool open_lagoons(const HeightField& ground, const HeightField& reef, const Scal
 
 ScalarField find_passes(const HeightField& ground, const HeightField& reef, const ScalarField& exposure,
                         const PassParams& passes, double cell_m, const RunContext& run) {
-  constexpr int kRounds = 4;  // parts of a lagoon that narrows may be shut off still when its other parts are open
+  // Parts of a lagoon that narrows may be shut off still when its other parts are open.
+  constexpr std::array<float, 6> kRounds = {kPassable_m, kPassable_m, kPassable_m, kDeeper_m, kDeeper_m, kDeeper_m};
   ScalarField out;
   HeightField dug = reef;
-  for (int round = 0; round < kRounds; ++round) {
-    if (!open_lagoons(ground, dug, exposure, passes, cell_m, out, run)) break;
+  for (const float depth_m : kRounds) {
+    if (!open_lagoons(ground, dug, exposure, passes, depth_m, cell_m, out, run)) continue;
     for (size_t i = 0; i < dug.size(); ++i)
       dug.cells()[i] = std::min(reef.cells()[i], std::max(ground.cells()[i], -out.cells()[i]));
   }
