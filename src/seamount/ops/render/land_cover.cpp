@@ -29,7 +29,7 @@ constexpr RockColours colours_of(Rock rock) {
     case Rock::sandstone:
       return {{0.150F, 0.076F, 0.042F}, {0.330F, 0.205F, 0.118F}, {0.260F, 0.165F, 0.098F}};
     default:
-      return {{0.082F, 0.075F, 0.068F}, {0.200F, 0.186F, 0.166F}, {0.150F, 0.138F, 0.121F}};
+      return {{0.062F, 0.057F, 0.052F}, {0.215F, 0.200F, 0.178F}, {0.150F, 0.138F, 0.121F}};
   }
 }
 
@@ -47,18 +47,18 @@ Breakup breakup(const SurfacePoint& p) {
 
 Rgb rock_of(const SurfacePoint& p, Rock rock, const Breakup& n) {
   const RockColours colours = colours_of(rock);
-  float bedding = 0.0F;
-  if (rock == Rock::sandstone || rock == Rock::limestone || rock == Rock::basalt) {
-    // Beds or flows of uneven thickness, warped a little: noise along the height, faded where a pixel covers several.
-    const float along = 0.7F * p.x + 0.7F * p.y, rise = p.footprint * std::min(p.slope, 1.5F);
-    bedding = detail_noise(43, 0.012F * along + 9.0F * n.broad, p.z + 8.0F * n.medium, 46.0F, 3, 0.7F,
-                           std::max(rise, 0.3F * p.footprint))
-                  .value *
-              (rock == Rock::basalt ? 0.5F : 1.0F) * ramp(0.25F, 0.7F, p.slope);
-  }
-  const float pale = clamp01(0.45F + 0.9F * bedding + 0.75F * n.medium + 0.60F * n.fine + 0.50F * n.grain +
+  // Beds, flows or joints of uneven thickness, warped a little: noise along the height, faded where a pixel covers
+  // several. Granite has few.
+  const float strength = rock == Rock::granite ? 0.40F : rock == Rock::basalt ? 0.5F : 1.0F;
+  const float along = 0.7F * p.x + 0.7F * p.y, rise = p.footprint * std::min(p.slope, 1.5F);
+  const float bedding = strength * ramp(0.25F, 0.7F, p.slope) *
+                        detail_noise(43, 0.012F * along + 9.0F * n.broad, p.z + 8.0F * n.medium, 46.0F, 3, 0.7F,
+                                     std::max(rise, 0.3F * p.footprint))
+                            .value;
+  const float pale = clamp01(0.45F + 0.9F * bedding + 0.95F * n.medium + 0.70F * n.fine + 0.50F * n.grain +
                              0.25F * n.broad + 1.8F * std::clamp(p.rib, -0.2F, 0.2F) - 0.16F * (p.slope - 1.0F));
-  return mix(colours.dark, colours.pale, pale);
+  const Rgb stained = mix(colours.pale, colours.pale * Rgb{1.0F, 0.88F, 0.74F}, ramp(0.0F, 0.4F, n.broad + n.medium));
+  return mix(colours.dark, stained, ramp(0.02F, 0.98F, pale));
 }
 
 /// How the plants of a place do.
@@ -117,7 +117,8 @@ float beach_share(const SurfacePoint& p, const Breakup& n) {
   const float near = ramp(1.25F * width, 0.75F * width, p.shore_m + 10.0F * n.medium);
   const float pocket = ramp(-0.15F, 0.15F, n.broad + 0.3F * n.medium + 1.5F * p.concavity);
   const float built = near * pocket * ramp(4.5F, 2.8F, p.z + 1.2F * n.medium) * ramp(0.24F, 0.10F, p.slope);
-  const float labelled = p.beach * ramp(7.0F, 4.0F, p.z + 2.0F * n.medium) * ramp(0.35F, 0.15F, p.slope);
+  const float labelled = p.beach * ramp(7.0F, 4.0F, p.z + 2.0F * n.medium) * ramp(0.35F, 0.15F, p.slope) *
+                         ramp(4.0F * width, 2.0F * width, p.shore_m + 25.0F * n.medium);
   return clamp01(std::max(built * mix(1.0F, 0.5F + p.beach, p.labelled), labelled));
 }
 

@@ -15,6 +15,7 @@ constexpr Rgb kCoral{0.165F, 0.120F, 0.070F};
 constexpr Rgb kForeReef{0.105F, 0.098F, 0.070F};
 constexpr Rgb kDeepFloor{0.170F, 0.165F, 0.150F};
 constexpr Rgb kColdSand{0.270F, 0.245F, 0.190F};
+constexpr Rgb kSeagrass{0.075F, 0.088F, 0.042F};
 constexpr Rgb kWeed{0.052F, 0.054F, 0.026F};
 
 }  // namespace
@@ -49,6 +50,11 @@ Material floor_material(const SurfacePoint& p, const MaterialRules& rules) {
       ramp(0.8F, 3.5F, depth + 1.5F * medium);
   floor = mix(floor, mix(sand, grown, 0.70F * patches),
               std::max(lagoon, gentle * ramp(34.0F, 12.0F, depth + 8.0F * medium)));
+  // The shallows along a coast are rubble, turf and seagrass in fields, with sand between.
+  const float fields = ramp(-0.25F, 0.15F, medium + 0.5F * broad + 0.35F * fine) * ramp(4.5F, 2.0F, depth) *
+                       ramp(25.0F, 90.0F, p.shore_m) * ramp(1600.0F, 700.0F, p.shore_m) * warm;
+  const Rgb rubble = mix(kReefFlat, mix(kCoral, kSeagrass, 0.5F), clamp01(0.45F + 0.8F * fine + 0.6F * medium));
+  floor = mix(floor, rubble, 0.75F * fields * (1.0F - reef));
   // The reef is pale on its flat and darkens down its outer face.
   const float flat = ramp(7.0F, 2.0F, depth + 1.5F * medium);
   const float growth = ramp(0.05F, 0.50F, medium + 0.6F * fine + 0.3F * grain + 0.12F);

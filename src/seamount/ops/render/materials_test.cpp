@@ -18,7 +18,7 @@ float mean_luminance(SurfacePoint point) {
 }
 
 TEST(Materials, SandIsPaleForestDarkRockBetweenAndSnowWhite) {
-  const float beach = mean_luminance({.z = 1.0F, .slope = 0.03F, .labelled = 1.0F, .beach = 1.0F});
+  const float beach = mean_luminance({.z = 1.0F, .slope = 0.03F, .shore_m = 20.0F, .labelled = 1.0F, .beach = 1.0F});
   const float forest = mean_luminance({.z = 300.0F, .slope = 0.2F, .concavity = 0.2F});
   const float cliff = mean_luminance({.z = 600.0F, .slope = 2.0F});
   const float snow = mean_luminance({.z = 7000.0F, .slope = 0.1F});

@@ -220,7 +220,9 @@ Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint, Dice dice) con
     const float cliff = 80.0F * ramp(-3.0F, 0.5F, s.point.z);  // land that is cut off falls into deep water
     const float swell = detail_noise(141, floor.x, floor.y, 0.2F * size, 3, 0.5F, footprint).value;
     const float far = border_depth_ * (1.0F + 0.2F * swell);
-    water.depth = mix(far, water.depth + cliff, std::exp(-out / (0.12F * size)));
+    const float near = std::exp(-out / (0.06F * size));
+    water.depth = mix(far, water.depth + cliff, near);
+    s.point.reef *= near;
     s.point.shore_m += out;
   }
   water.shelter = clamp01(s.point.lagoon + 3.0F * s.point.concavity) * ramp(60.0F, 20.0F, water.depth);
