@@ -15,6 +15,7 @@
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/tin/delaunay.h"
 #include "seamount/geom/tin/tin_border.h"
+#include "seamount/ops/contour/growth/fit_regions.h"
 #include "seamount/ops/contour/growth/growth.h"
 #include "seamount/ops/contour/growth/outline_detail.h"
 #include "seamount/ops/contour/growth/probability.h"
@@ -25,7 +26,8 @@ namespace seamount::contour {
 namespace {
 
 constexpr double kBytesPerNode = 200.0;
-constexpr double kBeyond = 2.0;  ///< spacings by which ground goes on beyond the domain's edge
+constexpr double kMostChosen = 500'000.0;  ///< nodes in regions that are chosen because smaller ones have none
+constexpr double kBeyond = 2.0;            ///< spacings by which ground goes on beyond the domain's edge
 
 geom::Box box_of(const GridFrame& frame, double margin_m) {
   return {{frame.west_m - margin_m, frame.south_m() - margin_m}, {frame.east_m() + margin_m, frame.north_m + margin_m}};
@@ -124,20 +126,38 @@ double disc_in(const RegionTree& tree, size_t region, const GridFrame& domain, c
   return std::max(least, -static_cast<double>(*std::min_element(distance.cells().begin(), distance.cells().end())));
 }
 
-void check_regions(const RegionTree& tree, const GridFrame& domain, double spacing_m,
-                   const std::vector<int32_t>& region, const RunContext& run) {
-  std::vector<bool> has_node(tree.regions.size(), false);
-  for (const int32_t r : region) {
-    if (r >= 0) has_node[static_cast<size_t>(r)] = true;
+std::vector<size_t> empty_regions(const Tin& tin) {
+  std::vector<uint8_t> full(tin.regions.size(), 0);
+  for (const int32_t r : tin.region) {
+    if (r >= 0) full[static_cast<size_t>(r)] = 1;
   }
-  for (size_t i = 0; i < tree.regions.size(); ++i) {
-    if (has_node[i]) continue;
-    const double disc = std::min(disc_in(tree, i, domain, run), 0.7 * spacing_m);
-    const std::string advice =
-        disc > 0.0 ? "; a spacing_m of " + format_number(two_digits(disc, false)) + " would do" : "; take it out";
-    throw InvalidArgument("spacing_m", "no node falls into the region '" + tree.regions[i].name + "' at a spacing of " +
-                                           short_number(spacing_m) + " m" + advice);
+  std::vector<size_t> empty;
+  for (size_t i = 0; i < full.size(); ++i) {
+    if (full[i] == 0) empty.push_back(i);
   }
+  return empty;
+}
+
+/// A spacing at which a node falls into the region; 0: none.
+double needed_spacing(const RegionTree& tree, size_t region, const GridFrame& domain, double spacing_m,
+                      const RunContext& run) {
+  return std::min(disc_in(tree, region, domain, run), 0.7 * spacing_m);
+}
+
+void refuse_empty_region(const RegionTree& tree, const Tin& tin, const GridFrame& domain, double spacing_m,
+                         const RunContext& run) {
+  const std::vector<size_t> empty = empty_regions(tin);
+  if (empty.empty()) return;
+  const double needed = needed_spacing(tree, empty[0], domain, spacing_m, run);
+  const std::string advice =
+      needed > 0.0 ? "; a spacing_m of " + format_number(two_digits(needed, false)) + " would do" : "; take it out";
+  throw InvalidArgument("spacing_m", "no node falls into the region '" + tree.regions[empty[0]].name +
+                                         "' at a spacing of " + short_number(spacing_m) + " m" + advice);
+}
+
+std::string count_regions(const std::vector<std::string>& names) {
+  const std::string first = "'" + names[0] + "'";
+  return names.size() == 1 ? "the region " + first : fmt::format("{} regions ({}, ...)", names.size(), first);
 }
 
 }  // namespace
@@ -181,11 +201,14 @@ Tin scatter_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<R
   drop_slivers(tin, wide, spacing);
   geom::open_pinches(tin, run);
   tin.region = regions_of_nodes(tree, domain, spacing, tin.nodes, run.part(0.9, 1.0));
-  if (const int64_t closed = close_shut_waters(tin); closed > 0) {
-    run.say(fmt::format("{} node{} of sea that land nearer than the spacing of {} m shuts off {} land", closed,
-                        closed == 1 ? "" : "s", short_number(spacing), closed == 1 ? "is" : "are"));
-  }
   return tin;
+}
+
+void close_waters(Tin& tin, const RunContext& run) {
+  const int64_t closed = close_shut_waters(tin);
+  if (closed == 0) return;
+  run.say(fmt::format("{} node{} of sea that land shuts off, nearer than nodes are apart, {} land", closed,
+                      closed == 1 ? "" : "s", closed == 1 ? "is" : "are"));
 }
 
 void grow_nodes(Tin& tin, const ScalarField* probability, const GrowParams& params, Seed seed, const RunContext& run) {
@@ -203,6 +226,38 @@ void grow_nodes(Tin& tin, const ScalarField* probability, const GrowParams& para
                         run.part(0.2, 1.0));
 }
 
+namespace {
+
+/// As many nodes more as regions need that have none, up to a bound; what is too small for that is left out.
+void scatter_enough(Tin& tin, const RegionTree& tree, const GridFrame& domain, const std::vector<RiverLine>& rivers,
+                    GrowParams params, Seed seed, const RunContext& run) {
+  const double asked = node_spacing(tree, domain, params);
+  const double least = asked * std::sqrt(std::min(1.0, static_cast<double>(params.particles) / kMostChosen));
+  double spacing = asked;
+  for (std::vector<size_t> empty = empty_regions(tin); !empty.empty() && spacing > least; empty = empty_regions(tin)) {
+    double needed = spacing;
+    for (const size_t region : empty) {
+      const double disc = needed_spacing(tree, region, domain, spacing, run);
+      if (disc > 0.0) needed = std::min(needed, disc);
+    }
+    spacing = std::max(std::min(needed, 0.7 * spacing), least);
+    params.spacing_m = spacing;
+    tin = scatter_nodes(tree, domain, rivers, params, seed, run);
+  }
+  if (spacing < asked) {
+    const auto nodes = tin.region.size() - static_cast<size_t>(std::count(tin.region.begin(), tin.region.end(), -1));
+    run.say(fmt::format("particles: {} are too few for the smallest regions; there are {}, {} m apart at least",
+                        params.particles, nodes, short_number(spacing)));
+  }
+  const std::vector<std::string> dropped = drop_empty_regions(tin);
+  if (tin.regions.empty()) throw InvalidArgument("particles", "no node falls into any region; there are too few");
+  if (dropped.empty()) return;
+  run.say(fmt::format("{} {} smaller than nodes {} m apart and left out; a finer spacing_m shows more",
+                      count_regions(dropped), dropped.size() == 1 ? "is" : "are", short_number(spacing)));
+}
+
+}  // namespace
+
 Tin grow(RegionTree tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
          GrowParams params, Seed seed, const RunContext& run) {
   check_params(params);
@@ -212,8 +267,14 @@ Tin grow(RegionTree tree, const GridFrame& domain, const ScalarField* probabilit
     params.rivers.clear();
     add_outline_detail(tree, rivers, params.irregularity, domain, seed.derive("outlines"), run);
   }
-  Tin tin = scatter_nodes(tree, domain, std::move(rivers), params, seed, run.part(0.0, 0.7));
-  check_regions(tree, domain, node_spacing(tree, domain, params), tin.region, run);
+  Tin tin = scatter_nodes(tree, domain, rivers, params, seed, run.part(0.0, 0.7));
+  if (params.spacing_m) {
+    refuse_empty_region(tree, tin, domain, *params.spacing_m, run);
+  } else {
+    scatter_enough(tin, tree, domain, rivers, params, seed, run.part(0.0, 0.7));
+  }
+  close_waters(tin, run);
+  if (tin.regions.size() > 1) join_strays(tin, run);
   grow_nodes(tin, probability, params, seed, run.part(0.7, 1.0));
   return tin;
 }

@@ -19,22 +19,25 @@
 
 namespace seamount::contour {
 
-/// The network of the regions in the part of the domain that they cover, with a rim of two spacings around it and
-/// beyond the domain's edge; rank per node, no heights. `probability`: in [0, 1] wherever nodes lie, read bilinearly,
+/// The network of the domain and a little beyond its edge, ever coarser away from the regions; rank per node, no
+/// heights. `probability`: in [0, 1] wherever nodes lie, read bilinearly,
 /// over any frame (clamped at its edge); null: params.probability. `rivers`: laid into the network (rivers.h), besides
 /// params.rivers. Throws InvalidArgument for params out of range, more than kMostNodes nodes (with the estimate of
-/// memory and the spacing that would do), a region into which no node falls (with the spacing that would do), what
-/// prepare_rivers throws, IncompatibleInputs for probabilities that are not numbers in [0, 1].
-/// Growth of one region is serial, the rest parallel; about 1.5 us and 200 bytes per node.
+/// memory and the spacing that would do), a region into which no node falls at params.spacing_m (with the one that
+/// would do), what prepare_rivers throws, IncompatibleInputs for probabilities that are not numbers in [0, 1]. Where
+/// `particles` are too few for the smallest regions, more are chosen, up to half a million, and what is still smaller
+/// is left out; both is said. Growth of one region is serial, the rest parallel; about 1.5 us and 200 bytes per node.
 Tin grow(RegionTree tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
          GrowParams params, Seed seed, const RunContext& run);
 
-// The two halves of grow(), for networks whose regions nobody drew (refine.h). Params are not checked.
+// The parts of grow(), for networks whose regions nobody drew (refine.h). Params are not checked.
 
 /// Nodes, triangles, beds and the region of each node; regions may be without nodes.
 Tin scatter_nodes(const RegionTree& tree, const GridFrame& domain, std::vector<RiverLine> rivers,
                   const GrowParams& params, Seed seed, const RunContext& run);
-/// Ranks for them.
+/// Sea that the network shuts off becomes land, which is said (fit_regions.h).
+void close_waters(Tin& tin, const RunContext& run);
+/// Ranks for the nodes.
 void grow_nodes(Tin& tin, const ScalarField* probability, const GrowParams& params, Seed seed, const RunContext& run);
 
 /// Throws InvalidArgument{"spacing_m"} for more than kMostNodes nodes.

@@ -61,7 +61,7 @@ struct GrowParams {
         field(&P::spacing_m, "spacing_m", "m", between(1e-3, 1e6),
               "least distance between nodes; absent: what gives `particles`"),
         field(&P::particles, "particles", "", between(1, 16e6),
-              "number of nodes in the regions, within a few per cent"),
+              "number of nodes in the regions, within a few per cent; more where regions are too small for so few"),
         field(&P::probability, "probability",
               "where growth runs ahead and cuts valleys: uniform: nowhere, rings that follow the outline; noise: along "
               "fractal noise; the input 'probability' replaces it"),

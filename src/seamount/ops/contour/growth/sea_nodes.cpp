@@ -218,48 +218,4 @@ void drop_slivers(Tin& tin, const std::vector<int32_t>& wide, double spacing_m) 
   tin.triangles.resize(kept);
 }
 
-int64_t close_shut_waters(Tin& tin) {
-  const size_t nodes = tin.nodes.size();
-  std::vector<int32_t> part(nodes);  // of nodes of the sea: towards the first one of what hangs together
-  std::iota(part.begin(), part.end(), 0);
-  const auto first_of = [&](int32_t node) {
-    while (part[at(node)] != node) node = part[at(node)] = part[at(part[at(node)])];
-    return node;
-  };
-  const auto for_each_side = [&](auto&& visit) {
-    for (const geom::Triangle& t : tin.triangles) {
-      for (size_t k = 0; k < 3; ++k) visit(t[k], t[(k + 1) % 3]);
-    }
-  };
-  for_each_side([&](int32_t a, int32_t b) {
-    if (tin.region[at(a)] != Tin::kOutside || tin.region[at(b)] != Tin::kOutside) return;
-    const int32_t first = first_of(a), other = first_of(b);
-    part[at(std::max(first, other))] = std::min(first, other);
-  });
-  std::vector<uint8_t> open(nodes, 0);
-  for (size_t node = 0; node < nodes; ++node) {
-    const Vec2 p = tin.nodes[node];
-    if (tin.region[node] == Tin::kOutside && sides_beyond(tin.frame, p) != 0)
-      open[at(first_of(static_cast<int32_t>(node)))] = 1;
-  }
-  std::vector<int32_t> land(nodes, Tin::kOutside);  // the least region that a shut part touches
-  for_each_side([&](int32_t a, int32_t b) {
-    for (const auto& [sea, shore] : {std::pair(a, b), std::pair(b, a)}) {
-      int32_t region = tin.region[at(shore)];
-      if (tin.region[at(sea)] != Tin::kOutside || region == Tin::kOutside) continue;
-      while (tin.regions[at(region)].parent >= 0) region = tin.regions[at(region)].parent;
-      int32_t& least = land[at(first_of(sea))];
-      least = least == Tin::kOutside ? region : std::min(least, region);
-    }
-  });
-  std::vector<int32_t> closed;
-  for (size_t node = 0; node < nodes; ++node) {
-    const auto n = static_cast<int32_t>(node);
-    if (tin.region[node] != Tin::kOutside || open[at(first_of(n))] != 0 || land[at(first_of(n))] < 0) continue;
-    closed.push_back(n);
-  }
-  for (const int32_t node : closed) tin.region[at(node)] = land[at(first_of(node))];
-  return static_cast<int64_t>(closed.size());
-}
-
 }  // namespace seamount::contour

@@ -34,8 +34,4 @@ std::vector<int32_t> add_sea_nodes(const RegionTree& tree, const GridFrame& doma
 /// the network's last nodes, as add_sea_nodes() returned it. Linear.
 void drop_slivers(Tin& tin, const std::vector<int32_t>& wide, double spacing_m);
 
-/// Gives sea that land nearer than nodes shuts off from the domain's edge to the land around it, where its water could
-/// not run off. How many nodes. About linear.
-int64_t close_shut_waters(Tin& tin);
-
 }  // namespace seamount::contour

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include "seamount/base/error.h"
@@ -128,13 +129,20 @@ class Planner {
     while (group.heights.begin()->first > lowest) {
       const auto [key, height] = *group.heights.begin();
       double depth = kBasinShare * (distribution_.high_m() - distribution_.low_m());
-      if (params_.basin_depth_m) {
-        depth = *params_.basin_depth_m;
-      } else if (const std::optional<double> around = height_around(group, key - 1); around && *around < height) {
+      if (const std::optional<double> around = height_around(group, key - 1); around && *around < height) {
         depth = 0.5 * (height - *around);
       }
-      group.heights[key - 1] = height - depth;
+      group.heights[key - 1] = height - basin_depth(depth, group.nodes[key - 1]);
     }
+  }
+
+  /// Unless it is given, not deeper than a hill of that width would be high, and half as much again.
+  double basin_depth(double derived, int64_t nodes) const {
+    if (params_.basin_depth_m) return *params_.basin_depth_m;
+    const auto all =
+        static_cast<double>(std::max<int64_t>(std::accumulate(nodes_.begin(), nodes_.end(), int64_t{0}), 1));
+    const double relief = distribution_.high_m() - distribution_.low_m();
+    return std::min(derived, 1.5 * relief * std::sqrt(static_cast<double>(std::max<int64_t>(nodes, 1)) / all));
   }
 
   /// The height of a key in the group around this one.
@@ -209,7 +217,7 @@ class Planner {
   void set_depth(size_t i) {
     RegionBand& band = bands_[i];
     if (!is_floor(i) || groups_[at(band.group)].root == static_cast<int>(i)) return;
-    band.from_m = band.to_m - params_.basin_depth_m.value_or(0.5 * (band.to_m - band.from_m));
+    band.from_m = band.to_m - basin_depth(0.5 * (band.to_m - band.from_m), nodes_[i]);
     band.alone = true;
   }
 

@@ -6,8 +6,11 @@
 // the rest.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <queue>
 #include <tuple>
+#include <utility>
 
 #include "seamount/ops/contour/growth/region_graph.h"
 #include "seamount/ops/contour/heights/node_heights.h"
@@ -35,7 +38,22 @@ int32_t find_drain(const Tin& tin, const geom::NodeGraph& graph, const std::vect
   return lowest;
 }
 
+bool has_lower(const Tin& tin, const geom::NodeGraph& graph, size_t node) {
+  const auto around = graph.around(node);
+  return std::any_of(around.begin(), around.end(), [&](int32_t n) { return tin.height_m[at(n)] < tin.height_m[node]; });
+}
+
 }  // namespace
+
+std::vector<uint8_t> edge_nodes(const Tin& tin, const geom::NodeGraph& graph) {
+  std::vector<uint32_t> triangles(tin.nodes.size(), 0);
+  for (const auto& triangle : tin.triangles) {
+    for (const int32_t corner : triangle) ++triangles[at(corner)];
+  }
+  std::vector<uint8_t> edge(tin.nodes.size());
+  for (size_t node = 0; node < edge.size(); ++node) edge[node] = triangles[node] != graph.around(node).size() ? 1 : 0;
+  return edge;
+}
 
 std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& bands, const RunContext& run) {
   struct Key {
@@ -94,6 +112,36 @@ std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std
     result[at(node)] = std::nextafter(result[at(to)], kFar);
   }
   return result;
+}
+
+void fill_pits(Tin& tin, const geom::NodeGraph& graph, const RunContext& run) {
+  std::vector<uint8_t> done = edge_nodes(tin, graph);
+  bool any = false;
+  for (size_t node = 0; node < tin.nodes.size(); ++node) {
+    if (node % 16384 == 0) run.check_cancelled();
+    const int32_t r = tin.region[node];
+    if (r < 0 || tin.regions[at(r)].basin) done[node] = 1;
+    any = any || (done[node] == 0 && !has_lower(tin, graph, node));
+  }
+  if (!any) return;
+  using Place = std::pair<float, int32_t>;
+  std::priority_queue<Place, std::vector<Place>, std::greater<>> front;
+  for (size_t node = 0; node < done.size(); ++node) {
+    if (node % 16384 == 0) run.check_cancelled();
+    if (done[node] != 0) front.emplace(tin.height_m[node], static_cast<int32_t>(node));
+  }
+  for (size_t taken = 1; !front.empty(); ++taken) {
+    if (taken % 16384 == 0) run.check_cancelled();
+    const auto [height, node] = front.top();
+    front.pop();
+    for (const int32_t neighbour : graph.around(at(node))) {
+      if (done[at(neighbour)] != 0) continue;
+      done[at(neighbour)] = 1;
+      float& z = tin.height_m[at(neighbour)];
+      z = std::max(z, std::nextafter(height, std::numeric_limits<float>::max()));
+      front.emplace(z, neighbour);
+    }
+  }
 }
 
 }  // namespace seamount::contour

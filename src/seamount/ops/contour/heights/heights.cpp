@@ -127,6 +127,7 @@ Tin heights(Tin tin, const HeightField* terrain, const HeightsParams& params, co
   const double slope = std::tan(params.shore_slope_deg * std::numbers::pi / 180.0);
   fall_outside(tin, graph, bands, shores, beside, slope, land_width(tin), height, run);
   tin.height_m = drain(tin, graph, bands, limits, std::move(height), run);
+  fill_pits(tin, graph, run);
   run.report(1.0);
   return tin;
 }

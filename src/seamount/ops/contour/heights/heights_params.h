@@ -52,7 +52,7 @@ struct HeightsParams {
               "cut: ground far steeper than the rest is cut back to a slope; keep: every height of the distribution "
               "stays where the growth has it"),
         field(&P::basin_depth_m, "basin_depth_m", "m", between(0.01, 9000),
-              "depth of basins below their outlines; derived: half way down to the next outline"),
+              "depth of basins below their outlines; derived: half way down to the next outline, less in narrow ones"),
         field(&P::shore_slope_deg, "shore_slope_deg", "deg", between(0.1, 60),
               "how steeply the sea floor falls away from the coast, ever less below 1200 m"));
   }

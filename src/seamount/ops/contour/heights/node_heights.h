@@ -68,6 +68,14 @@ std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, c
 std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
                          const Limits& limits, std::vector<double> height, const RunContext& run);
 
+/// Lifts nodes without a lower neighbour, and those that have none because of it, to the height at which their water
+/// leaves: this happens between hills that are too near each other for nodes in the valley. Nodes outside the regions,
+/// in basins and at the network's edge stay. n log n if there are such nodes.
+void fill_pits(Tin& tin, const geom::NodeGraph& graph, const RunContext& run);
+
+/// 1 for each node around which triangles do not close.
+std::vector<uint8_t> edge_nodes(const Tin& tin, const geom::NodeGraph& graph);
+
 /// Heights of nodes outside the regions: a sea floor that begins as steep as follow_outlines() laid it, goes on at
 /// `slope` (m/m) and falls all the way to the network's edge, where each node but those at the edge has a lower
 /// neighbour. `beside`: of nodes laid by follow_outlines(), else -1. `width_m`: of the land. n log n in nodes outside.

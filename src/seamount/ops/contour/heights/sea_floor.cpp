@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <queue>
 
@@ -154,7 +155,11 @@ class SeaFloor {
         }
       }
     };
-    flow_to(edge_nodes());
+    const std::vector<uint8_t> edge = edge_nodes(tin_, graph_);
+    std::vector<int32_t> outlets;
+    std::copy_if(sea_.begin(), sea_.end(), std::back_inserter(outlets),
+                 [&](int32_t node) { return edge[at(node)] != 0; });
+    flow_to(outlets);
     for (const int32_t node : sea_) {  // a part that the network's edge does not reach
       if (seen[at(node)] == 0) flow_to({lowest_of_part(node, seen)});
     }
@@ -211,19 +216,6 @@ class SeaFloor {
       height_[at(next)] = above - kBelowCap;
       above = height_[at(next)];
     }
-  }
-
-  /// Nodes of the sea around which triangles do not close.
-  std::vector<int32_t> edge_nodes() const {
-    std::vector<int32_t> triangles(tin_.nodes.size(), 0);
-    for (const auto& triangle : tin_.triangles) {
-      for (const int32_t corner : triangle) ++triangles[at(corner)];
-    }
-    std::vector<int32_t> edge;
-    for (const int32_t node : sea_) {
-      if (at(triangles[at(node)]) != graph_.around(at(node)).size()) edge.push_back(node);
-    }
-    return edge;
   }
 
   int32_t lowest_of_part(int32_t first, const std::vector<uint8_t>& seen) const {

@@ -105,6 +105,7 @@ class Refining {
     const RegionTree tree = hold_contours(ground.outlines, found, ground.frame,
                                           {ground.spacing_m, final_, params_.roughness}, seed.derive("detail"), run);
     Tin tin = scatter_nodes(tree, ground.frame, inputs_.rivers, grow, seed, run.part(0.2, 0.6));
+    close_waters(tin, run);
     fit_regions(tin, run);
     const std::vector<int32_t> region = regions_at(regions_of(tin), ground.places, run);
     run.check_cancelled();
@@ -113,7 +114,6 @@ class Refining {
     run.check_cancelled();
     const HeightsParams distribution = heights_params(ground, tin, region, params_);
     tin = heights(std::move(tin), nullptr, distribution, run.part(0.8, 1.0));
-    fill_pits(tin, run);
     return tin;
   }
 

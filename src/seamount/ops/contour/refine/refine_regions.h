@@ -12,9 +12,4 @@ namespace seamount::contour {
 /// left. REQUIRES: every region has a height. About linear.
 void fit_regions(Tin& tin, const RunContext& run);
 
-/// Lifts nodes without a lower neighbour, and those that have none because of it, to the height at which their water
-/// leaves: this happens between hills that are too near each other for nodes in the valley. Nodes outside the regions,
-/// in basins and at the network's border stay. n log n if there are such nodes.
-void fill_pits(Tin& tin, const RunContext& run);
-
 }  // namespace seamount::contour
