@@ -97,12 +97,13 @@ void coordinate_rows(const Making& making, const GridFrame& frame, ScalarField& 
 /// Land rises unevenly by broad noise: never higher than the profile, and as high as it on the highest summit.
 SEAMOUNT_VECTORISED void lower_by_massif(const float* __restrict noise, const float* __restrict coordinate,
                                          float amount, float* __restrict height, int count) {
+  const float bound = 1.2F * amount / (1.0F + 0.4F * amount);
   for (int i = 0; i < count; ++i) {
-    const float low = 0.42F - 0.8F * noise[i];
+    const float low = 0.42F - 1.2F * noise[i];
     const float share = low > 0.0F ? (low < 1.0F ? low : 1.0F) : 0.0F;
     const float away = coordinate[i] * 4.0F;
     const float fade = away < 1.0F ? away * away * (3.0F - 2.0F * away) : 1.0F;
-    height[i] = height[i] > 0.0F ? height[i] * (1.0F - 0.9F * amount * share * fade) : height[i];
+    height[i] = height[i] > 0.0F ? height[i] * (1.0F - bound * share * fade) : height[i];
   }
 }
 
@@ -286,14 +287,16 @@ Island build(const Plan& drawn, const BuildParams& params, const GridFrame& fram
   check_params(params);
   check_fits(drawn, frame, "coast");
   const Plan plan = params.summits.empty() ? drawn : as_areas(drawn);
-  const std::vector<Peak> peaks = peaks_of(plan, params);
+  std::vector<Peak> peaks = peaks_of(plan, params);
+  if (plan.polar.empty()) add_side_peaks(params.massif, seed, peaks);
   const double peak = peaks.empty() ? 0.0 : peaks.front().height_m;
   const double radius = plan.lobes.empty() ? std::sqrt(plan.land_m2 / std::numbers::pi) : plan.lobes.front().radius_m;
   const double detail = params.detail.coast_m.value_or(plan.detail_m);
   const geom::CurveFunction profile(profile_curve(plan, params, peak), kind_of(params.interpolation), "profile");
   const Making making{
-      RegionCoordinate(plan, frame, params.detail.smoothing, run.part(0.0, 0.2),
-                       {peaks, shape_of(profile), std::max(0.0, profile(1.0)), params.massif, seed}),
+      RegionCoordinate(
+          plan, frame, params.detail.smoothing, run.part(0.0, 0.2),
+          {peaks, shape_of(profile), std::max(0.0, profile(1.0)), params.detail.width_variation, params.massif, seed}),
       geom::CurveTable(profile, 0.0, kOutlineCount, 8192),
       {.wavelength_m = std::max(1e-3, 7.0 * detail), .octaves = 8, .gain = 0.52, .cell_m = frame.cell_m},
       detail,

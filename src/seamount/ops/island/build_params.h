@@ -22,6 +22,7 @@ enum class Interpolation { monotone_cubic, linear };
 struct BuildDetail {
   std::optional<double> coast_m;
   std::optional<double> valley_spacing_m;
+  double width_variation = 0.35;
   double smoothing = 0.6;
   double noise_m = 3.0;
   double noise_wavelength_m = 600.0;
@@ -32,6 +33,9 @@ struct BuildDetail {
                             "size of bays and headlands below what the plan shows; none on drawn coasts if absent"),
                       field(&P::valley_spacing_m, "valley_spacing_m", "m", between(1, 1e6),
                             "distance between the largest valleys; derived if absent"),
+                      field(&P::width_variation, "width_variation", "", between(0, 1),
+                            "how uneven beach, lagoon and reef are along the coast, wide in bays, narrow off "
+                            "headlands, where the plan is one coast"),
                       field(&P::smoothing, "smoothing", "", between(0, 1),
                             "how much creases between far parts of the outlines are softened"),
                       field(&P::noise_m, "noise_m", "m", between(0, 1000), "height of the fine noise"),

@@ -17,7 +17,9 @@ namespace seamount::island {
 namespace {
 
 /// Nothing but the paper: no detail, valleys or noise.
-BuildParams plain() { return {.massif = 0.0, .relief = 0.0, .detail = {.coast_m = 0.0, .noise_m = 0.0}}; }
+BuildParams plain() {
+  return {.massif = 0.0, .relief = 0.0, .detail = {.coast_m = 0.0, .width_variation = 0.0, .noise_m = 0.0}};
+}
 
 TEST(Build, HeightIsTheProfileOfTheCoordinate) {
   BuildParams params = plain();

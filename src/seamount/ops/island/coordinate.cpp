@@ -12,6 +12,7 @@
 #include "seamount/geom/grid/upsample_rows.h"
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/scalar/blend.h"
+#include "seamount/geom/scalar/noise.h"
 
 namespace seamount::island {
 namespace {
@@ -100,10 +101,10 @@ void polar_chunk(const std::vector<float>& radii, const float* shift, float x0, 
 
 /// Adds the share of the region between two outlines.
 SEAMOUNT_VECTORISED void add_share(const float* inner, float inner_offset, const float* outer, float outer_offset,
-                                   const float* shift, int count, float* __restrict out) {
+                                   const float* width, const float* shift, int count, float* __restrict out) {
   for (int i = 0; i < count; ++i) {
-    const float d_in = inner[i] - inner_offset + shift[i];
-    const float d_out = outer[i] - outer_offset + shift[i];
+    const float d_in = inner[i] - inner_offset * width[i] + shift[i];
+    const float d_out = outer[i] - outer_offset * width[i] + shift[i];
     const float span = d_in - d_out;
     out[i] += clamp01(d_in / (span > 1e-3F ? span : 1e-3F));
   }
@@ -112,9 +113,10 @@ SEAMOUNT_VECTORISED void add_share(const float* inner, float inner_offset, const
 /// x~ inside the innermost outline: 1 - v. v itself is read in the interior, and near the outline its slope times the
 /// depth inside it, which is exact there.
 SEAMOUNT_VECTORISED void dome_loop(const float* field, float offset, const float* v, const float* slope,
-                                   const float* shift, float rim, float base, int count, float* __restrict out) {
+                                   const float* width, const float* shift, float rim, float base, int count,
+                                   float* __restrict out) {
   for (int i = 0; i < count; ++i) {
-    const float inside = offset - field[i] - shift[i];
+    const float inside = offset * width[i] - field[i] - shift[i];
     const float depth = inside > 0.0F ? inside : 0.0F;
     const float t = geom::smoothstep(depth / rim);
     const float near_rim = slope[i] * depth;
@@ -148,6 +150,51 @@ void soften(ScalarField& distance, double smoothing, const RunContext& run) {
     finer = std::move(coarser);
     finer_sigma = sigma;
   }
+}
+
+/// Factor of widths where noise says n, deviation about 0.35, and the coast bends by `headland`: out to sea above 0.
+float width_factor(double variation, double n, double headland) {
+  return static_cast<float>(std::exp(variation * std::clamp(1.5 * n - 2.0 * headland, -1.5, 1.5)));
+}
+
+/// Beaches, lagoons and reefs are wider in bays than off headlands, and uneven besides.
+ScalarField width_factors(const ScalarField& coast, double reef_end_m, double slope_end_m, const Interior& interior,
+                          const RunContext& run) {
+  const double radius = interior.peaks.empty() ? 0.25 * coast.frame().width_m() : interior.peaks.front().radius_m;
+  const double sigma = 0.2 * radius;
+  ScalarField smooth = coast;
+  geom::gaussian_blur(smooth, sigma, run);
+  ScalarField out =
+      geom::fbm_grid(coast.frame(), interior.seed.derive("island.widths"),
+                     {.wavelength_m = std::max(1e-3, 0.9 * radius), .octaves = 3, .cell_m = coast.cell_m()}, run);
+  for (size_t c = 0; c < out.size(); ++c) {
+    const double bend = (smooth.cells()[c] - coast.cells()[c]) / std::max(1e-6, sigma) - 0.1;
+    out.cells()[c] = width_factor(interior.width_variation, out.cells()[c], bend);
+  }
+  geom::gaussian_blur(out, 0.5 * sigma, run);
+  for (size_t c = 0; c < out.size(); ++c) {  // the sea floor far out is even
+    const double away = (coast.cells()[c] - reef_end_m) / std::max(1e-6, 0.7 * (slope_end_m - reef_end_m));
+    out.cells()[c] = 1.0F + (out.cells()[c] - 1.0F) * static_cast<float>(geom::smoothstep(1.0 - away));
+  }
+  return out;
+}
+
+/// The same around a centre; empty: as they are.
+std::vector<float> polar_width_factors(const std::vector<double>& coast, const Interior& interior) {
+  if (interior.width_variation <= 0) return {};
+  std::vector<float> out(coast.size());
+  const size_t reach = coast.size() / 24;
+  double sum = 0.0;
+  for (size_t a = 0; a < 2 * reach + 1; ++a) sum += coast[a % coast.size()];
+  for (size_t a = 0; a < coast.size(); ++a) {  // sum: over the radii from a to a + 2 reach
+    const size_t middle = (a + reach) % coast.size();
+    const double mean = sum / static_cast<double>(2 * reach + 1);
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(middle) / static_cast<double>(coast.size());
+    const double n = geom::fbm_circle(interior.seed.derive("island.widths"), angle, 4.0, 3);
+    out[middle] = width_factor(interior.width_variation, n, 4.0 * (coast[middle] / mean - 1.0));
+    sum += coast[(a + 2 * reach + 1) % coast.size()] - coast[a];
+  }
+  return out;
 }
 
 /// One of equal height for every lobe.
@@ -188,13 +235,17 @@ RegionCoordinate::RegionCoordinate(const Plan& plan, const GridFrame& frame, dou
   if (plan.polar.empty()) {
     prepare_areas(plan, smoothing, interior, run);
   } else {
-    prepare_polar(plan);
+    prepare_polar(plan, interior);
   }
 }
 
-void RegionCoordinate::prepare_polar(const Plan& plan) {
+void RegionCoordinate::prepare_polar(const Plan& plan, const Interior& interior) {
+  const std::vector<double> coast = resample_radii(plan.polar[kCoast].radii_m, kAngles);
+  const std::vector<float> factors = plan.derived ? polar_width_factors(coast, interior) : std::vector<float>();
   for (const PolarOutline& outline : plan.polar) {
-    const std::vector<double> radii = resample_radii(outline.radii_m, kAngles);
+    std::vector<double> radii = resample_radii(outline.radii_m, kAngles);
+    for (size_t a = 0; a < factors.size(); ++a)
+      radii[a] = std::max(0.1 * coast[a], coast[a] + static_cast<double>(factors[a]) * (radii[a] - coast[a]));
     radii_.insert(radii_.end(), radii.begin(), radii.end());
     radii_.push_back(static_cast<float>(radii.front()));
   }
@@ -236,7 +287,13 @@ void RegionCoordinate::prepare_areas(const Plan& plan, double smoothing, const I
   const double offset = levels_[0].offset_m;
   ScalarField depth =
       geom::resample(fields_[static_cast<size_t>(levels_[0].field)], geom::coarser_frame(lattice_, cell), run);
-  for (float& d : depth.cells()) d -= static_cast<float>(offset);
+  const bool derived = levels_.size() > 1 && (offset != 0.0 || levels_.back().offset_m != 0.0);
+  if (interior.width_variation > 0 && derived)
+    widths_ = width_factors(depth, levels_[levels_.size() - 2].offset_m, levels_.back().offset_m, interior, run);
+  for (int y = 0; y < depth.height(); ++y) {
+    for (int x = 0; x < depth.width(); ++x)
+      depth(x, y) -= static_cast<float>(offset) * (widths_.empty() ? 1.0F : widths_(x, y));
+  }
   dome_.v = rise(interior.peaks.empty() ? peaks_of_lobes(plan) : interior.peaks, depth, interior.shape, interior.foot_m,
                  interior.unevenness, interior.seed, run);
   dome_.slope = slope_at_rim(dome_.v, depth, 0.0, run);
@@ -266,15 +323,16 @@ void RegionCoordinate::area_row(double x0, double dx, double y, std::span<const 
   const auto count = static_cast<int>(out.size());
   std::vector<std::vector<float>> rows(fields_.size(), std::vector<float>(out.size()));
   for (size_t f = 0; f < fields_.size(); ++f) geom::RowUpsampler(fields_[f]).read(x0, dx, y, rows[f]);
-  std::vector<float> v(out.size()), slope(out.size());
+  std::vector<float> v(out.size()), slope(out.size()), width(out.size(), 1.0F);
+  if (!widths_.empty()) geom::RowUpsampler(widths_).read(x0, dx, y, width);
   geom::RowUpsampler(dome_.v).read(x0, dx, y, v);
   geom::RowUpsampler(dome_.slope).read(x0, dx, y, slope);
   const auto field_row = [&](const Level& level) { return rows[static_cast<size_t>(level.field)].data(); };
-  dome_loop(field_row(levels_[0]), static_cast<float>(levels_[0].offset_m), v.data(), slope.data(), shift_m.data(),
-            static_cast<float>(4.0 * dome_.v.cell_m()), static_cast<float>(first_), count, out.data());
+  dome_loop(field_row(levels_[0]), static_cast<float>(levels_[0].offset_m), v.data(), slope.data(), width.data(),
+            shift_m.data(), static_cast<float>(4.0 * dome_.v.cell_m()), static_cast<float>(first_), count, out.data());
   for (size_t k = 0; k + 1 < levels_.size(); ++k) {
     add_share(field_row(levels_[k]), static_cast<float>(levels_[k].offset_m), field_row(levels_[k + 1]),
-              static_cast<float>(levels_[k + 1].offset_m), shift_m.data(), count, out.data());
+              static_cast<float>(levels_[k + 1].offset_m), width.data(), shift_m.data(), count, out.data());
   }
 }
 

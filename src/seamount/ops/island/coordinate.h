@@ -21,7 +21,8 @@ struct Interior {
   std::vector<Peak> peaks;  ///< highest first; empty: one of equal height for every lobe
   geom::CurveFunction shape{{{{0.0, 1.0}, {1.0, 0.0}}}, geom::CurveKind::linear};  ///< share of the height over x~
   double foot_m = 0;                                                               ///< height of the mountains' foot
-  double unevenness = 0;  ///< how far slopes are bent out of the round, in [0, 1]
+  double width_variation = 0;  ///< how uneven derived widths are along the coast, in [0, 1]
+  double unevenness = 0;       ///< how far slopes are bent out of the round, in [0, 1]
   Seed seed = {};
 };
 
@@ -39,7 +40,7 @@ class RegionCoordinate {
   void row(double x0, double dx, double y, std::span<const float> shift_m, std::span<float> out) const;
 
  private:
-  void prepare_polar(const Plan& plan);
+  void prepare_polar(const Plan& plan, const Interior& interior);
   void prepare_areas(const Plan& plan, double smoothing, const Interior& interior, const RunContext& run);
   void polar_row(double x0, double dx, double y, std::span<const float> shift_m, std::span<float> out) const;
   void area_row(double x0, double dx, double y, std::span<const float> shift_m, std::span<float> out) const;
@@ -63,6 +64,7 @@ class RegionCoordinate {
   // General form.
   std::vector<ScalarField> fields_;
   std::vector<Level> levels_;  ///< outlines first_ .. 4
+  ScalarField widths_;         ///< factor of the levels' offsets; empty: 1
   Dome dome_;
   int first_ = 0;  ///< index of the innermost outline that encloses anything
 };

@@ -157,7 +157,9 @@ TEST(Coral, RefusesRastersOfDifferentSize) {
 TEST(Coral, WindwardReefsAreNarrowerAndHigherThanLeewardOnes) {
   const GridFrame frame = GridFrame::centred(200, 200, 64);
   const Plan plan = plan_from_polar({{{2500}}}, {}, {.lagoon_m = 900, .reef_m = 1200, .slope_m = 1500});
-  const Island isle = build(plan, {.peak_m = 500.0, .floor_m = -500.0}, frame, Seed{5}, {});
+  BuildParams even{.peak_m = 500.0, .floor_m = -500.0};
+  even.detail.width_variation = 0.0;
+  const Island isle = build(plan, even, frame, Seed{5}, {});
   for (const double from : {0.0, 90.0, 230.0}) {
     const Reefed reef = coral(isle.terrain, isle.labels, &isle.coordinate,
                               {.subsidence = 0.2,

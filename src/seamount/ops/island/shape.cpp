@@ -127,6 +127,7 @@ Plan as_areas(const Plan& plan) {
   Plan out = plan;
   out.polar.clear();
   for (size_t i = 0; i < plan.polar.size(); ++i) {
+    if (plan.derived && i != kCoast) continue;
     const std::vector<double>& radii = plan.polar[i].radii_m;
     Ring ring;
     for (size_t a = 0; a < radii.size(); ++a) {
@@ -180,7 +181,8 @@ Plan plan_from_polar(std::vector<PolarOutline> outlines, Vec2 centre, const Give
   plan.land_m2 = polar_area(coast);
   plan.lobes = {{centre, std::sqrt(plan.land_m2 / kPi)}};
   plan.widths = complete_widths(plan.land_m2, widths);
-  if (outlines.size() == 1) {
+  plan.derived = outlines.size() == 1;
+  if (plan.derived) {
     const RegionWidths& w = plan.widths;
     const std::array<double, kOutlineCount> offset = {0, 0, w.lagoon_m, w.lagoon_m + w.reef_m,
                                                       w.lagoon_m + w.reef_m + w.slope_m};

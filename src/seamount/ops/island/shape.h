@@ -42,6 +42,7 @@ struct Plan {
   /// Polar form: five outlines around the centre, ordered at every angle. Empty: `areas` holds the plan.
   std::vector<PolarOutline> polar;
   Vec2 centre;
+  bool derived = false;  ///< all but the coast follow from it by widths
 
   /// General form: areas[i] is everything inside outline i + 1; those left empty follow from the next one inside by
   /// widths.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
@@ -161,7 +162,7 @@ std::vector<Peak> choose_peaks(const Plan& plan, const std::vector<Summit>& give
       const Vec2 d = summit.place - lobe.centre;
       if (std::sqrt(dot(d, d)) < lobe.radius_m) radius = std::max(radius, lobe.radius_m);
     }
-    peaks.push_back({summit.place, radius, summit.height_m.value_or(natural_height(2 * radius)),
+    peaks.push_back({summit.place, radius, summit.height_m.value_or(natural_height(2 * radius)), true,
                      summit.height_m.has_value(), summit.profile});
   }
   const double highest = plan.lobes.empty() ? 0.0 : natural_height(2 * plan.lobes.front().radius_m);
@@ -175,6 +176,27 @@ std::vector<Peak> choose_peaks(const Plan& plan, const std::vector<Summit>& give
   }
   std::stable_sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.height_m > b.height_m; });
   return peaks;
+}
+
+void add_side_peaks(double massif, Seed seed, std::vector<Peak>& peaks) {
+  constexpr double kLarge = 0.35;  // of the largest lobe's radius
+  const auto each = static_cast<int>(std::lround(3.0 * massif));
+  const std::vector<Peak> main = peaks;
+  double largest = 0.0;
+  for (const Peak& peak : main) largest = std::max(largest, peak.radius_m);
+  for (size_t i = 0; i < main.size(); ++i) {
+    const Peak& peak = main[i];
+    if (peak.placed || peak.radius_m < kLarge * largest) continue;
+    Rng rng(seed.derive("island.side_peaks", i));
+    double bearing = rng.uniform(0.0, 2.0 * std::numbers::pi);
+    for (int k = 0; k < each; ++k) {
+      const double away = peak.radius_m * rng.uniform(0.38, 0.65);
+      const Vec2 place = peak.place + away * Vec2{std::cos(bearing), std::sin(bearing)};
+      peaks.push_back({place, peak.radius_m - away, peak.height_m * rng.uniform(0.45, 0.85)});
+      bearing += rng.uniform(1.3, 2.6);
+    }
+  }
+  std::stable_sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.height_m > b.height_m; });
 }
 
 ScalarField rise(const std::vector<Peak>& peaks, const ScalarField& distance, const geom::CurveFunction& shape,

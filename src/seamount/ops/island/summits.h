@@ -24,13 +24,17 @@ struct Peak {
   Vec2 place;
   double radius_m = 0;  ///< of the land around it
   double height_m = 0;
-  bool exact = false;  ///< somebody asked for this height
-  Curve profile = {};  ///< its own, or empty
+  bool placed = false;  ///< by somebody
+  bool exact = false;   ///< somebody asked for this height
+  Curve profile = {};   ///< its own, or empty
 };
 
 /// The summits given, and one for every lobe in whose disc none was given; the highest first. `highest_m`: of the
 /// highest lobe. Throws InvalidArgument{"summits[i].place"} for a place that is not on the land.
 std::vector<Peak> choose_peaks(const Plan& plan, const std::vector<Summit>& given, std::optional<double> peak_m);
+
+/// Lower peaks beside those of the large lobes, which nobody placed: none at massif 0, three each at 1. Highest first.
+void add_side_peaks(double massif, Seed seed, std::vector<Peak>& peaks);
 
 /// How far land rises to its peaks, as v = 1 - x~ on a lattice: 1 on the highest, 0 on the foot of the mountains.
 /// `distance`: from the foot, negative inside, on the lattice. `shape` maps x in [0, 1] to the share of the height over
