@@ -10,7 +10,9 @@ double mix_of(double a, double b, double t) { return a + t * (b - a); }
 
 constexpr double kMargin = 0.96;     // part of the picture that the points may fill
 constexpr double kSkyShare = 0.045;  // of the picture's height
-constexpr double kStepBack = 1.10;   // how much further one may go for the horizon's sake
+constexpr double kMostBelow =
+    0.30;                           // how far below the picture's middle that of the points may lie, of half its height
+constexpr double kStepBack = 1.10;  // how much further one may go for the horizon's sake
 
 /// Where points lie in the picture plane of a camera that looks level: the plane is one metre away.
 struct Extent {
@@ -109,7 +111,10 @@ Camera fit_camera(const View& view, Vec3 target, const std::vector<Vec3>& points
     while (distance < kStepBack * far && lowest_pitch(distance) > wanted) distance *= 1.01;
     const bool sky = lowest_pitch(distance) <= wanted;
     if (!sky) distance = far;
-    pitch = std::min(pitch, sky ? wanted : mix_of(pitch, lowest_pitch(distance), 0.3));
+    // What is looked at stays near the middle: an empty sea over it is worse than no sky.
+    const Extent seen = rig.extent(distance, pitch, points);
+    const double least = -0.5 * (seen.lowest + seen.highest) - kMostBelow * half_height;
+    pitch = std::min(pitch, std::max(least, sky ? wanted : mix_of(pitch, lowest_pitch(distance), 0.3)));
   }
   if (view.distance < 1.0) {
     // Closer up the target itself moves to the middle.
