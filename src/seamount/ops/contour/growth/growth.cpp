@@ -13,6 +13,7 @@ namespace seamount::contour {
 namespace {
 
 constexpr double kLeastRise = 0.35;  ///< of the mean rise of ranks across a region
+constexpr double kEven = 0.4;        ///< share of steps to the borders in the ranks between two fronts
 
 size_t at(int32_t i) { return static_cast<size_t>(i); }
 
@@ -48,11 +49,12 @@ class Levels {
 /// Per node of the network; each region's growth touches its own nodes.
 struct Work {
   std::vector<uint32_t> weight;
-  std::vector<uint32_t> up, down;  ///< steps of the two fronts, 0: not reached
-  std::vector<float> low, high;    ///< shares of the range at the fronts' starts; empty unless they differ
-  std::vector<int32_t> slot;       ///< of a node among its region's members; empty as above
-  std::vector<uint32_t> river;     ///< 1, 2, ... from the mouths up, 0: none; empty without rivers
-  std::vector<uint32_t> score;     ///< n(p) of P2 sec. 4.5 as a 32-bit fraction
+  std::vector<uint32_t> up, down;             ///< steps of the two fronts, 0: not reached
+  std::vector<uint32_t> from_low, from_high;  ///< steps from the borders by the shortest way; empty with one front
+  std::vector<float> low, high;               ///< shares of the range at the fronts' starts; empty unless they differ
+  std::vector<int32_t> slot;                  ///< of a node among its region's members; empty as above
+  std::vector<uint32_t> river;                ///< 1, 2, ... from the mouths up, 0: none; empty without rivers
+  std::vector<uint32_t> score;                ///< n(p) of P2 sec. 4.5 as a 32-bit fraction
   std::vector<uint8_t> seen;
 };
 
@@ -85,6 +87,7 @@ class RegionGrowth {
   }
 
   bool has_levels() const { return has_levels_; }
+  bool has_two_fronts() const { return !upper_.empty() && !lower_.empty(); }
 
   /// The ascending or the descending front. The two may run side by side.
   void run_front(bool descending, Work& work, const RunContext& run) {
@@ -100,7 +103,7 @@ class RegionGrowth {
   }
 
   /// Ranks from the steps of both fronts.
-  void rank(Work& work, std::span<float> ranks, const RunContext& run) const {
+  void rank(Work& work, std::span<float> ranks, const RunContext& run) {
     std::vector<int32_t> order;
     const bool plain = upper_.empty() && all_drain_ && river_nodes(work).empty() &&
                        std::all_of(members_.begin(), members_.end(), [&](int32_t n) { return work.up[at(n)] != 0; });
@@ -159,9 +162,30 @@ class RegionGrowth {
     }
   }
 
-  /// n(p) = n- / (n- + n+), with the paper's forms for nodes that one front alone reaches.
-  void score(Work& work) const {
+  /// In how many steps each node is reached from a border, from 1; 0 where it is not. Returns the most.
+  uint32_t count_steps(const std::vector<BorderNode>& border, std::vector<uint32_t>& steps) const {
+    std::vector<int32_t> reached;
+    reached.reserve(members_.size());
+    const auto reach = [&](int32_t node, uint32_t step) {
+      if (steps[at(node)] != 0) return;
+      steps[at(node)] = step;
+      reached.push_back(node);
+    };
+    for (const BorderNode& b : border) reach(b.node, 1);
+    for (size_t i = 0; i < reached.size(); ++i) {
+      for (const int32_t neighbour : graph_.around(reached[i])) reach(neighbour, steps[at(reached[i])] + 1);
+    }
+    return reached.empty() ? 1 : steps[at(reached.back())];
+  }
+
+  /// n(p) = n- / (n- + n+), with the paper's forms for nodes that one front alone reaches; in part the same of steps to
+  /// the borders, without which growth leaves hollows near the upper border where its front comes last.
+  void score(Work& work) {
     const auto all = static_cast<double>(members_.size());
+    if (has_two_fronts()) {
+      across_ = count_steps(lower_, work.from_low);
+      count_steps(upper_, work.from_high);
+    }
     for (const int32_t member : members_) {
       const size_t node = at(member);
       const double up = work.up[node], down = work.down[node];
@@ -174,30 +198,12 @@ class RegionGrowth {
       double share = 1.0;
       if (up > 0.0) share = down > 0.0 ? up / (up + down) : up / all;
       if (up == 0.0 && down > 0.0) share = (all - down) / all;
+      if (has_two_fronts() && work.from_low[node] > 0 && work.from_high[node] > 0) {
+        const double from_low = work.from_low[node], from_high = work.from_high[node];
+        share += kEven * (from_low / (from_low + from_high) - share);
+      }
       work.score[node] = static_cast<uint32_t>((low + (high - low) * share) * (1.0 - kLeastRise) * 0xffffffffU);
     }
-  }
-
-  /// What a score rises by at least from a node to the next one up, so that the farthest nodes keep to their range: a
-  /// share of the mean rise across the region. One front alone leaves no hollows.
-  uint64_t least_rise(const std::vector<int32_t>& sources, Work& work) const {
-    if (upper_.empty()) return 0;
-    for (const int32_t node : members_) work.seen[at(node)] = 0;
-    std::vector<int32_t> reached;
-    for (const int32_t node : sources) {
-      if (work.seen[at(node)] == 0) reached.push_back(node);
-      work.seen[at(node)] = 1;
-    }
-    uint64_t across = 0;
-    for (size_t first = 0, last = reached.size(); first < last; first = last, last = reached.size(), ++across) {
-      for (size_t i = first; i < last; ++i) {
-        for (const int32_t neighbour : graph_.around(reached[i])) {
-          if (work.seen[at(neighbour)] == 0) reached.push_back(neighbour);
-          work.seen[at(neighbour)] = 1;
-        }
-      }
-    }
-    return static_cast<uint64_t>(kLeastRise * 0xffffffffU) / std::max<uint64_t>(across, 1);
   }
 
   /// The last pass: always on to the border node with the lowest score, from where the region drains to. Hollows of the
@@ -211,7 +217,9 @@ class RegionGrowth {
     };
     std::vector<int32_t> sources = closed_parts(work);
     sources.insert(sources.end(), drains_.begin(), drains_.end());
-    const uint64_t rise = least_rise(sources, work);
+    // A share of the mean rise across the region, so that the farthest nodes keep to its range. One front alone leaves
+    // no hollows.
+    const uint64_t rise = has_two_fronts() ? static_cast<uint64_t>(kLeastRise * kMost) / across_ : 0;
     for (const int32_t node : members_) work.seen[at(node)] = 0;
     const auto push_new = [&](int32_t node, uint64_t least) {
       if (work.seen[at(node)] == 0) push(node, least);
@@ -268,6 +276,7 @@ class RegionGrowth {
   std::vector<int32_t> drains_;  ///< border nodes beside lower ground
   bool all_drain_ = true;        ///< no border node is beside another branch of the tree
   bool has_levels_ = false;
+  uint32_t across_ = 1;  ///< steps from the lower border to the farthest node
 };
 
 Work make_work(std::span<const float> probability, const RiverNodes& rivers, const std::vector<RegionGrowth>& growths) {
@@ -279,6 +288,10 @@ Work make_work(std::span<const float> probability, const RiverNodes& rivers, con
   work.down.assign(nodes, 0);
   work.score.assign(nodes, 0);
   work.seen.assign(nodes, 0);
+  if (std::any_of(growths.begin(), growths.end(), [](const RegionGrowth& g) { return g.has_two_fronts(); })) {
+    work.from_low.assign(nodes, 0);
+    work.from_high.assign(nodes, 0);
+  }
   if (std::any_of(growths.begin(), growths.end(), [](const RegionGrowth& g) { return g.has_levels(); })) {
     work.low.assign(nodes, 0.0F);
     work.high.assign(nodes, 1.0F);
