@@ -18,39 +18,81 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kMostOverlap = 0.1;
 constexpr int kAngles = 128;
+constexpr double kNoLand_m = 10.0;  // outlines of mountain and coast within this are a point
+constexpr size_t kCoastOutline = 1;
 
 GridFrame sample_frame(const IslandSetParams& params) {
   return GridFrame::centred(params.size, params.size, params.width_m / params.size);
 }
 
-/// eq. 1.16: circles of random radius with noise, ordered with a gap at every angle.
-std::vector<PolarOutline> draw_outlines(double width_m, Rng& rng, Seed seed) {
-  const double coast = width_m * rng.uniform(0.1, 0.24);
-  const double beach = coast * rng.uniform(0.02, 0.07);
-  const std::array<double, 5> radii = {coast - beach, coast, coast + width_m * rng.uniform(0.015, 0.07), 0, 0};
-  const double reef = radii[2] + width_m * rng.uniform(0.02, 0.06);
-  const std::array<double, 5> mean = {radii[0], radii[1], radii[2], reef, reef + width_m * rng.uniform(0.05, 0.14)};
-  const double shared = coast * rng.uniform(0.1, 0.8);
-  const double elongation = coast * rng.uniform(0.0, 0.3), bearing = rng.uniform(0.0, 2 * kPi);
+/// The region maps of fig. 1.37, and what is left of islands that have sunk.
+enum class Form { round, elongated, remnant, atoll };
+
+Form draw_form(Rng& rng) {
+  const double u = rng.uniform();
+  if (u < 0.5) return Form::round;
+  if (u < 0.75) return Form::elongated;
+  return u < 0.9 ? Form::remnant : Form::atoll;
+}
+
+/// Mean radii of the five outlines. A remnant is a small island in a wide lagoon, an atoll has no land at all.
+std::array<double, 5> draw_mean_radii(Form form, double width_m, Rng& rng) {
+  double coast = width_m * rng.uniform(0.1, 0.24);
+  double lagoon = width_m * rng.uniform(0.015, 0.07);
+  double beach = coast * rng.uniform(0.02, 0.07);
+  const double left = rng.uniform(0.25, 0.55);
+  if (form == Form::remnant || form == Form::atoll) {
+    const double remains = form == Form::atoll ? 2.0 : left * coast;
+    lagoon += coast - remains;
+    coast = remains;
+    beach = std::min(beach, 0.5 * coast);
+  }
+  const double reef = width_m * rng.uniform(0.02, 0.06);
+  const double slope = width_m * rng.uniform(0.05, 0.14);
+  return {coast - beach, coast, coast + lagoon, coast + lagoon + reef, coast + lagoon + reef + slope};
+}
+
+/// Radius of an ellipse of unit area over the angle from its long axis.
+double ellipse(double aspect, double angle) {
+  return 1.0 / std::sqrt(std::pow(std::cos(angle), 2) / aspect + std::pow(std::sin(angle), 2) * aspect);
+}
+
+/// eq. 1.16: circles (and ellipses) of random radius with noise, ordered with a gap at every angle.
+std::vector<PolarOutline> draw_outlines(Form form, double width_m, Rng& rng, Seed seed) {
+  const std::array<double, 5> mean = draw_mean_radii(form, width_m, rng);
+  const double size = mean[form == Form::atoll || form == Form::remnant ? 2 : 1];
+  const double aspect = form == Form::elongated ? rng.uniform(1.8, 3.2) : rng.uniform(1.0, 1.35);
+  const double shared = size * rng.uniform(0.1, form == Form::round ? 0.8 : 0.4);
+  const double bearing = rng.uniform(0.0, 2 * kPi);
   const double own = rng.uniform(0.1, 0.7);
   const double frequency = rng.uniform(1.5, 4.0);
   std::vector<PolarOutline> outlines(5);
   for (int a = 0; a < kAngles; ++a) {
     const double angle = 2 * kPi * a / kAngles;
+    const double common = shared * geom::fbm_circle(seed.derive("outline.shared"), angle, frequency, 5) +
+                          size * (ellipse(aspect, angle - bearing) - 1.0);
     double inner = 0;
     for (size_t i = 0; i < 5; ++i) {
       const double width = mean[i] - (i == 0 ? 0 : mean[i - 1]);
-      const double common = shared * geom::fbm_circle(seed.derive("outline.shared"), angle, frequency, 5) +
-                            elongation * std::cos(2 * angle - bearing);
-      const double noise =
-          common * (i == 4 ? 0.6 : 1.0) +
-          own * std::min(width, 0.3 * coast) * geom::fbm_circle(seed.derive("outline", i), angle, 2 * frequency, 4);
-      const double gap = 0.35 * width;
-      inner = std::max(mean[i] + noise, inner + std::max(gap, 1e-3 * width_m));
+      const double share = i == 4 ? 0.6 : std::min(1.0, mean[i] / size);  // what is left of the land is rounder
+      const double noise = common * share + own * std::min(width, 0.3 * size) *
+                                                geom::fbm_circle(seed.derive("outline", i), angle, 2 * frequency, 4);
+      const bool nothing = form == Form::atoll && i < 2;
+      const double gap = nothing ? 0.5 : std::max(0.35 * width, 1e-3 * width_m);
+      inner = std::max(mean[i] + (nothing ? 0.0 : noise), inner + gap);
       outlines[i].radii_m.push_back(std::round(inner * 100) / 100);
     }
   }
   return outlines;
+}
+
+/// Without land there is no summit: what lies within the lagoon is its floor.
+void sink_land(Curve& profile) {
+  double floor = 0.0;
+  for (const Knot& knot : profile.knots) {
+    if (knot.x >= 2.0 && knot.x <= 3.0) floor = std::min(floor, knot.y);
+  }
+  for (Knot& knot : profile.knots) knot.y = knot.x < 2.5 ? floor : knot.y;
 }
 
 std::vector<Stroke> draw_strokes(double width_m, Rng& rng) {
@@ -73,7 +115,8 @@ IslandDraw draw_island(const IslandSetParams& params, uint64_t index, Seed seed)
   Rng rng(own);
   IslandDraw island;
   island.index = static_cast<double>(index);
-  island.outlines = draw_outlines(params.width_m, rng, own);
+  const Form form = draw_form(rng);
+  island.outlines = draw_outlines(form, params.width_m, rng, own);
   const double peak = rng.uniform(0.2, 0.5) * params.high_m;
   const double floor = rng.uniform(0.35, 0.85) * params.low_m;
   const double bow = rng.uniform(0.7, 1.5);
@@ -89,6 +132,7 @@ IslandDraw draw_island(const IslandSetParams& params, uint64_t index, Seed seed)
   for (size_t i = 41; i < island.profile.knots.size(); ++i) {
     island.profile.knots[i].y = std::min(island.profile.knots[i].y, island.profile.knots[i - 1].y);
   }
+  if (form == Form::atoll) sink_land(island.profile);
   island.resistance = times_noise(island::WindParams().resistance, 0.5, 0.0, 1.0, own.derive("resistance"));
   island.strokes = draw_strokes(params.width_m, rng);
   if (rng.chance(0.7)) {
@@ -116,7 +160,10 @@ IslandPair make_island(const IslandSetParams& params, const IslandDraw& draw, do
   build.profile = draw.profile;
   build.relief = draw.relief;
   build.detail.valley_spacing_m = draw.valley_spacing_m;
-  const island::Island isle = island::build(plan, build, frame, own, run);
+  island::Island isle = island::build(plan, build, frame, own, run);
+  for (Region& label : isle.labels.cells()) {  // an atoll's middle is a point that a cell may hit
+    if (draw.outlines[kCoastOutline].radii_m[0] < kNoLand_m) label = std::max(label, Region::lagoon);
+  }
   island::WindParams wind;
   wind.strokes = draw.strokes;
   wind.resistance = draw.resistance;

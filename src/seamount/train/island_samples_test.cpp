@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 #include "seamount/geom/scalar/curve.h"
@@ -45,7 +46,9 @@ TEST(TimesNoise, IsEquations1_17And1_18) {
 TEST(DrawIslandSample, ProfilesKeepTheCoastAndTheirSign) {
   for (uint64_t index = 0; index < 40; ++index) {
     const IslandDraw island = draw_island_sample(small(), 4 * index, Seed{2}).islands.front();
+    const bool atoll = island.outlines[1].radii_m[0] < 10;  // no land, so no coast to keep
     for (const Knot& knot : island.profile.knots) {
+      if (atoll) continue;
       EXPECT_TRUE(knot.x > 1.95 || knot.y >= 0) << index;  // a product with noise around 1 does not move where it is 0
       EXPECT_TRUE(std::abs(knot.x - 2.0) > 1e-9 || std::abs(knot.y) < 1e-9);
       EXPECT_TRUE(knot.x < 2.05 || knot.y <= 0);
@@ -65,6 +68,53 @@ TEST(DrawIslandSample, LevelsOfOneIslandDifferInSubsidenceOnly) {
   }
   EXPECT_NE(draw_island_sample(params, 24, Seed{3}).islands[0].outlines,
             draw_island_sample(params, 20, Seed{3}).islands[0].outlines);
+}
+
+TEST(DrawIslandSample, HoldsElongatedIslandsRemnantsAndAtolls) {
+  int elongated = 0, remnants = 0, atolls = 0;
+  constexpr int kIslands = 120;
+  for (uint64_t index = 0; index < kIslands; ++index) {
+    const IslandDraw island = draw_island_sample(small(), 4 * index, Seed{9}).islands.front();
+    const std::vector<double>&coast = island.outlines[1].radii_m, &lagoon = island.outlines[2].radii_m;
+    double xx = 0, yy = 0, xy = 0, land = 0, within = 0;
+    for (size_t a = 0; a < coast.size(); ++a) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(a) / static_cast<double>(coast.size());
+      const double fourth = std::pow(lagoon[a], 4);
+      xx += fourth * std::cos(angle) * std::cos(angle);
+      yy += fourth * std::sin(angle) * std::sin(angle);
+      xy += fourth * std::cos(angle) * std::sin(angle);
+      land += coast[a] * coast[a];
+      within += lagoon[a] * lagoon[a];
+    }
+    const double middle = 0.5 * (xx + yy), spread = std::hypot(0.5 * (xx - yy), xy);
+    elongated += std::sqrt((middle + spread) / (middle - spread)) > 1.5 ? 1 : 0;
+    remnants += land < 0.3 * within && land > 0.001 * within ? 1 : 0;
+    atolls += land < 1e-4 * within ? 1 : 0;
+  }
+  EXPECT_GT(elongated, kIslands / 8);
+  EXPECT_GT(remnants, kIslands / 14);
+  EXPECT_GT(atolls, kIslands / 20);
+}
+
+TEST(MakeIslandPair, AnAtollHasALagoonWithoutLandInIt) {
+  IslandSetParams params = small();
+  params.several = 0;
+  int seen = 0;
+  for (uint64_t index = 0; index < 160 && seen < 3; ++index) {
+    IslandSample sample = draw_island_sample(params, index, Seed{9});
+    if (sample.islands[0].outlines[1].radii_m[0] > 10) continue;
+    ++seen;
+    const IslandPair pair = make_island_pair(params, sample, Seed{9}, {});
+    int lagoon = 0;
+    for (size_t c = 0; c < pair.labels.size(); ++c) {
+      EXPECT_GE(pair.labels.cells()[c], Region::lagoon);
+      if (pair.labels.cells()[c] != Region::lagoon) continue;
+      ++lagoon;
+      EXPECT_LT(pair.terrain.cells()[c], 0.0F);
+    }
+    EXPECT_GT(lagoon, 20);
+  }
+  EXPECT_EQ(seen, 3);
 }
 
 TEST(MakeIslandPair, IsTheSameAloneAndOnAnyNumberOfThreads) {
