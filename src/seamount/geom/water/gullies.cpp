@@ -192,6 +192,7 @@ class RowCarver {
     const GridFrame& frame = surface.frame();
     const double pitch = octave.wavelength * static_cast<double>(kPitch);
     for (int x = 0; x < width_; x += kChunk) {
+      if (idle(x)) continue;
       const double east = frame.x(x) / pitch;
       const double north = frame.y(y) / pitch;
       const double u = octave.cosine * east - octave.sine * north + octave.shift_u;
@@ -218,6 +219,12 @@ class RowCarver {
   }
 
  private:
+  /// Is the strength of the whole chunk 0?
+  bool idle(int x) const {
+    const auto first = strength_.begin() + x + 1;
+    return std::all_of(first, first + std::min(kChunk, width_ - x), [](float s) { return s == 0.0F; });
+  }
+
   /// Row y with one cell more on both sides, extrapolated linearly beyond the grid's edge.
   void load(const Grid<float>& grid, int y, std::vector<float>& row) const {
     const int edge = std::clamp(y, 0, grid.height() - 1);

@@ -62,7 +62,7 @@ SEAMOUNT_VECTORISED void gully_strength_row(const float* coordinate, const float
   for (int i = 0; i < count; ++i) {
     const float x = coordinate[i];
     const float on_land = height[i] > 0.0F ? height[i] * land_scale : 0.0F;
-    const float under_water = x > 4.0F ? 0.4F * (x - 4.0F) : 0.0F;
+    const float under_water = x > 4.0F && x < 5.0F ? 0.4F * (x - 4.0F) : 0.0F;
     const float s = x < 2.0F ? on_land : (under_water < 0.16F ? under_water : 0.16F);
     strength[i] = s < 1.0F ? s : 1.0F;
   }
@@ -92,6 +92,18 @@ void coordinate_rows(const Making& making, const GridFrame& frame, ScalarField& 
       making.coordinate.row(frame.x(0), frame.cell_m, frame.y(y), shift, out.row(y));
     }
   });
+}
+
+/// From the first to the last cell of a row that lies within an outline.
+struct Part {
+  size_t first, count;
+};
+
+Part within(std::span<const float> coordinate, float outline) {
+  size_t first = 0, last = coordinate.size();
+  while (first < last && coordinate[first] >= outline) ++first;
+  while (last > first && coordinate[last - 1] >= outline) --last;
+  return {first, last - first};
 }
 
 /// Land rises unevenly by broad noise: never higher than the profile, and as high as it on the highest summit.
@@ -130,11 +142,12 @@ void massif_rows(const Making& making, const ScalarField& coordinate, double amo
     std::vector<float> noise(static_cast<size_t>(height.width()), 0.0F);
     for (int y = begin; y < end; ++y) {
       making.profile.evaluate(coordinate.row(y), height.row(y));
-      if (amount <= 0) continue;
-      geom::fbm_row(making.seed.derive("island.massif"), massif, height.frame().x(0), height.cell_m(),
-                    height.frame().y(y), noise);
-      lower_by_massif(noise.data(), coordinate.row(y).data(), static_cast<float>(amount), height.row(y).data(),
-                      height.width());
+      const Part land = within(coordinate.row(y), 2.0F);
+      if (amount <= 0 || land.count == 0) continue;
+      geom::fbm_row(making.seed.derive("island.massif"), massif, height.frame().x(static_cast<double>(land.first)),
+                    height.cell_m(), height.frame().y(y), {noise.data(), land.count});
+      lower_by_massif(noise.data(), &coordinate.row(y)[land.first], static_cast<float>(amount),
+                      &height.row(y)[land.first], static_cast<int>(land.count));
     }
   });
 }
@@ -204,9 +217,13 @@ void finish(const Making& making, Island& island, const RunContext& run) {
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
     std::vector<float> noise(static_cast<size_t>(frame.width));
     for (int y = begin; y < end; ++y) {
-      geom::fbm_row(making.seed.derive("island.noise"), making.noise, frame.x(0), frame.cell_m, frame.y(y), noise);
-      add_noise(noise.data(), island.coordinate.row(y).data(), making.noise_m, island.terrain.row(y).data(),
-                frame.width);
+      const Part uneven = within(island.coordinate.row(y), 5.0F);
+      if (uneven.count > 0) {
+        geom::fbm_row(making.seed.derive("island.noise"), making.noise, frame.x(static_cast<double>(uneven.first)),
+                      frame.cell_m, frame.y(y), {noise.data(), uneven.count});
+        add_noise(noise.data(), &island.coordinate.row(y)[uneven.first], making.noise_m,
+                  &island.terrain.row(y)[uneven.first], static_cast<int>(uneven.count));
+      }
       label_row(island.coordinate.row(y).data(), reinterpret_cast<uint8_t*>(island.labels.row(y).data()), frame.width);
     }
   });
