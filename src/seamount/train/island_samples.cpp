@@ -263,9 +263,8 @@ IslandPair make_island_pair(const IslandSetParams& params, IslandSample& sample,
   const Augmentation all = sample.augmentation;
   for (size_t i = 0; i < islands.size(); ++i) {
     if (islands.size() > 1) {
-      const island::ArchipelagoParams alone{
-          .places = {all.places[i]}, .turns_deg = {all.turns_deg[i]}, .scales = {all.scales[i]}};
-      LabelMap labels = island::archipelago({{&islands[i].terrain, &islands[i].labels}}, alone, frame, run).labels;
+      LabelMap labels =
+          island::placed_labels(islands[i].labels, all.places[i], all.turns_deg[i], all.scales[i], frame, run);
       const bool clash = std::any_of(placed.begin(), placed.end(),
                                      [&](const LabelMap& other) { return overlap(labels, other) > kMostOverlap; });
       if (clash) continue;

@@ -103,11 +103,17 @@ struct MemberRow : geom::PlacedRow {
     if (first >= last) return;
     const auto count = static_cast<size_t>(last - first);
     const auto from = static_cast<size_t>(first);
-    geom::sample_bicubic_rows(*p.member.terrain, {&columns[from], count}, {&rows[from], count},
-                              {&heights[from], count});
     geom::sample_bilinear_rows(*p.member.terrain, {&columns[from], count}, {&rows[from], count},
                                {&plain_[from], count});
-    keep_under_water(&plain_[from], last - first, &heights[from]);
+    std::copy_n(&plain_[from], count, &heights[from]);
+    size_t dry = from, end = from + count;  // the part with land, where the interpolation is cubic
+    while (dry < end && plain_[dry] <= 0.0F) ++dry;
+    while (end > dry && plain_[end - 1] <= 0.0F) --end;
+    if (dry < end) {
+      geom::sample_bicubic_rows(*p.member.terrain, {&columns[dry], end - dry}, {&rows[dry], end - dry},
+                                {&heights[dry], end - dry});
+      keep_under_water(&plain_[dry], static_cast<int>(end - dry), &heights[dry]);
+    }
     const float shallow = std::max(-60.0F, std::max(0.5F * p.lowest, 0.5F * floor));
     const Joining join{static_cast<float>(own.width - 1),
                        static_cast<float>(own.height - 1),
@@ -172,6 +178,25 @@ float blend(float a, float b, float floor, float k) {
 Region prior_label(Region a, Region b) {
   constexpr std::array<int, kRegionCount> kPriority = {4, 3, 1, 2, 0};  // mountain, beach, lagoon, reef, abyss
   return kPriority[static_cast<size_t>(a)] >= kPriority[static_cast<size_t>(b)] ? a : b;
+}
+
+LabelMap placed_labels(const LabelMap& labels, Vec2 place, double turn_deg, double scale, const GridFrame& frame,
+                       const RunContext& run) {
+  const double turn = turn_deg * std::numbers::pi / 180.0;
+  const geom::Similarity at{.place = place, .cosine = std::cos(turn), .sine = std::sin(turn), .scale = scale};
+  LabelMap out(frame);
+  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    geom::PlacedRow row(frame.width);
+    for (int y = begin; y < end; ++y) {
+      std::fill(out.row(y).begin(), out.row(y).end(), Region::abyss);
+      row.locate(at, labels.frame(), frame, y);
+      for (int x = row.first; x < row.last; ++x) {
+        const auto i = static_cast<size_t>(x);
+        out(x, y) = labels.clamped(static_cast<int>(row.columns[i] + 0.5F), static_cast<int>(row.rows[i] + 0.5F));
+      }
+    }
+  });
+  return out;
 }
 
 Archipelago archipelago(const std::vector<Member>& members, const ArchipelagoParams& params, const GridFrame& frame,

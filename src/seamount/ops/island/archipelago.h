@@ -48,6 +48,10 @@ struct Archipelago {
   LabelMap labels;  ///< empty unless every member has labels
 };
 
+/// The labels of one island in its place on a frame, abyss around it.
+LabelMap placed_labels(const LabelMap& labels, Vec2 place, double turn_deg, double scale, const GridFrame& frame,
+                       const RunContext& run);
+
 /// The label that wins where islands overlap.
 Region prior_label(Region a, Region b);
 

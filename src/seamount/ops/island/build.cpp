@@ -19,7 +19,7 @@
 namespace seamount::island {
 namespace {
 
-constexpr int kReliefSide = 4096;
+constexpr int kReliefSide = 2048;
 constexpr double kCarving = 1.6;  ///< strength of gullies at relief 1
 
 /// Everything that a row of the island is made from.
@@ -193,6 +193,18 @@ HeightField carving_change(const Making& making, const GridFrame& frame, const B
   return change;
 }
 
+/// What interpolation of the change does beside the coast does not move it.
+SEAMOUNT_VECTORISED void add_change(const float* __restrict change, int count, float* __restrict height) {
+  for (int i = 0; i < count; ++i) {
+    const float plain = height[i];
+    const float bound = 0.2F * plain;
+    const float z = plain + change[i];
+    const float sunk = z > bound ? z : bound;
+    const float raised = z < bound ? z : bound;
+    height[i] = plain > 0.0F ? sunk : raised;
+  }
+}
+
 /// The plain profile plus that change.
 void profile_with_change(const Making& making, const HeightField& change, Island& island, const RunContext& run) {
   const GridFrame& frame = island.terrain.frame();
@@ -202,7 +214,7 @@ void profile_with_change(const Making& making, const HeightField& change, Island
     for (int y = begin; y < end; ++y) {
       making.profile.evaluate(island.coordinate.row(y), island.terrain.row(y));
       rows.read(frame.x(0), frame.cell_m, frame.y(y), added);
-      for (size_t x = 0; x < added.size(); ++x) island.terrain.row(y)[x] += added[x];
+      add_change(added.data(), frame.width, island.terrain.row(y).data());
     }
   });
 }

@@ -31,7 +31,7 @@ Curve profile_curve(const Plan& plan, const BuildParams& params, double peak_m);
 /// Builds the island of a plan on a frame. `params` gives everything but the plan: its coast, outlines, areas and
 /// widths have gone into the plan and are not looked at again. Throws InvalidArgument for params out of range, a
 /// profile whose knots do not ascend, and a coast that touches the frame's edge. Parallel; about 13 bytes per cell with
-/// the result, and lattices of at most 4096 x 4096.
+/// the result, and lattices of at most 2048 x 2048.
 Island build(const Plan& plan, const BuildParams& params, const GridFrame& frame, Seed seed, const RunContext& run);
 
 }  // namespace seamount::island
