@@ -11,8 +11,10 @@
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/water/breach.h"
 #include "seamount/geom/water/gullies.h"
+#include "seamount/geom/water/raise_pits.h"
 #include "seamount/ops/island/coast_room.h"
 #include "seamount/ops/island/coordinate.h"
+#include "seamount/ops/island/craters.h"
 #include "seamount/ops/island/peak_heights.h"
 #include "seamount/ops/island/summits.h"
 
@@ -20,7 +22,9 @@ namespace seamount::island {
 namespace {
 
 constexpr int kReliefSide = 2048;
-constexpr double kCarving = 1.6;  ///< strength of gullies at relief 1
+constexpr int kValleySide = 512;       ///< nodes a side where broad valleys are made to drain
+constexpr double kValleySlope = 0.01;  ///< least fall of their floors
+constexpr double kCarving = 1.6;       ///< strength of gullies at relief 1
 
 /// Everything that a row of the island is made from.
 struct Making {
@@ -351,9 +355,16 @@ Island build(const Plan& drawn, const BuildParams& params, const GridFrame& fram
   } else {
     island.terrain = carved(making, island.coordinate, params, spacing, run.part(0.6, 0.9));
   }
+  const Craters craters(peaks, profile);
+  if (plan.land_m2 > 0) {
+    const int side = std::min(kValleySide, std::max(frame.width, frame.height) / 2 + 1);
+    const Craters::Hold hold(craters, island.terrain);
+    geom::raise_pits(island.terrain, 0.0F, kValleySlope, side, run);
+  }
   finish(making, island, run.part(0.9, 1.0));
   if (plan.land_m2 > 0) {
     set_peak_heights(island.terrain, peaks, run);
+    const Craters::Hold hold(craters, island.terrain);
     geom::breach_pits(island.terrain, 0.0F, run);
   }
   return island;

@@ -127,7 +127,6 @@ TEST(Build, ASummitHasItsOwnProfile) {
   params.detail.noise_m = 0;
   params.summits = {{{0, 0}, 800.0, {{{0, 0.6}, {0.2, 1.0}, {0.5, 0.3}, {1, 0}}}}};  // a crater
   const Island isle = build(plan, params, GridFrame::centred(201, 201, 100), Seed{1}, {});
-  // What the sea cannot reach is breached, so the rim is open on one side: the mean of its ring tells.
   double floor = 0, rim = 0;
   for (int i = 0; i < 64; ++i) {
     const double a = 2 * std::numbers::pi * i / 64;
