@@ -30,6 +30,7 @@ constexpr float kBeachTop_m = 4.0F;
 constexpr float kDry_m = 0.3F;
 constexpr double kBackReefDepth_m = 1.2;  // behind the rim and this far below the flat is lagoon
 constexpr double kLeastHole = 12.0;       // squares of the kernels' radius: smaller holes and lagoons are closed
+constexpr float kOnFlat_m = -200.0F;      // further from a lagoon a flat knows nothing of it
 constexpr int kOutlineCells = 2048;
 
 /// Cells at the rim of a mask.
@@ -133,9 +134,11 @@ LabelMap label_regions(const Grown& grown, const GrowInputs& in, const ScalarFie
   return labels;
 }
 
-/// Where no reef can stand whatever the height: on a sea without a floor, which is said, and in hollows of the land.
-Grid<uint8_t> dry_ground(const HeightField& terrain, const RunContext& run) {
-  Grid<uint8_t> dry = geom::find_hollows(terrain, 0.0F, std::nullopt, run);
+/// Where no reef can stand whatever the height: on a sea without a floor, which is said, and, if there is a sea at all
+/// (rising reefs), in hollows of the land.
+Grid<uint8_t> dry_ground(const HeightField& terrain, bool rising, const RunContext& run) {
+  Grid<uint8_t> dry;
+  if (rising) dry = geom::find_hollows(terrain, 0.0F, std::nullopt, run);
   const Grid<uint8_t> no_floor = geom::flat_sea_to_coast(terrain, run);
   if (no_floor.empty()) return dry;
   run.say(
@@ -192,11 +195,13 @@ Form make_form(const Aggregate& reef, const GridFrame& lattice, const GridFrame&
   form.crowding = crowding(form.distance, 2.5 * radius, run);
   form.exposure = exposure(form.distance, params.swell_from_deg, 0.6 * radius, run);
   if (!rising) return form;
-  form.lagoon =
+  ScalarField lagoon =
       lagoon_depths(form.distance, form.exposure, params.heights.flat_width_m, kLeastHole * radius * radius, seed, run);
-  form.knolls = scatter_knolls(form.distance, form.lagoon, form.crowding, params.sand.knolls_per_km2, seed);
-  form.cays = make_cays({params.sand.cays, params.swell_from_deg, radius}, form.distance, form.lagoon, form.exposure,
-                        form.crowding, seed);
+  form.knolls = {scatter_knolls(form.distance, lagoon, form.crowding, params.sand.knolls_per_km2, seed), 0.0F};
+  form.cays = {make_cays({params.sand.cays, params.swell_from_deg, radius}, form.distance, lagoon, form.exposure,
+                         form.crowding, seed),
+               0.0F};
+  form.lagoon = {std::move(lagoon), kOnFlat_m};
   return form;
 }
 
@@ -231,7 +236,7 @@ Grown grow(const GrowInputs& in, const GrowParams& params, Seed seed, const RunC
             "reefs come out some times that wide");
   const double radius = params.kernel.radius_m.value_or(kRadiusInCells * lattice_m);
   const bool rising = params.heights.mode == Lift::saturating;
-  const Grid<uint8_t> dry = dry_ground(in.terrain, run);
+  const Grid<uint8_t> dry = dry_ground(in.terrain, rising, run);
   const BoundParams bounds = rising ? bounds_in_light(params.bounds) : params.bounds;
   const Habitat habitat = find_habitat(in.terrain, {in.habitat, in.start, in.drawing, &dry}, lattice_m,
                                        bounds.margin_m.value_or(3.0 * radius), params.starts, bounds, seed, run);
@@ -247,7 +252,7 @@ Grown grow(const GrowInputs& in, const GrowParams& params, Seed seed, const RunC
                               params.irregularity,
                               radius,
                               bounds.low_m.value_or(-1e9)};
-  if (rising) form.passes = passes_of(form, surface, params.passes, in.terrain, seed, run.part(0.4, 0.5));
+  if (rising) form.passes = {passes_of(form, surface, params.passes, in.terrain, seed, run.part(0.4, 0.5)), 0.0F};
 
   Grown out{HeightField(frame), ScalarField(frame), LabelMap()};
   raise(form, surface, in.terrain, seed, out.terrain, out.aggregate, run.part(0.5, 0.9));

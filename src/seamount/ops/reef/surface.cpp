@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kSoft = 1.0F;  // 1 / m: lifts approach the surface within about half a metre
 constexpr int kSamples = 4096;
+constexpr float kNoPass_m = 1e9F;  // above all ground
 
 struct Law {
   float w0, datum, w1, w2;
@@ -73,17 +74,20 @@ SEAMOUNT_INLINE float sand_share(float crowding, float windward) {
   return geom::smoothstep((crowding - 0.04F) * 2.4F) * (1.0F - 0.9F * windward * (1.0F - sheltered));
 }
 
+SEAMOUNT_INLINE float positive(float x) { return x > 0.0F ? x : 0.0F; }
+
 /// 0 where the ground is land or too deep for light, 1 between.
 SEAMOUNT_INLINE float light_on(float z, float dark, float light) {
-  const float below = geom::smoothstep((z - dark) / (light - dark));
   const float wet = -2.0F * z;
-  return wet <= 0.0F ? 0.0F : (wet < 1.0F ? wet * below : below);
+  const float under = wet < 1.0F ? wet : 1.0F;
+  return positive(under) * geom::smoothstep((z - dark) / (light - dark));
 }
 
 /// Metres by which the side of a reef has fallen, x metres outside the edge of its flat: a round shoulder, then a
 /// slope.
 SEAMOUNT_INLINE float fall(float x, float slope, float shoulder) {
-  return x > 0.0F ? slope * x * x / (x + shoulder) : 0.0F;
+  const float out = positive(x);
+  return slope * out * out / (out + shoulder);
 }
 
 /// Rows that saturating() reads, of one length.
@@ -91,48 +95,50 @@ struct Rows {
   const float *base, *distance, *crowding, *exposure, *lagoon, *knoll, *cay, *pass, *normal, *edge, *relief;
 };
 
-/// The ground of a reef and its share of it (grow.h). sums: N of P4's kernels
-/// shapes the sides instead of a slope.
-SEAMOUNT_VECTORISED void saturating(const Law law, const Rows rows, bool sums, int count, float* __restrict out,
+/// The ground of a reef and its share of it (grow.h). `sloping` is 1 where sides fall with a slope, 0 where N of P4's
+/// summed kernels shapes them.
+SEAMOUNT_VECTORISED void saturating(const Law law, const Rows rows, float sloping, int count, float* __restrict out,
                                     float* __restrict aggregate) {
   for (int i = 0; i < count; ++i) {
-    const float z0 = law.w0 == 1.0F ? rows.base[i] : law.datum + law.w0 * (rows.base[i] - law.datum);
+    const float base = rows.base[i], normal = rows.normal[i], edge = rows.edge[i], pass = rows.pass[i];
     const float rough = rows.relief[i], crowd = rows.crowding[i], in_lagoon = rows.lagoon[i];
+    const float knoll_share = rows.knoll[i], cay_share = rows.cay[i], distance = rows.distance[i];
+    const float z0 = base + (law.w0 - 1.0F) * (base - law.datum);
     const float windward = geom::smoothstep(0.5F + 0.8F * rows.exposure[i]);
     const float light = light_on(z0, law.dark_m, law.light_m);
     const float sandy = light_on(z0, law.lightless_m, law.dark_m);
     const float floor = law.lagoon_m + 2.0F * law.relief_m * rough;
-    float z = z0 + law.fill * sandy * sand_share(crowd, windward) * (floor > z0 ? floor - z0 : 0.0F);
+    float z = z0 + law.fill * sandy * sand_share(crowd, windward) * positive(floor - z0);
     // The flat gives way to the slope of the back reef, then to the lagoon.
     const float back = geom::smoothstep(in_lagoon * (1.0F / 90.0F) + 0.5F * rough);
     const float deep = back * (0.6F + 0.4F * geom::smoothstep(in_lagoon * (1.0F / 500.0F)));
     const float flat = law.flat_m + law.relief_m * (0.8F * rough - 0.9F * (1.0F - windward));
     const float slope = law.lee_slope + windward * (law.fore_slope - law.lee_slope);
-    const float outside = law.shoulder_m - rows.distance[i];
-    const float top = flat + deep * (floor - flat) - (sums ? 0.0F : fall(outside, slope, law.shoulder_m));
-    const float reach = sums ? rows.normal[i] : 1.0F;
+    const float outside = law.shoulder_m - distance;
+    const float top = flat + deep * (floor - flat) - sloping * fall(outside, slope, law.shoulder_m);
+    const float reach = sloping + (1.0F - sloping) * normal;
     const float room = top - z;
     const float lift = saturated(law.w1 * law.lift_m * light * reach, room);
     const float share = lift / (flat - z0 > 2.0F ? flat - z0 : 2.0F);
     z += lift;
     // Rims stand where waves come in, not around holes in the thick of a reef.
     const float open = 1.0F - geom::smoothstep((crowd - 0.55F) * 5.0F);
-    const float rim = law.w2 * law.rim_m * light * (law.lee_rim + (1.0F - law.lee_rim) * windward) * rows.edge[i];
+    const float rim = law.w2 * law.rim_m * light * (law.lee_rim + (1.0F - law.lee_rim) * windward) * edge;
     z += saturated(open * rim, law.crest_m + 0.4F * law.relief_m * (rough < 0.0F ? rough : 0.0F) - z);
-    const float knoll = light * (rows.knoll[i] > 0.0F ? rows.knoll[i] : 0.0F), knoll_top = law.flat_m - 1.0F;
-    z += knoll * (knoll_top > z ? knoll_top - z : 0.0F);
-    const float heap = light * (rows.cay[i] > 0.0F ? rows.cay[i] : 0.0F);
-    const float cay = heap > 0.0F ? heap + 0.35F * rough * heap * (1.0F - heap) : 0.0F;
+    z += light * positive(knoll_share) * positive(law.flat_m - 1.0F - z);
+    const float heap = light * positive(cay_share);
+    const float cay = heap + 0.35F * rough * heap * positive(1.0F - heap);
     const float sand = law.cay_m * cay + law.flat_m * (1.0F - cay) + 0.5F * rough * cay;
-    z += geom::smoothstep(3.0F * cay) * (sand > z ? sand - z : 0.0F);
-    const float channel = -rows.pass[i] * (1.0F + 0.2F * rough);
+    z += geom::smoothstep(3.0F * cay) * positive(sand - z);
+    const float channel = pass > 0.0F ? -pass * (1.0F + 0.2F * rough) : kNoPass_m;
     const float bed = channel > z0 ? channel : z0;
-    const bool cut = rows.pass[i] > 0.0F && bed < z;
-    out[i] = cut ? bed : z;
-    const float kept = cut ? 1.0F - geom::smoothstep((rows.pass[i] - 2.5F) * 0.25F) : 1.0F;
-    const float on_reef = light * rows.normal[i], of_side = geom::smoothstep(1.25F * (sums ? 0.0F : share));
-    const float on = kept * (on_reef > of_side ? (on_reef < 1.0F ? on_reef : 1.0F) : of_side);
-    aggregate[i] = on > 0.0F ? on : 0.0F;  // none on unknown ground (NaN)
+    out[i] = bed < z ? bed : z;
+    const float dug = geom::smoothstep((pass - 2.5F) * 0.25F);
+    const float kept = bed < z ? 1.0F - dug : 1.0F;
+    const float on_reef = light * normal, of_side = sloping * geom::smoothstep(1.25F * share);
+    const float most = on_reef > of_side ? on_reef : of_side;
+    const float on = kept * (most < 1.0F ? most : 1.0F);
+    aggregate[i] = positive(on);  // none on unknown ground (NaN)
   }
 }
 
@@ -144,6 +150,13 @@ KernelTables::KernelTables(const KernelParams& params)
       edge(make_table([k2 = params.k2](double s) { return s > 0.0 ? edge_kernel(0.0, s, k2) : 0.0; }, 0.0,
                       std::exp(std::pow(14.0, 1.0 / params.k2)), kSamples)) {}
 
+Layer::Layer(ScalarField values, float without) : field(std::move(values)), none(without) {
+  for (int y = 0; y < field.height(); ++y) {
+    const auto row = field.row(y);
+    rows.push_back(std::any_of(row.begin(), row.end(), [&](float v) { return v > none; }) ? 1 : 0);
+  }
+}
+
 SurfaceRows::SurfaceRows(const Form& form, const SurfaceParams& params, const GridFrame& frame, Seed seed)
     : form_(form),
       params_(params),
@@ -154,10 +167,10 @@ SurfaceRows::SurfaceRows(const Form& form, const SurfaceParams& params, const Gr
       distance_rows_(form.distance),
       crowding_rows_(form.crowding),
       exposure_rows_(form.exposure),
-      lagoon_rows_(form.lagoon.empty() ? form.distance : form.lagoon),
-      knoll_rows_(form.knolls.empty() ? form.distance : form.knolls),
-      cay_rows_(form.cays.empty() ? form.distance : form.cays),
-      pass_rows_(form.passes.empty() ? form.distance : form.passes),
+      lagoon_rows_(form.lagoon.field.empty() ? form.distance : form.lagoon.field),
+      knoll_rows_(form.knolls.field.empty() ? form.distance : form.knolls.field),
+      cay_rows_(form.cays.field.empty() ? form.distance : form.cays.field),
+      pass_rows_(form.passes.field.empty() ? form.distance : form.passes.field),
       above_rows_(form.distance),
       below_rows_(form.distance) {
   const auto width = static_cast<size_t>(frame.width);
@@ -225,14 +238,26 @@ void SurfaceRows::add_grooves(int y) {
   }
 }
 
+void SurfaceRows::read_layer(const Layer& layer, geom::RowUpsampler& rows, double place,
+                             std::vector<float>& out) const {
+  const int row = static_cast<int>(layer.field.empty() ? 0.0 : layer.field.frame().row(place));
+  const int first = std::max(0, row - 1), last = std::min(static_cast<int>(layer.rows.size()) - 1, row + 2);
+  for (int y = first; y <= last; ++y) {
+    if (layer.rows[static_cast<size_t>(y)] == 0) continue;
+    rows.read(frame_.x(0), frame_.cell_m, place, out);
+    return;
+  }
+  std::fill(out.begin(), out.end(), layer.none);
+}
+
 /// Reads what only rising reefs have.
 void SurfaceRows::read_form(double place) {
   const double x0 = frame_.x(0), dx = frame_.cell_m;
-  exposure_rows_.read(x0, dx, place, exposure_);
-  if (!form_.lagoon.empty()) lagoon_rows_.read(x0, dx, place, lagoon_);
-  if (!form_.knolls.empty()) knoll_rows_.read(x0, dx, place, knoll_);
-  if (!form_.cays.empty()) cay_rows_.read(x0, dx, place, cay_);
-  if (!form_.passes.empty()) pass_rows_.read(x0, dx, place, pass_);
+  if (params_.detail.grooves_m <= 0) exposure_rows_.read(x0, dx, place, exposure_);
+  read_layer(form_.lagoon, lagoon_rows_, place, lagoon_);
+  read_layer(form_.knolls, knoll_rows_, place, knoll_);
+  read_layer(form_.cays, cay_rows_, place, cay_);
+  read_layer(form_.passes, pass_rows_, place, pass_);
   if (params_.detail.relief_m > 0) geom::fbm_row(seed_.derive("reef.relief"), relief_, x0, dx, place, relief_noise_);
 }
 
@@ -256,7 +281,7 @@ void SurfaceRows::row(int y, std::span<const float> base, std::span<float> heigh
   const Rows rows{base.data(),         distance_.data(),  crowding_.data(),    exposure_.data(),
                   lagoon_.data(),      knoll_.data(),     cay_.data(),         pass_.data(),
                   normal_lift_.data(), edge_lift_.data(), relief_noise_.data()};
-  saturating(law, rows, form_.sums.has_value(), frame_.width, height.data(), aggregate.data());
+  saturating(law, rows, form_.sums ? 0.0F : 1.0F, frame_.width, height.data(), aggregate.data());
 }
 
 }  // namespace seamount::reef

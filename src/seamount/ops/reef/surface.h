@@ -23,15 +23,25 @@ struct KernelTables {
   geom::CurveTable edge;
 };
 
+/// A field of a reef that is `none` in most rows, which are then not read.
+struct Layer {
+  Layer() = default;
+  Layer(ScalarField values, float without);
+
+  ScalarField field;          ///< empty: `none` everywhere
+  std::vector<uint8_t> rows;  ///< 1 where a row holds more than `none`
+  float none = 0.0F;
+};
+
 /// What grow() knows about a reef besides its terrain; fields lie on a lattice of their own.
 struct Form {
   ScalarField distance;  ///< to the outline, metres, positive inside
   ScalarField crowding;  ///< share of reef in the surroundings
   ScalarField exposure;  ///< 1 windward, -1 in the lee
-  ScalarField lagoon;    ///< metres from the flat into the lagoon behind it, negative on flats and outside
-  ScalarField knolls;    ///< share of the way from a lagoon's floor to the flat; empty: none
-  ScalarField cays;      ///< 0 ... 1: islets; empty: none
-  ScalarField passes;    ///< metres of water in passes, 0 outside; empty: none
+  Layer lagoon;          ///< metres from the flat into the lagoon behind it, negative on flats and outside
+  Layer knolls;          ///< share of the way from a lagoon's floor to the flat
+  Layer cays;            ///< 0 ... 1: islets
+  Layer passes;          ///< metres of water in passes, 0 outside
   const KernelTables* tables = nullptr;
   std::optional<KernelSums> sums;  ///< of P4's kernels; absent: union
 };
@@ -58,6 +68,7 @@ class SurfaceRows {
  private:
   bool read_lifts(int y);
   void read_form(double place);
+  void read_layer(const Layer& layer, geom::RowUpsampler& rows, double place, std::vector<float>& out) const;
   void add_grooves(int y);
 
   const Form& form_;
