@@ -3,79 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
 #include "seamount/base/rng.h"
-#include "seamount/ops/render/camera.h"
+#include "seamount/ops/render/place_camera.h"
 #include "seamount/ops/render/scene.h"
-#include "seamount/ops/render/subject.h"
 
 namespace seamount::render {
 namespace {
 
 constexpr int kTile = 32;
 constexpr int kFinePerSide = 3;  // rays of an uneven pixel, squared
-
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
-
-/// The middle of the places' extent, at a height of the lower part of the terrain.
-Vec3 middle(const std::vector<Vec3>& places) {
-  Vec3 low = places.front(), high = low;
-  for (const Vec3& p : places) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return {0.5F * (low.x + high.x), 0.5F * (low.y + high.y), low.z + 0.3F * (high.z - low.z)};
-}
-
-/// A camera so many metres from a place on the ground, that it looks at. Over ground, in water or over it.
-Camera near_camera(const PerspectiveParams& params, const View& view, const Ground& ground, Vec3 target, bool sea,
-                   float base) {
-  const float fine = 1e-3F * ground.cell_m();
-  target.z = ground.form(target.x, target.y, fine).height + static_cast<float>(params.camera.target_height_m);
-  Camera camera = aim_camera(view, target, *params.camera.distance_m);
-  const float floor = std::max(ground.form(camera.position.x, camera.position.y, fine).height, sea ? -1e9F : base);
-  const auto clear = static_cast<float>(std::clamp(0.04 * *params.camera.distance_m, 0.05, 2.0));
-  if (camera.position.z < floor + clear) {
-    camera.position.z = floor + clear;
-    camera = turn_camera(camera, target);
-  }
-  constexpr float kOfSurface = 0.02F;  // neither in nor out of the water is no place for an eye
-  if (params.water && std::abs(camera.position.z) < kOfSurface && !ground.is_dry(camera.position.x, camera.position.y))
-    camera.position.z = camera.position.z < 0.0F ? -kOfSurface : kOfSurface;
-  return camera;
-}
-
-Camera place_camera(const PerspectiveParams& params, const GridFrame& frame, const Ground& ground, bool sea,
-                    float base) {
-  View view;
-  view.azimuth = radians(params.camera.azimuth_deg);
-  view.elevation = radians(params.camera.elevation_deg);
-  view.field_of_view = radians(params.camera.field_of_view_deg);
-  view.distance = params.camera.distance;
-  view.width_px = params.width_px;
-  view.height_px = params.height_px;
-  view.horizon = sea;
-  const std::vector<Vec3> places = places_to_show(ground, sea, base);
-  Vec3 target = middle(places);
-  const Vec3 fitted = target;
-  if (params.camera.target_x_m)
-    target.x = static_cast<float>(*params.camera.target_x_m - (frame.west_m + 0.5 * frame.width_m()));
-  if (params.camera.target_y_m)
-    target.y = static_cast<float>(*params.camera.target_y_m - (frame.north_m - 0.5 * frame.height_m()));
-  if (params.camera.distance_m) return near_camera(params, view, ground, target, sea, base);
-  Camera camera = fit_camera(view, fitted, places);
-  camera.position = camera.position + (target - fitted);
-  // Never under ground or water.
-  const float floor = std::max(ground.form(camera.position.x, camera.position.y, ground.cell_m()).height,
-                               sea && params.water ? 0.0F : base);
-  camera.position.z = std::max(camera.position.z, floor + 2.0F * ground.cell_m());
-  return camera;
-}
 
 /// Draws tiles of the picture.
 class Painter {
@@ -239,12 +180,10 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Thin
 Image perspective(const HeightField& terrain, const LabelMap* labels, const Things* things, const ScalarField* lake,
                   const PerspectiveParams& params, const RunContext& run) {
   check_params(params);
-  if (!params.camera.distance_m && params.camera.elevation_deg < 1.0)
-    throw InvalidArgument("camera.elevation_deg", format_number(params.camera.elevation_deg) +
-                                                      " is outside [1, 89], unless camera.distance_m is given");
-  const SunDirection sun{radians(params.sun.azimuth_deg), radians(params.sun.elevation_deg)};
   const Climate climate = climate_of(params.climate, params.tree_line_m, params.snow_line_m, params.rock,
                                      setting_of(terrain, params.water_level_m, params.water));
+  check_camera(params.camera);
+  const SunDirection sun = sun_direction(params.sun, climate.latitude);
   const Ground ground(terrain, labels,
                       {.water_level_m = params.water_level_m,
                        .exaggeration = params.vertical_exaggeration,
@@ -266,7 +205,8 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Thin
   options.rules = {climate, params.style};
   const RunContext quiet{run.threads, {}, run.cancelled};
   Scene scene(ground, sky, options, quiet);
-  const Camera camera = place_camera(params, terrain.frame(), ground, sea, scene.base());
+  const Camera camera = place_camera(
+      params.camera, {params.width_px, params.height_px, sea, params.water, scene.base()}, terrain.frame(), ground);
   std::optional<ThingScene> standing;
   if (things != nullptr && !things->things.empty()) {
     standing.emplace(
@@ -274,12 +214,12 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Thin
         ThingView{camera.position, camera.pixel_angle(), params.water_level_m, params.vertical_exaggeration}, quiet);
     scene.add_things(&*standing);
   }
-  if (params.water && camera.position.z < 0.0F && params.camera.distance_m &&
+  if (params.water && camera.position.z < 0.0F && params.camera.distance_m.has_value() &&
       !ground.is_dry(camera.position.x, camera.position.y))
     scene.submerge();
 
   Image image(params.width_px, params.height_px);
-  const Painter painter(scene, camera, static_cast<float>(params.exposure), image);
+  const Painter painter(scene, camera, static_cast<float>(params.exposure) * sky.exposure(), image);
   const int columns = (params.width_px + kTile - 1) / kTile, rows = (params.height_px + kTile - 1) / kTile;
   parallel_blocks(run.part(0.3, 1.0), columns * rows, 1, [&](int64_t begin, int64_t end) {
     for (int64_t tile = begin; tile < end; ++tile) {

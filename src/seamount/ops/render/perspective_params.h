@@ -11,54 +11,12 @@
 #include "seamount/model/layer_borders.h"
 #include "seamount/ops/render/climate.h"
 #include "seamount/ops/render/materials.h"
+#include "seamount/ops/render/view_params.h"
 
 namespace seamount::render {
 
 /// What lies around the terrain.
 enum class Surround { automatic, sea, block };
-
-struct CameraParams {
-  double azimuth_deg = 205.0;
-  double elevation_deg = 25.0;
-  double distance = 1.0;
-  std::optional<double> target_x_m;
-  std::optional<double> target_y_m;
-  std::optional<double> distance_m;
-  double target_height_m = 0.0;
-  double field_of_view_deg = 35.0;
-
-  static constexpr auto fields() {
-    using P = CameraParams;
-    return std::tuple(
-        field(&P::azimuth_deg, "azimuth_deg", "deg", between(-360, 360),
-              "bearing of the camera from the target, clockwise from north"),
-        field(&P::elevation_deg, "elevation_deg", "deg", between(-60, 89),
-              "height of the camera above the horizon as seen from the target"),
-        field(&P::distance, "distance", "", between(0.02, 10),
-              "distance from the target; 1 shows the whole terrain, 0.5 is half as far"),
-        field(&P::target_x_m, "target_x_m", "m", {},
-              "where to look, east; by default the middle of the largest land or reef and what is near"),
-        field(&P::target_y_m, "target_y_m", "m", {}, "where to look, north; by default the same"),
-        field(&P::distance_m, "distance_m", "m", between(0.05, 1e6),
-              "metres from the target, which is then a place on the ground; under water the camera stays there; by "
-              "default distance counts"),
-        field(&P::target_height_m, "target_height_m", "m", between(-100, 9000),
-              "with distance_m: height of the target over the ground"),
-        field(&P::field_of_view_deg, "field_of_view_deg", "deg", between(5, 100), "angle of view from top to bottom"));
-  }
-};
-
-struct SunParams {
-  double azimuth_deg = 285.0;
-  double elevation_deg = 30.0;
-
-  static constexpr auto fields() {
-    using P = SunParams;
-    return std::tuple(
-        field(&P::azimuth_deg, "azimuth_deg", "deg", between(-360, 360), "bearing of the sun, clockwise from north"),
-        field(&P::elevation_deg, "elevation_deg", "deg", between(2, 89), "height of the sun over the horizon"));
-  }
-};
 
 struct PerspectiveParams {
   int width_px = 1280;

@@ -26,6 +26,9 @@ class Sky {
   Rgb sun_light() const { return sun_light_; }
   /// Light of the whole sky on level ground.
   Rgb sky_light() const { return sky_light_; }
+  /// How much longer a film is exposed than in the light of a sun 30 degrees high: an evening is not drawn as dark as
+  /// it is, nor quite as bright.
+  float exposure() const;
   /// What one sees in a direction (below the horizon: the horizon), without the sun's disc. REQUIRES: unit length.
   Rgb radiance(Vec3 direction) const;
   /// What haze adds in a direction: the horizon's colour there.

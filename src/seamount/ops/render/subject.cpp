@@ -129,9 +129,7 @@ std::vector<Vec3> whole(const Raster& raster, bool sea, float base) {
   return all;
 }
 
-}  // namespace
-
-std::vector<Vec3> places_to_show(const Ground& ground, bool sea, float base) {
+std::vector<Vec3> chosen_places(const Ground& ground, bool sea, float base, bool all) {
   Raster raster = raster_of(ground);
   if (!sea) return whole(raster, sea, base);
   const auto share_above = [&](float height) {
@@ -150,7 +148,9 @@ std::vector<Vec3> places_to_show(const Ground& ground, bool sea, float base) {
     parts[static_cast<size_t>(place.part)].add(
         {place.at.x, place.at.y, place.at.x, place.at.y, land && place.height <= 0.0F ? kShoal : 1.0});
   }
-  const Frame frame = best_frame(std::move(parts), 3.0 * ground.cell_m());
+  Frame frame;
+  for (const Frame& part : parts) frame.add(part);
+  if (!all) frame = best_frame(std::move(parts), 3.0 * ground.cell_m());
   std::vector<Vec3> places;
   for (const Place& place : raster.places) {
     if (place.part >= 0 && place.at.x >= frame.west && place.at.x <= frame.east && place.at.y >= frame.south &&
@@ -158,6 +158,16 @@ std::vector<Vec3> places_to_show(const Ground& ground, bool sea, float base) {
       places.push_back({place.at.x, place.at.y, std::max(place.height, 0.0F)});
   }
   return places;
+}
+
+}  // namespace
+
+std::vector<Vec3> places_to_show(const Ground& ground, bool sea, float base) {
+  return chosen_places(ground, sea, base, false);
+}
+
+std::vector<Vec3> all_places_to_show(const Ground& ground, bool sea, float base) {
+  return chosen_places(ground, sea, base, true);
 }
 
 }  // namespace seamount::render

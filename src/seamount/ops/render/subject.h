@@ -12,4 +12,7 @@ namespace seamount::render {
 /// from the terrain's middle, on a raster of about 128 cells. Never empty. About a millisecond.
 std::vector<Vec3> places_to_show(const Ground& ground, bool sea, float base);
 
+/// All land with its shallows, or all reefs, or all, as above.
+std::vector<Vec3> all_places_to_show(const Ground& ground, bool sea, float base);
+
 }  // namespace seamount::render
