@@ -12,6 +12,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/base/simd.h"
 #include "seamount/geom/scalar/blend.h"
+#include "seamount/geom/scalar/noise_places.h"
 
 namespace seamount::geom {
 namespace {
@@ -243,6 +244,15 @@ double fbm(Seed seed, const Fbm& shape, double x, double y) {
   double sum = 0.0;
   for (const Octave& octave : plan.octaves) sum += octave.weight * octave(x, y);
   return sum / plan.root_sum;
+}
+
+void fbm_places(Seed seed, const Fbm& shape, std::span<const Vec2> places, std::span<double> out) {
+  const Plan plan = make_plan(seed, shape);
+  for (size_t i = 0; i < places.size(); ++i) {
+    double sum = 0.0;
+    for (const Octave& octave : plan.octaves) sum += octave.weight * octave(places[i].x, places[i].y);
+    out[i] = sum / plan.root_sum;
+  }
 }
 
 double ridged(Seed seed, const Fbm& shape, double x, double y) {

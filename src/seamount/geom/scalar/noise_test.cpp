@@ -1,5 +1,7 @@
 #include "seamount/geom/scalar/noise.h"
 
+#include "seamount/geom/scalar/noise_places.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -71,6 +73,14 @@ TEST(Fbm, RowsAgreeWithThePlainFormNearAndFarFromTheOrigin) {
       }
     }
   }
+}
+
+TEST(Fbm, PlacesAreThePlainFormToTheBit) {
+  const Fbm shape{.wavelength_m = 130.0, .octaves = 5, .gain = 0.45};
+  const std::vector<Vec2> places = {{0, 0}, {1.5, -7e5}, {-33.25, 812}, {4e6, 1}};
+  std::vector<double> out(places.size());
+  fbm_places(Seed{7}, shape, places, out);
+  for (size_t i = 0; i < places.size(); ++i) EXPECT_EQ(out[i], fbm(Seed{7}, shape, places[i].x, places[i].y));
 }
 
 TEST(Fbm, IsAboutBetweenMinusOneAndOne) {

@@ -6,6 +6,7 @@
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
 #include "seamount/base/text.h"
+#include "seamount/geom/scalar/noise_places.h"
 
 namespace seamount::contour {
 namespace {
@@ -46,8 +47,10 @@ std::vector<float> noise_probability(std::span<const Vec2> places, const geom::F
   const double slowest = std::log(kMinNoise) * exponent;
   std::vector<float> probability(places.size());
   parallel_blocks(run, static_cast<int64_t>(places.size()), kGrain, [&](int64_t begin, int64_t end) {
+    std::vector<double> noises(static_cast<size_t>(end - begin));
+    geom::fbm_places(seed, shape, places.subspan(static_cast<size_t>(begin), noises.size()), noises);
     for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-      const double noise = 0.5 + kContrast * geom::fbm(seed, shape, places[i].x, places[i].y);
+      const double noise = 0.5 + kContrast * noises[i - static_cast<size_t>(begin)];
       probability[i] = static_cast<float>(std::exp(slowest * (1.0 - std::clamp(noise, 0.0, 1.0))));
     }
   });

@@ -12,6 +12,7 @@
 #include <tuple>
 #include <utility>
 
+#include "seamount/geom/scalar/bucket_sort.h"
 #include "seamount/ops/contour/growth/region_graph.h"
 #include "seamount/ops/contour/heights/node_heights.h"
 
@@ -66,10 +67,15 @@ std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& b
     if (tin.region[node] < 0) continue;
     keys.push_back({bands[at(tin.region[node])].level, tin.rank[node], static_cast<int32_t>(node)});
   }
-  std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
-    run.check_cancelled();
-    return std::tie(a.level, a.rank, a.node) < std::tie(b.level, b.rank, b.node);
-  });
+  const auto [low, high] = std::minmax_element(
+      bands.begin(), bands.end(), [](const RegionBand& a, const RegionBand& b) { return a.level < b.level; });
+  run.check_cancelled();
+  geom::bucket_sort(
+      keys,
+      [&](const Key& key) {
+        return (key.level - low->level + static_cast<double>(key.rank)) / (high->level - low->level + 1);
+      },
+      [](const Key& a, const Key& b) { return std::tie(a.level, a.rank, a.node) < std::tie(b.level, b.rank, b.node); });
   std::vector<int32_t> order;
   order.reserve(keys.size());
   for (const Key& key : keys) order.push_back(key.node);

@@ -3,8 +3,10 @@
 // be towers. Such ground is cut back to a slope that rises from the lower ground around it.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <queue>
 
+#include "seamount/geom/scalar/bucket_sort.h"
 #include "seamount/ops/contour/heights/node_heights.h"
 
 namespace seamount::contour {
@@ -58,10 +60,12 @@ void cut_spikes(const Tin& tin, const geom::NodeGraph& graph, const Limits& limi
   for (size_t node = 0; node < height.size(); ++node) {
     if (tin.region[node] >= 0) order.emplace_back(height[node], static_cast<int32_t>(node));
   }
-  std::sort(order.begin(), order.end(), [&](const Open& a, const Open& b) {
-    run.check_cancelled();
-    return a < b;
-  });
+  if (order.empty()) return;
+  const auto [low, high] = std::minmax_element(order.begin(), order.end());
+  const double from = low->first, range = std::max(high->first - from, 1e-9);
+  run.check_cancelled();
+  geom::bucket_sort(
+      order, [&](const Open& o) { return (o.first - from) / range; }, std::less<>());
   for (const auto& [z, node] : order) {  // merged with what was lowered on the way: always the lowest next
     run.check_cancelled();
     while (!open.empty() && open.top().first < z) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <tuple>
 
+#include "seamount/geom/scalar/bucket_sort.h"
 #include "seamount/ops/contour/growth/region_graph.h"
 
 namespace seamount::contour {
@@ -103,10 +105,8 @@ std::vector<double> rising_shares(const Tin& tin, const std::vector<RegionBand>&
   std::vector<double> share(tin.nodes.size(), 0.0);
   for (auto& [where, together] : rising) {
     run.check_cancelled();
-    std::sort(together.begin(), together.end(), [&](const Rising& a, const Rising& b) {
-      run.check_cancelled();
-      return a < b;
-    });
+    geom::bucket_sort(
+        together, [](const Rising& r) { return r.place; }, std::less<>());
     for (size_t i = 0; i < together.size(); ++i) {
       share[at(together[i].node)] = (static_cast<double>(i) + 0.5) / static_cast<double>(together.size());
     }

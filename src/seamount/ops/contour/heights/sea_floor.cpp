@@ -13,7 +13,7 @@
 #include <queue>
 
 #include "seamount/base/rng.h"
-#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/scalar/noise_places.h"
 #include "seamount/ops/contour/heights/node_heights.h"
 
 namespace seamount::contour {
@@ -117,14 +117,17 @@ class SeaFloor {
     waves.wavelength_m = std::max(kWave * width_, 1e-3);
     waves.octaves = 3;
     waves.gain = 0.45;
+    std::vector<Vec2> places;
+    for (const int32_t node : order_) places.push_back(tin_.nodes[at(node)]);
+    std::vector<double> noise(places.size());
+    geom::fbm_places(seed, waves, places, noise);
     double lowest = 0.0;
-    for (const int32_t node : order_) {
+    for (size_t i = 0; i < order_.size(); ++i) {
+      const int32_t node = order_[i];
       const Offshore& o = offshore_[at(node)];
       if (cap_[at(node)] == kFar) {
         const double sway = kSway * o.away / (1.0 + o.away * kSway / (kMostSway * width_));
-        const Vec2 p = tin_.nodes[at(node)];
-        const double noise = std::clamp(geom::fbm(seed, waves, p.x, p.y), -1.0, 1.0);
-        height_[at(node)] = fallen(o.outline_m, o.slope, o.away + sway * noise);
+        height_[at(node)] = fallen(o.outline_m, o.slope, o.away + sway * std::clamp(noise[i], -1.0, 1.0));
       }
       lowest = std::min(lowest, height_[at(node)]);
     }
