@@ -61,7 +61,7 @@ ContourSet edit(const contour::EditParams& params, const Call& call, const Conto
 void add_growth(Registry& registry) {
   registry.add(make_operator<contour::GrowParams>(
       {.name = "contour.grow",
-       .revision = 3,
+       .revision = 4,
        .summary = "Grows nested regions into a network whose nodes know in which order they rise, without basins",
        .source = "P2 sec. 4.2, 4.3, 4.5, Algorithm 1",
        .stochastic = true},
@@ -72,7 +72,7 @@ void add_growth(Registry& registry) {
       outputs(out<kinds::Tin>("tin", "a network with a rank per node and no heights yet")), grow));
   registry.add(make_operator<contour::HeightsParams>(
       {.name = "contour.heights",
-       .revision = 2,
+       .revision = 3,
        .summary = "Heights for a grown network from a distribution of heights, through outlines of given height",
        .source = "P2 sec. 3.3, 4.4, fig. 8, 23"},
       inputs(in<kinds::Tin>("tin", "a network as contour.grow makes it"),
@@ -83,7 +83,7 @@ void add_growth(Registry& registry) {
       }));
   registry.add(make_operator<contour::RefineParams>(
       {.name = "contour.refine",
-       .revision = 2,
+       .revision = 3,
        .summary = "Makes a network finer pass by pass, between its own contours, which keep their places and heights",
        .source = "P2 sec. 6.6",
        .stochastic = true},

@@ -72,7 +72,7 @@ void add_contour_conversions(Registry& registry) {
       }));
   registry.add(make_operator<contour::ReconstructParams>(
       {.name = "contour.reconstruct",
-       .revision = 3,
+       .revision = 4,
        .summary = "A terrain from its contours or from a network, at any resolution",
        .source = "P2 sec. 3.2"},
       inputs(optional_in<kinds::Contours>("contours", "nested closed contours"),
