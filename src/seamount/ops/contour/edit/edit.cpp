@@ -40,12 +40,12 @@ class Session {
   void use(const CutTool& tool, const ToolContext& context) {
     const Outline outline = find_outline(set_, tool.within, tool.select, context.name);
     copied_ = make_pattern(set_, outline);
-    clear_outline(outline, set_, context.name + ".within", context.run);
+    clear_outline(outline, set_, context.name, context.run);
   }
 
   void use(const PasteTool& tool, const ToolContext& context) {
     std::optional<Drawing> read;
-    if (!tool.file.path.empty()) read = read_file(tool, context.name);
+    if (!tool.file.path.empty()) read = read_file(tool.file, context.name + ".file");
     const Drawing* pattern = read ? &*read : copied_ ? &*copied_ : patterns_.input;
     if (pattern == nullptr)
       throw InvalidArgument(context.name, "there is nothing to paste: name a file, copy before, or connect a pattern");
@@ -54,14 +54,22 @@ class Session {
   }
 
   void use(const FillTool& tool, const ToolContext& context) {
-    fill_outline(find_outline(set_, tool.within, tool.select, context.name), tool, set_, context.name, context.seed,
-                 context.run);
+    const Outline outline = find_outline(set_, tool.within, tool.select, context.name);
+    if (outline.contour >= 0 && !tool.files.empty())
+      throw InvalidArgument(context.name + ".files", "serve polygons (\"within\"); a contour is filled from its like");
+    std::vector<LibraryPattern> library;
+    for (size_t i = 0; i < tool.files.size(); ++i) {
+      const std::string name = context.name + ".files[" + std::to_string(i) + "]";
+      library.push_back({tool.files[i].path, read_file(tool.files[i], name)});
+      check_pattern(library.back().pattern, name);
+    }
+    fill_outline(outline, tool, library, set_, context.name, context.seed, context.run);
   }
 
  private:
-  Drawing read_file(const PasteTool& tool, const std::string& name) const {
-    if (!patterns_.read_file) throw InvalidArgument(name + ".file", "files cannot be read here");
-    return patterns_.read_file(tool.file);
+  Drawing read_file(const FilePath& file, const std::string& name) const {
+    if (!patterns_.read_file) throw InvalidArgument(name, "files cannot be read here");
+    return patterns_.read_file(file);
   }
 
   ContourSet set_;

@@ -104,6 +104,8 @@ double mean_edge(const ContourSet& set, const std::vector<size_t>& contours) {
   return edges > 0.0 ? length / edges : 0.0;
 }
 
+double surroundings(const Polygon& outline) { return 0.5 * std::sqrt(std::abs(geom::signed_area(outline.outer))); }
+
 EditArea make_edit_area(const ContourSet& set, const Polygon& outline, bool strictly_inside, double margin_m,
                         const std::string& name, const RunContext& run) {
   if (set.contours.empty()) throw InvalidArgument(name, "there are no contours to join to");

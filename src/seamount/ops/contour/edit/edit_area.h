@@ -35,6 +35,9 @@ struct EditArea {
   ScalarField ground;  ///< between the contours of the set
 };
 
+/// Ground around an outline that is looked at to find out where water comes from and goes.
+double surroundings(const Polygon& outline);
+
 /// The lattice of an outline, with at least `margin_m` around it. Its patch holds every square with a node in the
 /// outline, so that it is a little larger than that; or, strictly inside, only squares with a node at least 3.5 cells
 /// in. Throws InvalidArgument{name}: outline not sound or not wholly in the domain, set without contours.

@@ -124,42 +124,6 @@ bool is_inner(const Patch& patch, int x, int y) {
   return patch.has(x - 1, y - 1) && patch.has(x, y - 1) && patch.has(x - 1, y) && patch.has(x, y);
 }
 
-/// Nodes of the patch that are no corner of its border, in the order in which they are reached from it when always the
-/// one with the lowest key comes next.
-std::vector<int32_t> grown_order(const Patch& patch, const ScalarField& key, const RunContext& run) {
-  using Open = std::pair<float, int32_t>;
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-  const int width = patch.nodes.width;
-  Grid<uint8_t> seen(patch.nodes, 0);
-  const auto push_neighbours = [&](int x, int y) {
-    for (const auto& step : kNeighbours) {
-      const int nx = x + step[0];
-      const int ny = y + step[1];
-      if (!seen.contains(nx, ny) || seen(nx, ny) != 0 || !is_inner(patch, nx, ny)) continue;
-      seen(nx, ny) = 1;
-      open.emplace(key(nx, ny), ny * width + nx);
-    }
-  };
-  for (int y = 0; y < patch.nodes.height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      if (patch.at_border(x, y)) push_neighbours(x, y);
-    }
-  }
-  std::vector<int32_t> order;
-  while (!open.empty()) {
-    const int32_t at = open.top().second;
-    open.pop();
-    order.push_back(at);
-    if (order.size() % 65536 == 0) run.check_cancelled();
-    push_neighbours(at % width, at / width);
-  }
-  return order;
-}
-
-geom::Fbm landforms(double wavelength_m, double cell_m) {
-  return {.wavelength_m = wavelength_m, .octaves = 6, .gain = 0.5, .lacunarity = 2.0, .cell_m = 2.0 * cell_m};
-}
-
 /// Time at which a front from the patch's border arrives at each inner node, with this speed there: |grad T| speed = 1,
 /// by fast marching (Sethian 1996). Every node has a neighbour that is reached before it. `order` gets the inner nodes
 /// in the order of their arrival.
@@ -257,110 +221,14 @@ void fill_contour(size_t contour, const FillTool& tool, ContourSet& set, const s
   replace_patch(set, area.patch, heights, levels, name, run);
 }
 
-/// Raises inner nodes until each has a neighbour that is lower, by `step` where it was not.
-void fill_basins(ScalarField& heights, const Patch& patch, float step, const RunContext& run) {
-  float water = -std::numeric_limits<float>::infinity();
-  const ScalarField wanted = heights;
-  for (const int32_t at : grown_order(patch, wanted, run)) {
-    water = std::max(water + step, wanted.cells()[static_cast<size_t>(at)]);
-    heights.cells()[static_cast<size_t>(at)] = water;
-  }
-}
-
-/// Bends values to another distribution: each to the height that as large a share of `like` lies below.
-float bent(float value, const std::vector<float>& own, const std::vector<float>& like) {
-  const auto below = std::lower_bound(own.begin(), own.end(), value) - own.begin();
-  const double at = static_cast<double>(below) / static_cast<double>(own.size()) * static_cast<double>(like.size() - 1);
-  const auto i = std::min(static_cast<size_t>(at), like.size() - 1);
-  const auto t = static_cast<float>(at - static_cast<double>(i));
-  return like[i] + t * (like[std::min(i + 1, like.size() - 1)] - like[i]);
-}
-
-/// Root of the mean square of what a blur over one wavelength takes from the ground outside.
-double roughness(const EditArea& area, double wavelength_m, const RunContext& run) {
-  ScalarField smooth = area.ground;
-  geom::gaussian_blur(smooth, 0.5 * wavelength_m, run);
-  double sum = 0.0;
-  double count = 0.0;
-  for (size_t i = 0; i < smooth.size(); ++i) {
-    if (area.inward.cells()[i] > 0.0F) continue;
-    const auto off = static_cast<double>(area.ground.cells()[i] - smooth.cells()[i]);
-    sum += off * off;
-    count += 1.0;
-  }
-  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
-}
-
-/// Ground stretched smoothly over the outline, read at places that noise displaces one to one: rough, and as free of
-/// basins as it was.
-ScalarField stretched(const EditArea& area, const ScalarField& share, double share_slope, double wavelength_m,
-                      Seed seed, const RunContext& run) {
-  const GridFrame& frame = area.patch.nodes;
-  ScalarField smooth = area.ground;
-  Grid<uint8_t> fixed(frame, 0);
-  for (size_t i = 0; i < smooth.size(); ++i) fixed.cells()[i] = area.inward.cells()[i] <= 0.0F ? 1 : 0;
-  geom::solve_laplace(smooth, fixed, run);
-  constexpr double kAmplitude = 0.2;
-  const Roughen roughen({kAmplitude * wavelength_m, wavelength_m, 5, 0.5}, share, share_slope, seed);
-  Polyline places;
-  places.reserve(smooth.size());
-  for (int y = 0; y < frame.height; ++y)
-    for (int x = 0; x < frame.width; ++x) places.push_back({frame.x(x), frame.y(y)});
-  roughen.move(1.0, places, run);
-  ScalarField heights(frame);
-  for (size_t i = 0; i < heights.size(); ++i)
-    heights.cells()[i] = geom::sample_bilinear(smooth, frame.column(places[i].x), frame.row(places[i].y));
-  return heights;
-}
-
-/// A polygon that may cross contours.
-void fill_polygon(const Polygon& outline, const FillTool& tool, ContourSet& set, const std::string& name, Seed seed,
-                  const RunContext& run) {
-  const double reach = 0.5 * std::sqrt(std::abs(geom::signed_area(outline.outer)));
-  const EditArea area = make_edit_area(set, outline, false, reach, name, run);
-  const GridFrame& frame = area.patch.nodes;
-  const double rim = std::max(0.25 * tool.wavelength_m, 4.0 * frame.cell_m);
-  ScalarField share(frame);
-  for (size_t i = 0; i < share.size(); ++i) {
-    share.cells()[i] = static_cast<float>(geom::smoothstep(static_cast<double>(area.inward.cells()[i]) / rim));
-  }
-  ScalarField heights = stretched(area, share, 1.5 / rim, tool.wavelength_m, seed.derive("stretch"), run);
-  const ScalarField noise = geom::fbm_grid(frame, seed.derive("fill"), landforms(tool.wavelength_m, frame.cell_m), run);
-  constexpr double kDeviation = 0.35;  // of fbm
-  constexpr double kRelief = 0.5;      // the rest comes from the displacement
-  const double amplitude = kRelief * tool.relief * roughness(area, tool.wavelength_m, run) / kDeviation;
-  std::vector<float> own;
-  std::vector<float> like;
-  for (size_t i = 0; i < heights.size(); ++i) {
-    heights.cells()[i] += share.cells()[i] * static_cast<float>(amplitude) * noise.cells()[i];
-    (area.inward.cells()[i] > 0.0F ? own : like).push_back(heights.cells()[i]);
-  }
-  const auto lower = [&](float a, float b) {
-    run.check_cancelled();
-    return a < b;
-  };
-  std::sort(own.begin(), own.end(), lower);
-  std::sort(like.begin(), like.end(), lower);
-  for (size_t i = 0; i < heights.size(); ++i) {
-    if (i % 16384 == 0) run.check_cancelled();
-    float& height = heights.cells()[i];
-    if (share.cells()[i] > 0.0F) height += share.cells()[i] * (bent(height, own, like) - height);
-  }
-  fill_basins(heights, area.patch, static_cast<float>(1e-5 * min_gap(levels_of(set))), run);
-  const std::vector<double> levels =
-      levels_covering(levels_of(set), static_cast<double>(std::min(own.front(), like.front())),
-                      static_cast<double>(std::max(own.back(), like.back())), name);
-  replace_patch(set, area.patch, heights, levels, name, run);
-}
-
 }  // namespace
 
-void fill_outline(const Outline& outline, const FillTool& tool, ContourSet& set, const std::string& name, Seed seed,
-                  const RunContext& run) {
+void fill_outline(const Outline& outline, const FillTool& tool, const std::vector<LibraryPattern>& library,
+                  ContourSet& set, const std::string& name, Seed seed, const RunContext& run) {
   if (outline.contour >= 0) {
     fill_contour(static_cast<size_t>(outline.contour), tool, set, name, seed, run);
   } else {
-    fill_polygon(outline.polygon, tool, set, name, seed, run);
+    fill_polygon(outline.polygon, tool, library, set, name, seed, run);
   }
 }
 

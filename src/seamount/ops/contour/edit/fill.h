@@ -5,8 +5,9 @@
 // of its, so no basin comes about. Its heights are the quantiles of what other contours of that height enclose, the
 // nearest first; where there are none, of what was there before.
 //
-// Within a polygon that crosses contours the ground is stretched smoothly over it, displaced and roughened as much as
-// its surroundings are, and bent to their distribution of heights; then basins are filled.
+// A polygon that crosses contours is filled with the piece of ground that fits it best, of a library of patterns or of
+// the set itself (match.h), fitted to the heights along the outline and blended in over a wide rim (lay_ground.h), so
+// that contours go on across it as slopes do; valleys are cut for water that it would dam (outflow.h).
 #pragma once
 
 #include <string>
@@ -14,14 +15,15 @@
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
 #include "seamount/model/contour_set.h"
+#include "seamount/ops/contour/edit/fill_polygon.h"
 #include "seamount/ops/contour/edit/pattern.h"
 #include "seamount/ops/contour/edit/tools.h"
 
 namespace seamount::contour {
 
 /// Throws InvalidArgument{name} where there is nothing to be like: no contour of that height encloses anything.
-/// About half a second for a lattice of 400 x 400 nodes.
-void fill_outline(const Outline& outline, const FillTool& tool, ContourSet& set, const std::string& name, Seed seed,
-                  const RunContext& run);
+/// `library` serves polygons alone. About half a second for a lattice of 400 x 400 nodes.
+void fill_outline(const Outline& outline, const FillTool& tool, const std::vector<LibraryPattern>& library,
+                  ContourSet& set, const std::string& name, Seed seed, const RunContext& run);
 
 }  // namespace seamount::contour

@@ -52,11 +52,12 @@ Drawing make_pattern(const ContourSet& set, const Outline& outline);
 /// Throws InvalidArgument{name} where a pattern has no outline of one sound part, or no lines.
 void check_pattern(const Drawing& pattern, const std::string& name);
 
-/// Lays a pattern over the contours. About half a second for a lattice of 400 x 400.
+/// Lays a pattern over the contours; says where that holds water back. About half a second for a lattice of 400 x 400.
 void paste_pattern(const Drawing& pattern, const PasteTool& tool, ContourSet& set, const std::string& name,
                    const RunContext& run);
 
-/// Removes what lies in the outline and closes the ground over it.
+/// Removes what lies in the outline and closes the ground over it, as slopes around it go on; cuts valleys for water
+/// that comes in, and says so.
 void clear_outline(const Outline& outline, ContourSet& set, const std::string& name, const RunContext& run);
 
 }  // namespace seamount::contour

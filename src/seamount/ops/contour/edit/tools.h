@@ -137,7 +137,7 @@ struct PasteTool {
   double scale = 1.0;
   double height_scale = 1.0;
   double raise_m = 0.0;
-  double blend_m = 300.0;
+  std::optional<double> blend_m;
 
   static constexpr auto fields() {
     using P = PasteTool;
@@ -148,7 +148,8 @@ struct PasteTool {
         field(&P::scale, "scale", "", between(0.001, 1000), "horizontal scale"),
         field(&P::height_scale, "height_scale", "", between(-1000, 1000), "vertical scale; below 0: hollows for hills"),
         field(&P::raise_m, "raise_m", "m", between(-9000, 9000), "added to the pattern's heights"),
-        field(&P::blend_m, "blend_m", "m", between(0, 1e6), "width of the ring in which the two grounds blend"));
+        field(&P::blend_m, "blend_m", "m", between(0, 1e6),
+              "width of the ring in which the two grounds blend; two fifths of the way to the middle if derived"));
   }
 };
 
@@ -157,15 +158,19 @@ struct FillTool {
   static constexpr std::string_view kAbout = "makes the inside of an outline anew, like its surroundings";
   std::vector<Polygon> within;
   Selection select;
+  std::vector<FilePath> files;
   double relief = 1.0;
   double wavelength_m = 1000.0;
 
   static constexpr auto fields() {
     using P = FillTool;
-    return std::tuple(field(&P::within, "within", "the outline: one polygon"),
-                      field(&P::select, "select", "in place of it: one contour, whose inside is made anew"),
-                      field(&P::relief, "relief", "", between(0, 10), "range of heights over that of the surroundings"),
-                      field(&P::wavelength_m, "wavelength_m", "m", between(1, 1e6), "size of the largest landforms"));
+    return std::tuple(
+        field(&P::within, "within", "the outline: one polygon"),
+        field(&P::select, "select", "in place of it: one contour, whose inside is made anew"),
+        field(&P::files, "files",
+              "patterns to choose from for a polygon, as contour.pattern makes them; else these contours"),
+        field(&P::relief, "relief", "", between(0, 10), "range of heights over that of the surroundings"),
+        field(&P::wavelength_m, "wavelength_m", "m", between(1, 1e6), "size of the largest landforms"));
   }
 };
 
