@@ -70,9 +70,10 @@ bool flood_up(HeightField& terrain, float sea, float slope) {
       if (nx < 0 || ny < 0 || nx >= width || ny >= height || seen(nx, ny) != 0) continue;
       seen(nx, ny) = 1;
       const float least = at.height + step * kFlowLength[k];
-      raised = raised || terrain(nx, ny) < least;
-      terrain(nx, ny) = std::max(terrain(nx, ny), least);
-      open.push({terrain(nx, ny), static_cast<int64_t>(ny) * width + nx});
+      float& z = terrain(nx, ny);
+      raised = raised || z < least;
+      z = std::max(z, least);
+      open.push({z, static_cast<int64_t>(ny) * width + nx});
     }
   }
   return raised;
@@ -87,10 +88,17 @@ void raise_pits(HeightField& terrain, float sea_level_m, double slope, int side,
   if (!flood_up(lift, sea_level_m, static_cast<float>(slope))) return;
   for (size_t c = 0; c < lift.size(); ++c) lift.cells()[c] -= before.cells()[c];
   const GridFrame& frame = terrain.frame();
+  std::vector<uint8_t> lifted(static_cast<size_t>(lift.height()), 0);
+  for (int y = 0; y < lift.height(); ++y)
+    lifted[static_cast<size_t>(y)] = std::any_of(lift.row(y).begin(), lift.row(y).end(), [](float l) { return l > 0; });
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
     RowUpsampler rows(lift);
     std::vector<float> added(static_cast<size_t>(frame.width));
     for (int y = begin; y < end; ++y) {
+      const int near = y / step;  // the interpolation reads two rows on both sides
+      const auto first = lifted.begin() + std::max(0, near - 2);
+      if (std::none_of(first, lifted.begin() + std::min(lift.height(), near + 3), [](uint8_t l) { return l != 0; }))
+        continue;
       rows.read(frame.x(0), frame.cell_m, frame.y(y), added);
       const auto heights = terrain.row(y);
       for (size_t x = 0; x < added.size(); ++x)

@@ -357,7 +357,7 @@ Island build(const Plan& drawn, const BuildParams& params, const GridFrame& fram
   }
   const Craters craters(peaks, profile);
   if (plan.land_m2 > 0) {
-    const int side = std::min(kValleySide, std::max(frame.width, frame.height) / 2 + 1);
+    const int side = std::min(kValleySide, std::max(frame.width, frame.height) / 3 + 1);
     const Craters::Hold hold(craters, island.terrain);
     geom::raise_pits(island.terrain, 0.0F, kValleySlope, side, run);
   }

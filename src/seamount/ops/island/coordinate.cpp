@@ -182,19 +182,19 @@ ScalarField width_factors(const ScalarField& coast, double reef_end_m, double sl
 /// The same around a centre; empty: as they are.
 std::vector<float> polar_width_factors(const std::vector<double>& coast, const Interior& interior) {
   if (interior.width_variation <= 0) return {};
-  std::vector<float> out(coast.size());
-  const size_t reach = coast.size() / 24;
-  double sum = 0.0;
-  for (size_t a = 0; a < 2 * reach + 1; ++a) sum += coast[a % coast.size()];
-  for (size_t a = 0; a < coast.size(); ++a) {  // sum: over the radii from a to a + 2 reach
-    const size_t middle = (a + reach) % coast.size();
-    const double mean = sum / static_cast<double>(2 * reach + 1);
-    const double angle = 2.0 * std::numbers::pi * static_cast<double>(middle) / static_cast<double>(coast.size());
+  constexpr size_t kCoarse = 256;  // the factors are smooth
+  const size_t step = coast.size() / kCoarse, reach = coast.size() / 24;
+  std::vector<double> coarse(kCoarse);
+  for (size_t k = 0; k < kCoarse; ++k) {
+    double sum = 0.0;
+    for (size_t a = 0; a <= 2 * reach; a += step) sum += coast[(k * step + a + coast.size() - reach) % coast.size()];
+    const double mean = sum / (std::floor(2.0 * static_cast<double>(reach) / static_cast<double>(step)) + 1.0);
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / kCoarse;
     const double n = geom::fbm_circle(interior.seed.derive("island.widths"), angle, 4.0, 3);
-    out[middle] = width_factor(interior.width_variation, n, 4.0 * (coast[middle] / mean - 1.0));
-    sum += coast[(a + 2 * reach + 1) % coast.size()] - coast[a];
+    coarse[k] = width_factor(interior.width_variation, n, 4.0 * (coast[k * step] / mean - 1.0));
   }
-  return out;
+  const std::vector<double> fine = resample_radii(coarse, static_cast<int>(coast.size()));
+  return {fine.begin(), fine.end()};
 }
 
 /// One of equal height for every lobe.
