@@ -86,6 +86,12 @@ std::vector<PolarOutline> draw_outlines(Form form, double width_m, Rng& rng, See
   return outlines;
 }
 
+double mean_radius(const PolarOutline& outline) {
+  double sum = 0.0;
+  for (const double r : outline.radii_m) sum += r;
+  return sum / static_cast<double>(outline.radii_m.size());
+}
+
 /// Without land there is no summit: what lies within the lagoon is its floor.
 void sink_land(Curve& profile) {
   double floor = 0.0;
@@ -117,7 +123,8 @@ IslandDraw draw_island(const IslandSetParams& params, uint64_t index, Seed seed)
   island.index = static_cast<double>(index);
   const Form form = draw_form(rng);
   island.outlines = draw_outlines(form, params.width_m, rng, own);
-  const double peak = rng.uniform(0.2, 0.5) * params.high_m;
+  double peak = rng.uniform(0.2, 0.5) * params.high_m;
+  if (form == Form::remnant) peak = std::min(peak, 0.5 * mean_radius(island.outlines[kCoastOutline]));
   const double floor = rng.uniform(0.35, 0.85) * params.low_m;
   const double bow = rng.uniform(0.7, 1.5);
   Curve profile;

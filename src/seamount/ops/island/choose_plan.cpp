@@ -50,6 +50,18 @@ void say_ignored(const Plan& plan, const BuildParams& params, const RunContext& 
   if (params.floor_m) run.say("floor_m is ignored: the profile says how deep the sea floor is");
 }
 
+/// Those drawn join those of the parameters; a point without a height above the sea gets that of its lobe.
+BuildParams with_summits(const BuildParams& params, const Drawing* drawn) {
+  BuildParams all = params;
+  if (drawn == nullptr) return all;
+  if (drawn->points.empty()) throw InvalidArgument("summits", "holds no point");
+  for (const ValuedPoint& point : drawn->points) {
+    const auto height = point.value > 0 ? std::optional<double>(point.value) : std::nullopt;
+    all.summits.push_back({point.place, height, {}});
+  }
+  return all;
+}
+
 /// Heights sink over the sea floor as far as a painting says.
 void sink(const ScalarField& subsidence, HeightField& terrain, const RunContext& run) {
   const float floor = *std::min_element(terrain.cells().begin(), terrain.cells().end());
@@ -90,7 +102,7 @@ Island build(const BuildInputs& inputs, const BuildParams& params, const GridFra
     frame = fitted;
   }
   say_ignored(plan, params, run);
-  Island island = build(plan, params, frame, seed, run);
+  Island island = build(plan, with_summits(params, inputs.summits), frame, seed, run);
   const auto* painted = coast ? std::get_if<PaintedCoast>(&*coast) : nullptr;
   if (painted != nullptr && !painted->subsidence.empty()) sink(painted->subsidence, island.terrain, run);
   return island;

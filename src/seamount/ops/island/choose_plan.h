@@ -22,6 +22,7 @@ using CoastFile = std::variant<Drawing, PaintedCoast>;
 struct BuildInputs {
   const Drawing* outlines = nullptr;                          ///< named areas, or one coast
   const LabelMap* labels = nullptr;                           ///< traced
+  const Drawing* summits = nullptr;                           ///< points, values their heights, besides those of params
   std::function<CoastFile(const FilePath&)> read_coast = {};  ///< for `coast`
   bool fit_domain = false;  ///< a domain that does not hold the areas is laid around them
 };

@@ -36,13 +36,13 @@ island::CoastFile read_coast(const island::BuildParams& params, const Call& call
 }
 
 IslandParts build(const island::BuildParams& params, const Call& call, const seamount::Drawing* outlines,
-                  const LabelMap* labels) {
+                  const LabelMap* labels, const seamount::Drawing* summits) {
   GridFrame domain = call.domain;
   std::optional<island::CoastFile> coast;
   if (!params.coast.path.empty()) coast = read_coast(params, call, domain);
   const auto read = [&](const FilePath&) { return *coast; };
   island::Island made =
-      island::build({outlines, labels, read, !call.domain_stated}, params, domain, call.seed, call.run);
+      island::build({outlines, labels, summits, read, !call.domain_stated}, params, domain, call.seed, call.run);
   return {std::move(made.terrain), std::move(made.labels), std::move(made.coordinate)};
 }
 
@@ -86,7 +86,8 @@ void add_island_operators(Registry& registry) {
        .source = "P0 sec. 1.4.1, eq. 1.1-1.2, 1.16",
        .stochastic = true},
       inputs(optional_in<Drawing>("outlines", "areas named mountain, beach, lagoon, reef, abyss, or one coast"),
-             optional_in<Labels>("labels", "a label map to trace the outlines from")),
+             optional_in<Labels>("labels", "a label map to trace the outlines from"),
+             optional_in<Drawing>("summits", "points with their heights, besides the parameter's summits")),
       outputs(out<Terrain>("terrain", kHeights), out<Labels>("labels", kRegions),
               out<Field>("coordinate", kCoordinate)),
       build));
