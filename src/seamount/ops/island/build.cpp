@@ -117,7 +117,7 @@ SEAMOUNT_VECTORISED void lower_by_massif(const float* __restrict noise, const fl
   for (int i = 0; i < count; ++i) {
     const float low = 0.42F - 1.2F * noise[i];
     const float share = low > 0.0F ? (low < 1.0F ? low : 1.0F) : 0.0F;
-    const float away = coordinate[i] * 4.0F;
+    const float away = coordinate[i] * 2.2F;
     const float fade = away < 1.0F ? away * away * (3.0F - 2.0F * away) : 1.0F;
     height[i] = height[i] > 0.0F ? height[i] * (1.0F - bound * share * fade) : height[i];
   }

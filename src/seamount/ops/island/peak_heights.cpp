@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNear = 0.3;          ///< of the land's width around a peak: what is moved with it
 constexpr double kAsked = 0.08;        ///< of it: the summit of a peak that somebody placed is no further away
-constexpr double kSteepest = 0.2;      ///< of what is drawn up
+constexpr double kSteepest = 0.1;      ///< of what is drawn up
 constexpr float kPressedFrom = 0.75F;  ///< of the height
 
 struct Cell {
@@ -73,15 +73,16 @@ void press_around(HeightField& terrain, Vec2 place, float height, double reach) 
   });
 }
 
-/// Moves the ground around a cell so that it comes to lie at `height`.
+/// Scales the ground around a cell so that the cell comes to lie at `height`: fully there, not at all at `reach`.
 void move_to(HeightField& terrain, const Cell& cell, float height, double widest) {
   const double change = height - cell.z;
   const Vec2 place{terrain.frame().x(cell.x), terrain.frame().y(cell.y)};
   const double reach = std::max(1.5 * terrain.cell_m(), std::min(widest, 1.6 * std::abs(change) / kSteepest));
+  const double factor = change / static_cast<double>(cell.z);
   near(terrain.frame(), place, reach, [&](int x, int y, double squared) {
     const double share = 1.0 - squared / (reach * reach);
-    const float moved = terrain(x, y) + static_cast<float>(change * share * share);
-    if (terrain(x, y) > 0.0F) terrain(x, y) = std::min(height, std::max(0.2F * terrain(x, y), moved));
+    float& z = terrain(x, y);
+    if (z > 0.0F) z = std::min(height, z * static_cast<float>(1.0 + factor * share * share));
   });
   terrain(cell.x, cell.y) = height;
 }
@@ -107,7 +108,7 @@ void set_peak_heights(HeightField& terrain, const std::vector<Peak>& peaks, cons
     const double reach = kNear * peak.radius_m;
     if (peak.exact) press_around(terrain, peak.place, height, reach);
     const Cell cell = highest_near(terrain, peak.place, peak.exact ? kAsked * peak.radius_m : reach);
-    if (cell.z != height && cell.z > 0.0F) move_to(terrain, cell, height, reach);
+    if (cell.z != height && cell.z > 0.0F) move_to(terrain, cell, height, peak.radius_m);
     const Cell around = highest_near(terrain, peak.place, 1.5 * reach);
     if (peak.exact && around.z > height + 1.0F)
       run.say("the summit at (" + format_number(std::round(peak.place.x)) + ", " +
