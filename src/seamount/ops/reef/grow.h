@@ -12,9 +12,16 @@
 //                   N(1 - D / R) and E(1 - D / R): the same kernels on one particle, bounded and without seams between
 //                   particles, and only the outer edge is lifted, as w_d wants. The outline is bent by noise, radii and
 //                   places vary, so neither discs nor lattice show.
-//   saturating      h0 cannot grow through the surface: N lifts by lift_m up to the reef flat, E lifts the rim by
-//                   rim_m up to the crest, less in the lee of the swell; sand fills the water between reefs; spurs and
-//                   grooves on the fore reef; cays. Land and what stands higher than the reef is never changed.
+//   saturating      h0 cannot grow through the surface: reefs lift the ground by lift_m at most, up to the flat, and
+//   the
+//                   rim by rim_m up to the crest, less in the lee of the swell. Outside, the side falls with a slope of
+//                   its own, gentler in the lee, instead of with N. Wide reefs hold a lagoon behind their flat
+//                   (lagoons.h), which drains through passes (passes.h); sand fills the water between reefs; knolls,
+//                   spurs and grooves, cays (cays.h). Land and what stands higher than the reef is never changed.
+//   light           In saturating mode particles settle, and kernels lift, only between the surface and the depth at
+//                   which a tenth of the light is left. Hollows of the land, unknown ground (NaN) and a sea of 0 m
+//                   without a floor carry no reef.
+//   starts          Without any, each separate piece of habitat has one (pieces.h): P4's centre in a sea of one piece.
 #pragma once
 
 #include "seamount/base/rng.h"
@@ -37,8 +44,9 @@ struct GrowInputs {
 
 struct Grown {
   HeightField terrain;
-  ScalarField aggregate;  ///< 0 outside the reef, 1 on it, the normal kernel between: one half close to the outline
-  LabelMap labels;        ///< reef; lagoon behind it; beach up to 4 m and mountain above; abyss, the open sea
+  ScalarField aggregate;  ///< 0 outside the reef, 1 on it; one half close to the outline, half way down the side
+  LabelMap labels;        ///< reef; lagoon behind it; beach up to 4 m and mountain above; abyss, the open sea. Of cays
+                          ///< what is higher than plants grow (cays.h) is mountain: land with plants
 };
 
 /// Grows a reef. Throws InvalidArgument for params out of range, kernels outside the terrain or the habitat, and more
