@@ -62,6 +62,15 @@ int particles_for(int wanted, double lattice_m, const Habitat& habitat) {
   return static_cast<int>(std::min(room, inner / kCellsPerParticle + (room - inner) / 2));
 }
 
+void say_if_small(const Habitat& habitat, const RunContext& run) {
+  constexpr int64_t kFew = 50;
+  const auto cells =
+      static_cast<int64_t>(std::count(habitat.suitable.cells().begin(), habitat.suitable.cells().end(), 1));
+  if (cells < kFew && habitat.suitable.size() > 10 * kFew)
+    run.say("hardly any habitat: " + std::to_string(cells) + " of " + std::to_string(habitat.suitable.size()) +
+            " lattice cells have a sea floor in light");
+}
+
 WalkRules walk_rules(const WalkParams& p, int particles) {
   const double bearing = p.current_to_deg * std::numbers::pi / 180.0;
   WalkRules rules;
@@ -231,15 +240,15 @@ Grown grow(const GrowInputs& in, const GrowParams& params, Seed seed, const RunC
   const GridFrame& frame = in.terrain.frame();
   const double lattice_m = params.lattice_m.value_or(default_lattice_m(frame));
   if (!params.lattice_m && lattice_m > default_lattice_m({}))
-    run.say("lattice_m: " + format_number(std::round(lattice_m)) +
-            " m, as wide as this terrain's cells and size allow: "
-            "reefs come out some times that wide");
+    run.say("lattice_m is " + format_number(std::round(lattice_m)) +
+            " m, as fine as this terrain's cells and extent allow: reefs come out about three times as wide");
   const double radius = params.kernel.radius_m.value_or(kRadiusInCells * lattice_m);
   const bool rising = params.heights.mode == Lift::saturating;
   const Grid<uint8_t> dry = dry_ground(in.terrain, rising, run);
   const BoundParams bounds = rising ? bounds_in_light(params.bounds) : params.bounds;
   const Habitat habitat = find_habitat(in.terrain, {in.habitat, in.start, in.drawing, &dry}, lattice_m,
                                        bounds.margin_m.value_or(3.0 * radius), params.starts, bounds, seed, run);
+  say_if_small(habitat, run);
   const WalkRules rules = walk_rules(params.walk, particles_for(params.particles, lattice_m, habitat));
   const Aggregate reef = aggregate(habitat.suitable, habitat.kernels, rules, seed, run.part(0.0, 0.2));
 

@@ -208,8 +208,8 @@ std::vector<int64_t> mouths_of(const RegionOfMask& lagoon, const Ways& ways, con
     for (const int64_t i : lagoon.cells) {
       if (ways.cost(i) >= kUnreached || (best >= 0 && ways.cost(i) >= ways.cost(best))) continue;
       const bool near = std::any_of(mouths.begin(), mouths.end(), [&](int64_t o) {
-        const auto dx = static_cast<double>(i % f.width - o % f.width),
-                   dy = static_cast<double>(i / f.width - o / f.width);
+        const int64_t columns = i % f.width - o % f.width, rows = i / f.width - o / f.width;
+        const auto dx = static_cast<double>(columns), dy = static_cast<double>(rows);
         return std::sqrt(dx * dx + dy * dy) * f.cell_m < apart;
       });
       if (!near) best = i;
