@@ -47,7 +47,7 @@ BENCHMARK(place_and_write)->Name("ecosystem/things/10k")->Unit(benchmark::kMilli
 void draw(benchmark::State& state) {
   const HeightField ground = terrain();
   const Things all = place_things(ground, specs(), placements(ground, 10000), {}, {1}, {});
-  for (auto _ : state) benchmark::DoNotOptimize(render::perspective(ground, nullptr, &all, {}, {}));
+  for (auto _ : state) benchmark::DoNotOptimize(render::perspective(ground, {.things = &all}, {}, {}));
 }
 BENCHMARK(draw)->Name("render/perspective_of_10k_things/1280x720")->Unit(benchmark::kMillisecond);
 

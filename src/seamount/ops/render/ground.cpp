@@ -11,6 +11,7 @@
 #include "seamount/model/same_size.h"
 #include "seamount/ops/render/detail_noise.h"
 #include "seamount/ops/render/lava.h"
+#include "seamount/ops/render/river_cover.h"
 #include "seamount/ops/render/standing_water.h"
 #include "seamount/ops/render/style.h"
 
@@ -163,9 +164,11 @@ Ground::Ground(Filled filled, const HeightField& terrain, const LabelMap* labels
       cover_scale_(static_cast<float>(heights_.cell_m() / cover_.base().cell_m())),
       exaggeration_(static_cast<float>(options.exaggeration)),
       has_lakes_(!depth_.empty()),
+      has_rivers_(options.rivers != nullptr && !options.rivers->lines.empty()),
       labelled_(labels != nullptr),
       layered_(options.style != Style::natural) {
   if (!depth_.empty()) lake_ = MipMap<float>(std::move(depth_), run);
+  if (has_rivers_) river_ = MipMap<float>(river_cover(*options.rivers, heights_.frame(), run), run);
   if (layered_) layers_ = MipMap<LayerTexel>(layer_texels(heights_, options, run), run);
 }
 
@@ -213,6 +216,7 @@ GroundSample Ground::sample(float x, float y, float footprint) const {
   p.footprint = footprint;
   p.unknown = is_unknown(x, y);
   if (has_lakes_) p.lake = lake_.sample(c, r, lod);
+  if (has_rivers_) p.river = river_.sample(c, r, lod);
   constexpr float kDry_m = 5.0F;  // above the wash of waves
   if (p.z < kDry_m && (p.lake > 0.0F || is_dry(x, y))) p.z = kDry_m;
   p.labelled = labelled_ ? 1.0F : 0.0F;

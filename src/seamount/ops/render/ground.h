@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "seamount/model/areas.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
 #include "seamount/model/layer_borders.h"
@@ -42,6 +43,7 @@ struct GroundOptions {
   Style style = Style::natural;
   LayerBorders layers;                ///< of a style other than natural; heights over the water
   const ScalarField* lake = nullptr;  ///< metres of standing water over the terrain; may be null
+  const Drawing* rivers = nullptr;    ///< of shown.h
   std::optional<double> min_sea_m2;   ///< of geom/water/inland.h
   double wind_from = 0.0;             ///< of the wind that brings rain, radians clockwise from north
 };
@@ -88,11 +90,12 @@ class Ground {
   Mask dry_;               ///< on the grid of heights_; empty: none
   HeightField heights_;
   MipMap<float> lake_;
+  MipMap<float> river_;
   MipMap<FormTexel> form_;
   MipMap<CoverTexel> cover_;
   MipMap<LayerTexel> layers_;  ///< of styles other than natural
   float half_columns_, half_rows_, cover_scale_, exaggeration_;
-  bool has_lakes_, labelled_, layered_;
+  bool has_lakes_, has_rivers_, labelled_, layered_;
 };
 
 /// Whether a terrain lies in the sea: most of its border is under water. Unknown cells do not count.

@@ -34,6 +34,7 @@ struct SurfacePoint {
   float low = 0.0F, high = 0.0F;  ///< shares of a style's layers; the middle has the rest
   float lava = 0.0F;              ///< how much lava runs here, 0 to 1
   float lake = 0.0F;              ///< depth of a lake's water, whose surface is the ground's here; not above 0: no lake
+  float river = 0.0F;             ///< share of the place that running water covers
   bool unknown = false;           ///< nothing is known here: blank ground
 };
 

@@ -167,30 +167,21 @@ class Painter {
 
 }  // namespace
 
-Image perspective(const HeightField& terrain, const LabelMap* labels, const PerspectiveParams& params,
+Image perspective(const HeightField& terrain, const Shown& shown, const PerspectiveParams& params,
                   const RunContext& run) {
-  return perspective(terrain, labels, nullptr, params, run);
-}
-
-Image perspective(const HeightField& terrain, const LabelMap* labels, const Things* things,
-                  const PerspectiveParams& params, const RunContext& run) {
-  return perspective(terrain, labels, things, nullptr, params, run);
-}
-
-Image perspective(const HeightField& terrain, const LabelMap* labels, const Things* things, const ScalarField* lake,
-                  const PerspectiveParams& params, const RunContext& run) {
   check_params(params);
   const Climate climate = climate_of(params.climate, params.tree_line_m, params.snow_line_m, params.rock,
                                      setting_of(terrain, params.water_level_m, params.water));
   check_camera(params.camera);
   const SunDirection sun = sun_direction(params.sun, climate.latitude);
-  const Ground ground(terrain, labels,
+  const Ground ground(terrain, shown.labels,
                       {.water_level_m = params.water_level_m,
                        .exaggeration = params.vertical_exaggeration,
                        .sun = sun,
                        .style = params.style,
                        .layers = params.layers,
-                       .lake = params.water ? lake : nullptr,
+                       .lake = params.water ? shown.lake : nullptr,
+                       .rivers = params.water ? shown.rivers : nullptr,
                        .min_sea_m2 = params.min_sea_m2,
                        .wind_from = climate.wind_from},
                       run.part(0.0, 0.3));
@@ -208,9 +199,9 @@ Image perspective(const HeightField& terrain, const LabelMap* labels, const Thin
   const Camera camera = place_camera(
       params.camera, {params.width_px, params.height_px, sea, params.water, scene.base()}, terrain.frame(), ground);
   std::optional<ThingScene> standing;
-  if (things != nullptr && !things->things.empty()) {
+  if (shown.things != nullptr && !shown.things->things.empty()) {
     standing.emplace(
-        *things, terrain, ground,
+        *shown.things, terrain, ground,
         ThingView{camera.position, camera.pixel_angle(), params.water_level_m, params.vertical_exaggeration}, quiet);
     scene.add_things(&*standing);
   }

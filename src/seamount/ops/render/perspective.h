@@ -13,6 +13,7 @@
 #include "seamount/model/label_map.h"
 #include "seamount/model/things.h"
 #include "seamount/ops/render/perspective_params.h"
+#include "seamount/ops/render/shown.h"
 
 namespace seamount::render {
 
@@ -20,18 +21,16 @@ namespace seamount::render {
 /// another, keep the sky from what is under them, and are seen through the water. A camera with distance_m may be under
 /// water itself (scene_underwater.cpp).
 ///
-/// Draws the terrain; labels (may be null) say where beach, lagoon and reef are. Heights in metres, any size from
+/// Draws the terrain with what is shown. Heights in metres, any size from
 /// 1 x 1. Throws InvalidArgument for params out of range and heights that are not finite, IncompatibleInputs for labels
 /// of another size. About 1 us a pixel plus 40 ns a cell (up to 2048 x 2048 cells are kept), parallel.
-Image perspective(const HeightField& terrain, const LabelMap* labels, const PerspectiveParams& params,
+/// Things take about 5 us for each pixel that sees one or lies beside it.
+Image perspective(const HeightField& terrain, const Shown& shown, const PerspectiveParams& params,
                   const RunContext& run);
-
-/// With things (may be null), in the terrain's system. About 5 us for each pixel that sees one or lies beside it.
-Image perspective(const HeightField& terrain, const LabelMap* labels, const Things* things,
-                  const PerspectiveParams& params, const RunContext& run);
-
-/// With lakes: metres of standing water over the terrain (may be null), each lake with a surface of its own.
-Image perspective(const HeightField& terrain, const LabelMap* labels, const Things* things, const ScalarField* lake,
-                  const PerspectiveParams& params, const RunContext& run);
+/// With labels alone.
+inline Image perspective(const HeightField& terrain, const LabelMap* labels, const PerspectiveParams& params,
+                         const RunContext& run) {
+  return perspective(terrain, Shown{.labels = labels}, params, run);
+}
 
 }  // namespace seamount::render

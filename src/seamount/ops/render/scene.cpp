@@ -174,7 +174,25 @@ Rgb Scene::land_light(Vec3 place, Vec3 direction, float footprint, Dice dice) co
   const Rgb light = facing * lamp.sun + sky + bounce * (material.albedo * lamp.sun);
   // Rough ground is a little brighter towards the sun's side (Oren and Nayar), which also fills grazing views.
   const float back = 1.0F + 0.12F * std::max(0.0F, -dot(direction, sun));
-  return back * (material.albedo * light) + material.glow;
+  const Rgb seen = back * (material.albedo * light) + material.glow;
+  constexpr float kTrace = 0.01F;  // of water: not worth drawing
+  if (!options_.water || point.river < kTrace || submerged_) return seen;
+  return mix(seen, river_light(place, direction, footprint, s, dice), point.river);
+}
+
+Rgb Scene::river_light(Vec3 place, Vec3 direction, float footprint, const GroundSample& ground, Dice dice) const {
+  WaterPoint water;
+  water.to_eye = -1.0F * direction;
+  water.x = place.x;
+  water.y = place.y;
+  water.footprint = footprint;
+  water.depth = kRiverDepth_m;
+  water.shelter = 1.0F;
+  water.sun = ground.form.sun;
+  water.sky = ground.cover.sky;
+  water.floor = river_bed();
+  if (things_ != nullptr) water.sun *= sun_past_things(place, sky_.to_sun(), dice);
+  return water_light(water, sky_, 0.3F * options_.clarity);
 }
 
 Vec3 Scene::refracted_floor(Vec3 place, Vec3 direction) const {

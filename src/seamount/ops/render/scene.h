@@ -87,6 +87,7 @@ class Scene {
   float sky_past_things(Vec3 place, Vec3 normal, Dice dice) const;
   float sun_past_ground(Vec3 place, Vec3 to_sun) const;
   float beside_surface(Vec3 place) const;
+  Rgb river_light(Vec3 place, Vec3 direction, float footprint, const GroundSample& ground, Dice dice) const;
   Rgb lake_light(Vec3 place, Vec3 direction, float footprint, const GroundSample& ground, Dice dice) const;
   Rgb sea_light(Vec3 place, Vec3 direction, float footprint, Dice dice) const;
   /// What things under water change of a view down through the surface: the floor that is seen, its depth.

@@ -72,7 +72,7 @@ TEST(StandingWater, PicturesShowSeaLakesAndDryBasins) {
     MapDrawings drawings;
     drawings.lake = with_lake ? &lake : nullptr;
     for (const Image& image :
-         {map(terrain, nullptr, drawings, bare, {}), texture(terrain, nullptr, drawings.lake, small, {})}) {
+         {map(terrain, nullptr, drawings, bare, {}), texture(terrain, {.lake = drawings.lake}, small, {})}) {
       EXPECT_TRUE(is_blue(image, 0.1, 0.5));
       EXPECT_FALSE(is_blue(image, 0.4, 0.5));
       EXPECT_FALSE(is_blue(image, 0.52, 0.5));
@@ -82,7 +82,7 @@ TEST(StandingWater, PicturesShowSeaLakesAndDryBasins) {
     down.camera.elevation_deg = 70;
     PerspectiveParams flooded = down;
     flooded.min_sea_m2 = 1e5;
-    const int wet = count_water(perspective(terrain, nullptr, nullptr, drawings.lake, down, {}));
+    const int wet = count_water(perspective(terrain, {.lake = drawings.lake}, down, {}));
     const int all = count_water(perspective(terrain, nullptr, flooded, {}));
     EXPECT_GT(wet, 500);  // the sea
     EXPECT_LT(wet + (with_lake ? 200 : 600), all);

@@ -33,24 +33,26 @@ Rgb texel(const Ground& ground, const Sky& sky, const TextureParams& params, con
   if (params.water && point.z < 0.0F) {
     colour = reflectance_from_above(colour, -point.z, sky.to_sun().z, static_cast<float>(params.water_clarity));
   }
+  if (point.river > 0.0F && point.z > 0.0F)
+    colour = mix(colour, reflectance_from_above(river_bed(), kRiverDepth_m, sky.to_sun().z, 0.3F), point.river);
   return mix(1.0F, kDaylight, baked) * colour;
 }
 
 }  // namespace
 
-Image texture(const HeightField& terrain, const LabelMap* labels, const ScalarField* lake, const TextureParams& params,
-              const RunContext& run) {
+Image texture(const HeightField& terrain, const Shown& shown, const TextureParams& params, const RunContext& run) {
   check_params(params);
   const Climate climate = climate_of(params.climate, params.tree_line_m, params.snow_line_m, params.rock,
                                      setting_of(terrain, params.water_level_m, params.water));
   const MaterialRules rules{climate, params.style};
-  const Ground ground(terrain, labels,
+  const Ground ground(terrain, shown.labels,
                       {.water_level_m = params.water_level_m,
                        .sun = kSun,
                        .limit = std::max(16, params.size_px),
                        .style = params.style,
                        .layers = params.layers,
-                       .lake = params.water ? lake : nullptr,
+                       .lake = params.water ? shown.lake : nullptr,
+                       .rivers = params.water ? shown.rivers : nullptr,
                        .min_sea_m2 = params.min_sea_m2,
                        .wind_from = climate.wind_from},
                       run.part(0.0, 0.4));

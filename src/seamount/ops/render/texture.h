@@ -13,6 +13,7 @@
 #include "seamount/model/layer_borders.h"
 #include "seamount/ops/render/climate.h"
 #include "seamount/ops/render/materials.h"
+#include "seamount/ops/render/shown.h"
 
 namespace seamount::render {
 
@@ -52,14 +53,13 @@ struct TextureParams {
   }
 };
 
-/// A picture of the terrain's shape whose longer side has size_px pixels, row 0 at its northern edge. Labels and lake
-/// may be null. Throws as perspective() does. About 300 ns a pixel plus 40 ns a cell, parallel.
-Image texture(const HeightField& terrain, const LabelMap* labels, const ScalarField* lake, const TextureParams& params,
-              const RunContext& run);
-/// Without lakes.
+/// A picture of the terrain's shape whose longer side has size_px pixels, row 0 at its northern edge. Things are not
+/// drawn. Throws as perspective() does. About 300 ns a pixel plus 40 ns a cell, parallel.
+Image texture(const HeightField& terrain, const Shown& shown, const TextureParams& params, const RunContext& run);
+/// With labels alone.
 inline Image texture(const HeightField& terrain, const LabelMap* labels, const TextureParams& params,
                      const RunContext& run) {
-  return texture(terrain, labels, nullptr, params, run);
+  return texture(terrain, Shown{.labels = labels}, params, run);
 }
 
 }  // namespace seamount::render

@@ -135,7 +135,7 @@ TEST(ThingsInPictures, CastShadowsAwayFromTheSun) {
     params.water = false;
     params.sun = {.azimuth_deg = azimuth, .elevation_deg = 30.0};
     const Image bare = perspective(terrain, nullptr, params, {}),
-                with = perspective(terrain, nullptr, &one, params, {});
+                with = perspective(terrain, {.things = &one}, params, {});
     const auto change = [&](int x0, int x1) {
       return brightness(with, x0, 55, x1, 65) / brightness(bare, x0, 55, x1, 65);
     };
@@ -154,10 +154,10 @@ TEST(ThingsInPictures, AreTheSameOnAnyThreadsAndNothingWithoutThings) {
   RunContext one, many;
   one.threads = 1;
   many.threads = 5;
-  const Image a = perspective(terrain, nullptr, &things, params, one);
-  EXPECT_EQ(a, perspective(terrain, nullptr, &things, params, many));
+  const Image a = perspective(terrain, {.things = &things}, params, one);
+  EXPECT_EQ(a, perspective(terrain, {.things = &things}, params, many));
   const Things none;
-  EXPECT_EQ(perspective(terrain, nullptr, &none, params, one), perspective(terrain, nullptr, params, one));
+  EXPECT_EQ(perspective(terrain, {.things = &none}, params, one), perspective(terrain, nullptr, params, one));
   EXPECT_NE(a, perspective(terrain, nullptr, params, one));
 }
 
@@ -170,7 +170,7 @@ TEST(ThingsInPictures, OddTerrainsAndPlacesAreDrawn) {
     const Things one =
         ecosystem::place_things(terrain, {{"rock", {.shape = ThingForm::rock}}}, {{{2.5, 47.5}}}, {}, {1}, {});
     ASSERT_EQ(one.things.size(), 1U);
-    EXPECT_EQ(perspective(terrain, nullptr, &one, params, {}).width, 48);
+    EXPECT_EQ(perspective(terrain, {.things = &one}, params, {}).width, 48);
   }
   HeightField holes = ground(32, 4.0, 8.0);
   for (int y = 8; y < 24; ++y)
@@ -179,7 +179,7 @@ TEST(ThingsInPictures, OddTerrainsAndPlacesAreDrawn) {
   EXPECT_LT(things.things.size(), 80U);
   things.things[0].place = {-5e5, 3e5};  // far away, and where nothing is known
   things.things[1].place = {3000.0 + 64.0, 8000.0 - 64.0};
-  EXPECT_EQ(perspective(holes, nullptr, &things, params, {}), perspective(holes, nullptr, &things, params, {}));
+  EXPECT_EQ(perspective(holes, {.things = &things}, params, {}), perspective(holes, {.things = &things}, params, {}));
 }
 
 TEST(ThingsInPictures, AreSeenThroughTheWaterAndBluerTheDeeper) {
@@ -194,7 +194,7 @@ TEST(ThingsInPictures, AreSeenThroughTheWaterAndBluerTheDeeper) {
                                                  .colour = {200, 190, 170}}}};
     const Things one = place_things(terrain, specs, {{{3050.0, 7950.0}}}, {}, {1}, {});
     const Image bare = perspective(terrain, nullptr, looking_down(40.0), {}),
-                with = perspective(terrain, nullptr, &one, looking_down(40.0), {});
+                with = perspective(terrain, {.things = &one}, looking_down(40.0), {});
     EXPECT_GT(std::abs(brightness(with, 70, 50, 90, 70) - brightness(bare, 70, 50, 90, 70)), 5.0);
     red[k] = with.pixel(80, 60)[0];
     blue[k] = with.pixel(80, 60)[2];

@@ -59,6 +59,8 @@ float sun_glint(Vec3 to_eye, Vec3 normal, Vec3 to_sun, float variance) {
 
 Rgb water_transmittance(float path_m, float clarity) { return exp_of((-path_m / clarity) * kAttenuation); }
 
+Rgb river_bed() { return {0.105F, 0.092F, 0.066F}; }
+
 float refracted_cosine(float cosine) { return std::sqrt(1.0F - (1.0F - cosine * cosine) / (1.333F * 1.333F)); }
 
 Rgb reflectance_from_above(Rgb floor, float depth, float sun_height, float clarity) {

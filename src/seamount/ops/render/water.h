@@ -29,6 +29,10 @@ Rgb water_transmittance(float path_m, float clarity);
 /// Reflectance of a floor under water seen from right above, with the sun at its height: for textures.
 Rgb reflectance_from_above(Rgb floor, float depth, float sun_height, float clarity);
 
+/// Rivers: shallow and a little turbid over gravel.
+inline constexpr float kRiverDepth_m = 1.5F;
+Rgb river_bed();
+
 /// Cosine of the refracted ray to the vertical in water for a ray in air with cosine `cosine`.
 float refracted_cosine(float cosine);
 

@@ -22,6 +22,9 @@ OptionalIn<kinds::Field> lake_in() {
   return with_voids(
       optional_in<kinds::Field>("lake", "metres of standing water over it, as hydrology.lakes gives them"));
 }
+OptionalIn<Drawing> rivers_in() {
+  return optional_in<Drawing>("rivers", "lines of running water, as wide as they say");
+}
 auto picture_out() { return outputs(out<kinds::Image>("image", "the picture")); }
 
 /// With the latitude of the terrain's middle, if it lies somewhere on the Earth and no other is given.
@@ -61,18 +64,20 @@ void add_views(Registry& registry) {
        .revision = 3,
        .summary = "A picture from a point of view, with sun, shadows, sky and water"},
       inputs(terrain_in(), labels_in(),
-             optional_in<kinds::Things>("things", "what stands on it, drawn from its models"), lake_in()),
+             optional_in<kinds::Things>("things", "what stands on it, drawn from its models"), lake_in(), rivers_in()),
       picture_out(),
       [](const render::PerspectiveParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
-         const Things* things, const ScalarField* lake) {
-        return render::perspective(terrain, labels, things, lake, at_its_latitude(params, terrain.frame()), call.run);
+         const Things* things, const ScalarField* lake, Lines rivers) {
+        return render::perspective(terrain, {labels, things, lake, rivers}, at_its_latitude(params, terrain.frame()),
+                                   call.run);
       }));
   registry.add(make_operator<render::TextureParams>(
       {.name = "render.texture", .revision = 3, .summary = "The ground from above, as a texture for meshes"},
-      inputs(terrain_in(), labels_in(), lake_in()), picture_out(),
+      inputs(terrain_in(), labels_in(), lake_in(), rivers_in()), picture_out(),
       [](const render::TextureParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
-         const ScalarField* lake) {
-        return render::texture(terrain, labels, lake, at_its_latitude(params, terrain.frame()), call.run);
+         const ScalarField* lake, Lines rivers) {
+        return render::texture(terrain, {.labels = labels, .lake = lake, .rivers = rivers},
+                               at_its_latitude(params, terrain.frame()), call.run);
       }));
 }
 
