@@ -39,9 +39,10 @@ int32_t find_drain(const Tin& tin, const geom::NodeGraph& graph, const std::vect
   return lowest;
 }
 
-bool has_lower(const Tin& tin, const geom::NodeGraph& graph, size_t node) {
-  const auto around = graph.around(node);
-  return std::any_of(around.begin(), around.end(), [&](int32_t n) { return tin.height_m[at(n)] < tin.height_m[node]; });
+template <class Heights>
+bool has_lower(const Heights& height, const geom::NodeGraph& graph, int32_t node) {
+  const auto around = graph.around(at(node));
+  return std::any_of(around.begin(), around.end(), [&](int32_t n) { return height[at(n)] < height[at(node)]; });
 }
 
 }  // namespace
@@ -96,9 +97,11 @@ std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std
                          const Limits& limits, std::vector<double> height, const RunContext& run) {
   const std::vector<int32_t> order = rank_order(tin, bands, run);
   const std::vector<int32_t> drains = find_drains(tin, graph, height, run);
+  const std::vector<uint8_t> edge = edge_nodes(tin, graph);
   for (auto node = order.rbegin(); node != order.rend(); ++node) {
     const int32_t to = drains[at(*node)];
     if (to < 0 || height[at(to)] < height[at(*node)]) continue;
+    if (edge[at(*node)] != 0 || has_lower(height, graph, *node)) continue;
     const double base = bands[at(tin.region[at(to)])].from_m;
     const double cut = base + kCut * (height[at(*node)] - base);
     height[at(to)] = std::max(limits.floor[at(to)], std::min(cut, height[at(*node)]));
@@ -114,7 +117,7 @@ std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std
   run.check_cancelled();
   for (const int32_t node : order) {
     const int32_t to = drains[at(node)];
-    if (to < 0 || result[at(to)] < result[at(node)]) continue;
+    if (to < 0 || result[at(to)] < result[at(node)] || has_lower(result, graph, node)) continue;
     result[at(node)] = std::nextafter(result[at(to)], kFar);
   }
   return result;
@@ -127,7 +130,7 @@ void fill_pits(Tin& tin, const geom::NodeGraph& graph, const RunContext& run) {
     if (node % 16384 == 0) run.check_cancelled();
     const int32_t r = tin.region[node];
     if (r < 0 || tin.regions[at(r)].basin) done[node] = 1;
-    any = any || (done[node] == 0 && !has_lower(tin, graph, node));
+    any = any || (done[node] == 0 && !has_lower(tin.height_m, graph, static_cast<int32_t>(node)));
   }
   if (!any) return;
   using Place = std::pair<float, int32_t>;

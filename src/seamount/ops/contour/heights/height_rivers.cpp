@@ -1,5 +1,9 @@
 // Heights along rivers (node_heights.h).
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <utility>
 
 #include "seamount/ops/contour/heights/node_heights.h"
 
@@ -66,6 +70,33 @@ void stand_on_rivers(const Tin& tin, const geom::NodeGraph& graph, const std::ve
     if (!(band.to_m > band.from_m)) continue;
     const double share = (height[node] - band.from_m) / (band.to_m - band.from_m);
     height[node] = base[node] + share * std::max(band.to_m - base[node], 0.0);
+  }
+}
+
+void fill_behind_rivers(const Tin& tin, const geom::NodeGraph& graph, const Limits& limits, std::vector<double>& height,
+                        const RunContext& run) {
+  if (tin.bed_m.empty()) return;
+  constexpr double kRise = 1e-3;  // m/m of filled ground
+  using Open = std::pair<double, int32_t>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  std::vector<uint8_t> done = edge_nodes(tin, graph);
+  for (size_t node = 0; node < tin.nodes.size(); ++node) {
+    const int32_t region = tin.region[node];
+    if (region < 0 || tin.regions[at(region)].basin) done[node] = 1;
+    if (done[node] != 0) open.emplace(height[node], static_cast<int32_t>(node));
+  }
+  for (size_t taken = 1; !open.empty(); ++taken) {
+    if (taken % 16384 == 0) run.check_cancelled();
+    const auto [z, node] = open.top();
+    open.pop();
+    for (const int32_t neighbour : graph.around(at(node))) {
+      if (done[at(neighbour)] != 0) continue;
+      done[at(neighbour)] = 1;
+      const Vec2 way = tin.nodes[at(neighbour)] - tin.nodes[at(node)];
+      const double least = std::min(z + kRise * std::sqrt(dot(way, way)), limits.cap[at(neighbour)]);
+      height[at(neighbour)] = std::max(height[at(neighbour)], least);
+      open.emplace(height[at(neighbour)], neighbour);
+    }
   }
 }
 

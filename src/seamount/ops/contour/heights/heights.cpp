@@ -126,6 +126,7 @@ Tin heights(Tin tin, const HeightField* terrain, const HeightsParams& params, co
   if (params.spikes == Spikes::cut) cut_spikes(tin, graph, limits, height, run);
   const double slope = std::tan(params.shore_slope_deg * std::numbers::pi / 180.0);
   fall_outside(tin, graph, bands, shores, beside, slope, land_width(tin), height, run);
+  fill_behind_rivers(tin, graph, limits, height, run);
   tin.height_m = drain(tin, graph, bands, limits, std::move(height), run);
   fill_pits(tin, graph, run);
   run.report(1.0);

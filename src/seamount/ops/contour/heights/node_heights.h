@@ -43,6 +43,11 @@ std::vector<double> band_heights(const Tin& tin, const std::vector<RegionBand>& 
 void stand_on_rivers(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
                      std::vector<double>& height, const RunContext& run);
 
+/// In networks with rivers, lifts hollows between what stands on different beds to where their water leaves: cut down
+/// to the beds instead, they would be trenches across the divides. Not over a node's cap. n log n.
+void fill_behind_rivers(const Tin& tin, const geom::NodeGraph& graph, const Limits& limits, std::vector<double>& height,
+                        const RunContext& run);
+
 /// Lays nodes beside outlines at the heights that a plane through the outline has there, as steep as the ground is, so
 /// that the contour passes between them where the outline does. Sets nodes outside the regions too. `beside`: distance
 /// from the outline of the nodes that were laid, of others -1 as before.
@@ -62,9 +67,9 @@ std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& b
 std::vector<int32_t> find_drains(const Tin& tin, const geom::NodeGraph& graph, const std::vector<double>& height,
                                  const RunContext& run);
 
-/// Lowers nodes that would dam the water on its way down the ranks, then lifts nodes that still lie below the one that
-/// they drain to, and rounds to floats that differ: afterwards each node lies higher than its drain. Outside nodes
-/// count as outlets.
+/// Of nodes without a lower neighbour, lowers those that dam the water on its way down the ranks, then lifts nodes that
+/// still have none above the one that they drain to, and rounds to floats that differ. Outside nodes
+/// and those at the network's edge count as outlets.
 std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std::vector<RegionBand>& bands,
                          const Limits& limits, std::vector<double> height, const RunContext& run);
 
