@@ -130,6 +130,53 @@ ScalarField weight_within(const std::vector<Polygon>& within, const GridFrame& d
   return fading_weight(frame, fade_m, run, [&](int x, int y) { return -static_cast<double>(outside(x, y)); });
 }
 
+constexpr double kEdgeOfWave = 0.1;
+
+double length_of(const ContourSet& set) {
+  double length = 0.0;
+  for (const Contour& contour : set.contours) length += geom::ring_length(contour.ring);
+  return length;
+}
+
+void say_or_refuse(const ToolContext& context, const char* field, const std::string& why, const std::string& applied) {
+  if (context.on_crossing == OnCrossing::refuse) throw InvalidArgument(context.name + "." + field, why);
+  context.run.say(context.name + " (fractalize): " + why + "; applied with " + applied);
+}
+
+/// The shape that is asked for, less what would stir contours or take for ever.
+Roughness bounded_shape(const FractalizeTool& tool, const ContourSet& set, double weight_slope,
+                        const ToolContext& context) {
+  constexpr double kMostMoves = 3e7;
+  Roughness shape{tool.amplitude_m, tool.wavelength_m, tool.octaves, tool.gain};
+  const double length = length_of(set);
+  const double most = std::min(most_amplitude_m(shape), tool.fade_m);
+  if (shape.amplitude_m > most) {
+    say_or_refuse(context, "amplitude_m",
+                  format_number(tool.amplitude_m) + " would stir contours: waves of " +
+                      format_number(tool.wavelength_m) + " m that fade over " + format_number(tool.fade_m) +
+                      " m may displace them by " + rounded_down(most) + " m",
+                  rounded_down(most));
+    shape.amplitude_m = most;
+  }
+  const auto moves = [&] {
+    const double points = length / (kEdgeOfWave * shape.wavelength_m) * std::pow(2.0, shape.octaves - 1);
+    return points * roughen_parts(shape, weight_slope);
+  };
+  while (shape.octaves > 1 && moves() > kMostMoves) --shape.octaves;
+  if (moves() > kMostMoves)
+    throw InvalidArgument(context.name + ".wavelength_m",
+                          format_number(tool.wavelength_m) + " is too short for " +
+                              format_number(std::round(length / 1000.0)) +
+                              " km of contours and this amplitude; about " +
+                              format_number(std::ceil(tool.wavelength_m * moves() / kMostMoves)) + " m would do");
+  if (shape.octaves < tool.octaves)
+    say_or_refuse(context, "octaves",
+                  std::to_string(tool.octaves) + " octaves, waves down to " +
+                      format_number(tool.wavelength_m * std::pow(2.0, 1 - tool.octaves)) + " m, take too many points",
+                  std::to_string(shape.octaves));
+  return shape;
+}
+
 }  // namespace
 
 void apply(const FractalizeTool& tool, ContourSet& set, const ToolContext& context) {
@@ -140,10 +187,9 @@ void apply(const FractalizeTool& tool, ContourSet& set, const ToolContext& conte
   if (tool.amplitude_m == 0.0) return;
   const ScalarField weight = weight_within(tool.within, set.frame, tool.fade_m, context.run);
   const double slope = 1.5 / std::max(tool.fade_m, 2.0 * weight.cell_m());
-  const Roughen roughen({tool.amplitude_m, tool.wavelength_m, tool.octaves, tool.gain}, weight, slope, context.seed);
+  const Roughen roughen(bounded_shape(tool, set, slope, context), weight, slope, context.seed);
   const GridFrame& frame = weight.frame();
   const geom::Box reach{{frame.west_m, frame.south_m()}, {frame.east_m(), frame.north_m}};
-  constexpr double kEdgeOfWave = 0.1;
   const double edge = kEdgeOfWave * roughen.shortest_wavelength_m();
   const PlaneMap map{
       reach, edge, kEdge * edge, [](const geom::Box&) { return true; },

@@ -31,15 +31,41 @@ double weight_at(const ScalarField& weight, Vec2 p) {
   return (1.0 - t) * upper + t * lower;
 }
 
+/// What noise of amplitude 1 is multiplied by for a root of the mean square displacement.
+double displacement_of(double amplitude_m) { return amplitude_m / (kDeviation * std::sqrt(2.0)); }
+
+/// Equal parts of an octave that are one to one each.
+int parts_of(double displacement_m, double wavelength_m, double weight_slope) {
+  const double steepest = displacement_m * (kSteepestNoise / wavelength_m + std::sqrt(2.0) * weight_slope);
+  return std::max(1, static_cast<int>(std::ceil(steepest / kSteepestPart)));
+}
+
 }  // namespace
+
+double most_amplitude_m(const Roughness& shape) {
+  constexpr double kOfWavelength = 1.0 / 3.0;
+  const double last = std::max(1.0, std::pow(2.0 * shape.gain, shape.octaves - 1));
+  return kOfWavelength * shape.wavelength_m / last;
+}
+
+int roughen_parts(const Roughness& shape, double weight_slope) {
+  int parts = 0;
+  double wavelength = shape.wavelength_m;
+  double amplitude = displacement_of(shape.amplitude_m);
+  for (int i = 0; i < shape.octaves; ++i) {
+    parts += parts_of(amplitude, wavelength, weight_slope);
+    wavelength *= 0.5;
+    amplitude *= shape.gain;
+  }
+  return parts;
+}
 
 Roughen::Roughen(const Roughness& shape, const ScalarField& weight, double weight_slope, Seed seed) : weight_(weight) {
   Vec2 turn = kTurn;
   double wavelength = shape.wavelength_m;
-  double amplitude = shape.amplitude_m / (kDeviation * std::sqrt(2.0));
+  double amplitude = displacement_of(shape.amplitude_m);
   for (int i = 0; i < shape.octaves; ++i) {
-    const double steepest = amplitude * (kSteepestNoise / wavelength + std::sqrt(2.0) * weight_slope);
-    const int parts = std::max(1, static_cast<int>(std::ceil(steepest / kSteepestPart)));
+    const int parts = parts_of(amplitude, wavelength, weight_slope);
     octaves_.push_back({wavelength, amplitude, parts, turn, seed.derive("east", static_cast<uint64_t>(i)),
                         seed.derive("north", static_cast<uint64_t>(i))});
     turn = {turn.x * kTurn.x - turn.y * kTurn.y, turn.x * kTurn.y + turn.y * kTurn.x};

@@ -24,6 +24,13 @@ struct Roughness {
   double gain = 0.5;
 };
 
+/// The largest amplitude of a shape by which no octave displaces places by more than a third of its wavelength: beyond
+/// that contours are stirred and not roughened.
+double most_amplitude_m(const Roughness& shape);
+
+/// The parts that all octaves are done in: what a place costs.
+int roughen_parts(const Roughness& shape, double weight_slope);
+
 class Roughen {
  public:
   /// `weight` in [0, 1] scales the displacement from place to place, 0 beyond its frame; its gradient is at most
