@@ -29,7 +29,8 @@ void find_pits(const HeightField& terrain, float sea, int begin, int end, std::v
 /// Looks for the way from a pit to lower ground, over passes as low as can be.
 class Breacher {
  public:
-  Breacher(HeightField& terrain, float sea) : terrain_(terrain), sea_(sea), came_(terrain.frame(), 0) {}
+  Breacher(HeightField& terrain, float sea, const Grid<uint8_t>& basins)
+      : terrain_(terrain), basins_(basins), sea_(sea), came_(terrain.frame(), 0) {}
 
   void breach(int64_t pit) {
     const float bottom = terrain_.cells()[static_cast<size_t>(pit)];
@@ -51,7 +52,8 @@ class Breacher {
   bool drains(int64_t cell, float bottom) const {
     const auto x = static_cast<int>(cell % terrain_.width()), y = static_cast<int>(cell / terrain_.width());
     const float z = terrain_.cells()[static_cast<size_t>(cell)];
-    return z < bottom || z <= sea_ || x == 0 || y == 0 || x + 1 == terrain_.width() || y + 1 == terrain_.height();
+    return z < bottom || z <= sea_ || (!basins_.empty() && basins_(x, y) != 0) || x == 0 || y == 0 ||
+           x + 1 == terrain_.width() || y + 1 == terrain_.height();
   }
 
   int64_t flood(int64_t pit, float bottom) {
@@ -76,7 +78,7 @@ class Breacher {
     return -1;
   }
 
-  /// Lowers the way from the outlet back to the pit so that it falls evenly.
+  /// Lowers the way from the outlet back to the pit to the pit's height.
   void cut(int64_t pit, int64_t outlet, float bottom) {
     const std::array<int64_t, 8> steps = flow_steps(terrain_.width());
     way_.clear();
@@ -84,15 +86,14 @@ class Breacher {
       way_.push_back(cell);
       cell -= steps[static_cast<size_t>(came_.cells()[static_cast<size_t>(cell)] - 1)];
     }
-    const float end = std::min(bottom, terrain_.cells()[static_cast<size_t>(outlet)]);
-    const auto length = static_cast<float>(way_.size());
-    for (size_t i = 0; i < way_.size(); ++i) {
-      float& z = terrain_.cells()[static_cast<size_t>(way_[i])];
-      z = std::min(z, std::max(end, end + (bottom - end) * (static_cast<float>(i) / length)));
+    for (const int64_t cell : way_) {
+      float& z = terrain_.cells()[static_cast<size_t>(cell)];
+      z = std::min(z, bottom);
     }
   }
 
   HeightField& terrain_;
+  const Grid<uint8_t>& basins_;
   float sea_;
   Grid<uint8_t> came_;  ///< 0: not seen, k + 1: by step k, 9: the pit itself
   std::vector<int64_t> seen_, way_;
@@ -100,7 +101,7 @@ class Breacher {
 
 }  // namespace
 
-void breach_pits(HeightField& terrain, float sea_level_m, const RunContext& run) {
+void breach_pits(HeightField& terrain, float sea_level_m, const Grid<uint8_t>& basins, const RunContext& run) {
   std::vector<std::vector<int64_t>> per_row(static_cast<size_t>(terrain.height()));
   parallel_rows(run, terrain.width(), terrain.height(), [&](int begin, int end) {
     find_pits(terrain, sea_level_m, begin, end, per_row[static_cast<size_t>(begin)]);
@@ -111,7 +112,7 @@ void breach_pits(HeightField& terrain, float sea_level_m, const RunContext& run)
   std::stable_sort(pits.begin(), pits.end(), [&](int64_t a, int64_t b) {
     return terrain.cells()[static_cast<size_t>(a)] < terrain.cells()[static_cast<size_t>(b)];
   });
-  Breacher breacher(terrain, sea_level_m);
+  Breacher breacher(terrain, sea_level_m, basins);
   for (const int64_t pit : pits) {
     run.check_cancelled();
     breacher.breach(pit);

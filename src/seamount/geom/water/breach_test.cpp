@@ -27,7 +27,7 @@ TEST(Breach, LeavesNoDepressionAndOnlyLowers) {
           terrain(x, y) = static_cast<float>(
               400 * fbm(Seed{seed}, {.wavelength_m = 900}, terrain.frame().x(x), terrain.frame().y(y)));
       const HeightField before = terrain;
-      breach_pits(terrain, 0.0F, {});
+      breach_pits(terrain, 0.0F, {}, {});
       EXPECT_EQ(deepest_depression(terrain, 0.0F), 0.0F) << seed << " " << w << "x" << h;
       for (size_t c = 0; c < terrain.size(); ++c) {
         ASSERT_LE(terrain.cells()[c], before.cells()[c]);
@@ -43,15 +43,28 @@ TEST(Breach, WhatDrainsStaysAsItIs) {
     for (int x = 0; x < 60; ++x)
       cone(x, y) = static_cast<float>(300.0 - std::hypot(cone.frame().x(x), cone.frame().y(y)));
   const HeightField before = cone;
-  breach_pits(cone, 0.0F, {});
+  breach_pits(cone, 0.0F, {}, {});
   EXPECT_EQ(cone, before);
+}
+
+TEST(Breach, BasinsThatAreMeantStay) {
+  HeightField bowl(GridFrame::centred(30, 30, 10), 20.0F);
+  Grid<uint8_t> basins(bowl.frame(), 0);
+  for (int y = 10; y < 20; ++y)
+    for (int x = 10; x < 20; ++x) {
+      bowl(x, y) = 5.0F;
+      basins(x, y) = 1;
+    }
+  const HeightField before = bowl;
+  breach_pits(bowl, 0.0F, basins, {});
+  EXPECT_EQ(bowl, before);
 }
 
 TEST(Breach, PlateausAndBowlsOfOneHeightDrain) {
   HeightField bowl(GridFrame::centred(30, 30, 10), 20.0F);
   for (int y = 10; y < 20; ++y)
     for (int x = 10; x < 20; ++x) bowl(x, y) = 5.0F;
-  breach_pits(bowl, 0.0F, {});
+  breach_pits(bowl, 0.0F, {}, {});
   EXPECT_EQ(deepest_depression(bowl, 0.0F), 0.0F);
 }
 

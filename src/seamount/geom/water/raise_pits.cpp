@@ -40,12 +40,23 @@ struct Open {
   bool operator<(const Open& other) const { return height != other.height ? height > other.height : cell > other.cell; }
 };
 
+/// Blocks with a cell where `basins` is not 0.
+Grid<uint8_t> any_of_blocks(const Grid<uint8_t>& basins, int step, const GridFrame& frame) {
+  Grid<uint8_t> out(frame, 0);
+  for (int y = 0; y < basins.height(); ++y) {
+    for (int x = 0; x < basins.width(); ++x) {
+      if (basins(x, y) != 0) out(x / step, y / step) = 1;
+    }
+  }
+  return out;
+}
+
 /// Raises what cannot drain until it falls by `slope`. Returns whether anything was raised.
-bool flood_up(HeightField& terrain, float sea, float slope) {
+bool flood_up(HeightField& terrain, float sea, float slope, const Grid<uint8_t>& basins) {
   const int width = terrain.width(), height = terrain.height();
   std::priority_queue<Open> open;
   Grid<uint8_t> seen(terrain.frame(), 0);
-  const auto is_land = [&](int x, int y) { return terrain(x, y) > sea; };
+  const auto is_land = [&](int x, int y) { return terrain(x, y) > sea && (basins.empty() || basins(x, y) == 0); };
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       if (!is_land(x, y)) {
@@ -81,11 +92,13 @@ bool flood_up(HeightField& terrain, float sea, float slope) {
 
 }  // namespace
 
-void raise_pits(HeightField& terrain, float sea_level_m, double slope, int side, const RunContext& run) {
+void raise_pits(HeightField& terrain, float sea_level_m, double slope, int side, const Grid<uint8_t>& basins,
+                const RunContext& run) {
   const int step = std::max(1, (std::max(terrain.width(), terrain.height()) + side - 1) / side);
   const HeightField before = lowest_of_blocks(terrain, step, run);
   ScalarField lift = before;
-  if (!flood_up(lift, sea_level_m, static_cast<float>(slope))) return;
+  const Grid<uint8_t> drains = basins.empty() ? Grid<uint8_t>() : any_of_blocks(basins, step, lift.frame());
+  if (!flood_up(lift, sea_level_m, static_cast<float>(slope), drains)) return;
   for (size_t c = 0; c < lift.size(); ++c) lift.cells()[c] -= before.cells()[c];
   const GridFrame& frame = terrain.frame();
   std::vector<uint8_t> lifted(static_cast<size_t>(lift.height()), 0);

@@ -23,7 +23,7 @@ TEST(RaisePits, OnItsOwnCellsNothingIsLeftToFill) {
     for (const auto& [w, h] : {std::pair{97, 61}, {40, 130}, {3, 3}, {1, 7}}) {
       const HeightField before = noise(w, h, seed);
       HeightField terrain = before;
-      raise_pits(terrain, 0.0F, 0.001, 200, {});
+      raise_pits(terrain, 0.0F, 0.001, 200, {}, {});
       const HeightField filled = fill_depressions(terrain, 0.0F, {});
       for (size_t c = 0; c < terrain.size(); ++c) {
         ASSERT_GE(terrain.cells()[c], before.cells()[c]);
@@ -45,7 +45,7 @@ TEST(RaisePits, OnACoarseLatticeWhatIsLeftIsShallow) {
       return sum;
     };
     const double before = volume(terrain);
-    raise_pits(terrain, 0.0F, 0.01, 80, {});
+    raise_pits(terrain, 0.0F, 0.01, 80, {}, {});
     EXPECT_LT(volume(terrain), 0.35 * before) << seed;
   }
 }

@@ -355,17 +355,15 @@ Island build(const Plan& drawn, const BuildParams& params, const GridFrame& fram
   } else {
     island.terrain = carved(making, island.coordinate, params, spacing, run.part(0.6, 0.9));
   }
-  const Craters craters(peaks, profile);
+  const Grid<uint8_t> basins = craters(peaks, profile, frame);
   if (plan.land_m2 > 0) {
     const int side = std::min(kValleySide, std::max(frame.width, frame.height) / 3 + 1);
-    const Craters::Hold hold(craters, island.terrain);
-    geom::raise_pits(island.terrain, 0.0F, kValleySlope, side, run);
+    geom::raise_pits(island.terrain, 0.0F, kValleySlope, side, basins, run);
   }
   finish(making, island, run.part(0.9, 1.0));
   if (plan.land_m2 > 0) {
     set_peak_heights(island.terrain, peaks, run);
-    const Craters::Hold hold(craters, island.terrain);
-    geom::breach_pits(island.terrain, 0.0F, run);
+    geom::breach_pits(island.terrain, 0.0F, basins, run);
   }
   return island;
 }

@@ -75,7 +75,7 @@ void sink(const ScalarField& subsidence, HeightField& terrain, const RunContext&
       for (size_t x = 0; x < lambda.size(); ++x) heights[x] -= std::clamp(lambda[x], 0.0F, 1.0F) * (heights[x] - floor);
     }
   });
-  geom::breach_pits(terrain, 0.0F, run);
+  geom::breach_pits(terrain, 0.0F, {}, run);
   const auto most = *std::max_element(subsidence.cells().begin(), subsidence.cells().end());
   run.say("sunk as the painting's brightness says, by up to " + format_number(std::round(100 * most)) +
           " % of the height over the sea floor: island.coral with subsidence 0 grows its reef");

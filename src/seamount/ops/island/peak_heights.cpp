@@ -87,6 +87,16 @@ void move_to(HeightField& terrain, const Cell& cell, float height, double widest
   terrain(cell.x, cell.y) = height;
 }
 
+/// How far the ground belongs to a peak: no more than half the way to a higher one.
+double around_peak(const std::vector<Peak>& peaks, size_t i) {
+  double reach = 0.55 * peaks[i].radius_m;
+  for (size_t j = 0; j < i; ++j) {
+    const Vec2 way = peaks[j].place - peaks[i].place;
+    reach = std::min(reach, 0.5 * std::sqrt(dot(way, way)));
+  }
+  return reach;
+}
+
 }  // namespace
 
 void set_peak_heights(HeightField& terrain, const std::vector<Peak>& peaks, const RunContext& run) {
@@ -106,10 +116,13 @@ void set_peak_heights(HeightField& terrain, const std::vector<Peak>& peaks, cons
     if (i > 0 && !peak.exact) continue;
     const auto height = static_cast<float>(peak.height_m);
     const double reach = kNear * peak.radius_m;
-    if (peak.exact) press_around(terrain, peak.place, height, reach);
-    const Cell cell = highest_near(terrain, peak.place, peak.exact ? kAsked * peak.radius_m : reach);
+    const double rim = peak.profile.knots.empty() ? 0.0 : highest_at(geom::CurveFunction(peak.profile));
+    const double beside = around_peak(peaks, i);
+    if (peak.exact) press_around(terrain, peak.place, height, beside);
+    const double asked = std::max(kAsked, 1.3 * rim) * peak.radius_m;
+    const Cell cell = highest_near(terrain, peak.place, peak.exact ? asked : reach);
     if (cell.z != height && cell.z > 0.0F) move_to(terrain, cell, height, peak.radius_m);
-    const Cell around = highest_near(terrain, peak.place, 1.5 * reach);
+    const Cell around = highest_near(terrain, peak.place, 0.7 * beside);
     if (peak.exact && around.z > height + 1.0F)
       run.say("the summit at (" + format_number(std::round(peak.place.x)) + ", " +
               format_number(std::round(peak.place.y)) + ") of " + format_number(std::round(peak.height_m)) +

@@ -178,6 +178,16 @@ std::vector<Peak> choose_peaks(const Plan& plan, const std::vector<Summit>& give
   return peaks;
 }
 
+double highest_at(const geom::CurveFunction& profile) {
+  constexpr int kSteps = 200;
+  double best = 0.0;
+  for (int i = 1; i <= kSteps; ++i) {
+    const double x = static_cast<double>(i) / kSteps;
+    if (profile(x) > profile(best)) best = x;
+  }
+  return best;
+}
+
 void add_side_peaks(double massif, Seed seed, std::vector<Peak>& peaks) {
   constexpr double kLarge = 0.35;  // of the largest lobe's radius
   const auto each = static_cast<int>(std::lround(3.0 * massif));

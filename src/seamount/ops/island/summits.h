@@ -36,6 +36,9 @@ std::vector<Peak> choose_peaks(const Plan& plan, const std::vector<Summit>& give
 /// Lower peaks beside those of the large lobes, which nobody placed: none at massif 0, three each at 1. Highest first.
 void add_side_peaks(double massif, Seed seed, std::vector<Peak>& peaks);
 
+/// Where on [0, 1] a profile is highest: 0 at a summit, at the rim of a crater more. To a two-hundredth.
+double highest_at(const geom::CurveFunction& profile);
+
 /// How far land rises to its peaks, as v = 1 - x~ on a lattice: 1 on the highest, 0 on the foot of the mountains.
 /// `distance`: from the foot, negative inside, on the lattice. `shape` maps x in [0, 1] to the share of the height over
 /// `foot_m` that the island's profile has there and descends strictly from 1 to 0. `unevenness` in [0, 1]: how far

@@ -138,6 +138,7 @@ TEST(Build, ASummitHasItsOwnProfile) {
            64;
   }
   EXPECT_GT(rim, floor + 80);
+  EXPECT_NEAR(*std::max_element(isle.terrain.cells().begin(), isle.terrain.cells().end()), 800, 1);
 }
 
 TEST(Build, RefusesASummitInTheSea) {
