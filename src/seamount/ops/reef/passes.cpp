@@ -190,7 +190,7 @@ Grid<uint8_t> price_of(const HeightField& ground, const ScalarField& exposure, c
   Grid<uint8_t> price(ground.frame(), 0);
   for (size_t i = 0; i < price.size(); ++i) {
     const float z = ground.cells()[i];
-    if (!(z <= -kBelow * depth_m)) continue;  // NaN is not
+    if (!(z <= -depth_m)) continue;  // NaN is not
     const float shallow = std::clamp(1.0F + 30.0F / (-z), 1.0F, 4.0F);
     const float windward = 1.0F + 0.8F * geom::smoothstep(0.5F + 0.8F * exposure.cells()[i]);
     price.cells()[i] = static_cast<uint8_t>(
@@ -284,14 +284,15 @@ bool open_lagoons(const HeightField& ground, const HeightField& reef, const Scal
 
 ScalarField find_passes(const HeightField& ground, const HeightField& reef, const ScalarField& exposure,
                         const PassParams& passes, double cell_m, const RunContext& run) {
-  // Parts of a lagoon that narrows may be shut off still when its other parts are open.
-  constexpr std::array<float, 6> kRounds = {kPassable_m, kPassable_m, kPassable_m, kDeeper_m, kDeeper_m, kDeeper_m};
+  constexpr int kRounds = 3;  // parts of a lagoon that narrows may be shut off still when its other parts are open
   ScalarField out;
   HeightField dug = reef;
-  for (const float depth_m : kRounds) {
-    if (!open_lagoons(ground, dug, exposure, passes, depth_m, cell_m, out, run)) continue;
-    for (size_t i = 0; i < dug.size(); ++i)
-      dug.cells()[i] = std::min(reef.cells()[i], std::max(ground.cells()[i], -out.cells()[i]));
+  for (const float depth_m : {kPassable_m, kDeeper_m}) {
+    for (int round = 0; round < kRounds; ++round) {
+      if (!open_lagoons(ground, dug, exposure, passes, depth_m, cell_m, out, run)) break;
+      for (size_t i = 0; i < dug.size(); ++i)
+        dug.cells()[i] = std::min(reef.cells()[i], std::max(ground.cells()[i], -out.cells()[i]));
+    }
   }
   return std::any_of(out.cells().begin(), out.cells().end(), [](float d) { return d > 0; }) ? out : ScalarField();
 }
