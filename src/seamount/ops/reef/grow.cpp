@@ -1,6 +1,7 @@
 #include "seamount/ops/reef/grow.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -129,8 +130,8 @@ LabelMap label_regions(const Grown& grown, const GrowInputs& in, const ScalarFie
     for (int y = begin; y < end; ++y) {
       rows.read(frame.x(0), frame.cell_m, frame.y(y), away);
       for (int x = 0; x < frame.width; ++x) {
-        Region region = region_of(grown.terrain(x, y), in.terrain(x, y), grown.aggregate(x, y),
-                                  away[static_cast<size_t>(x)] - node, borders);
+        const float z = grown.terrain(x, y), z0 = z > kDry_m ? in.terrain(x, y) : z;
+        Region region = region_of(z, z0, grown.aggregate(x, y), away[static_cast<size_t>(x)] - node, borders);
         if (in.labels != nullptr) {
           const Region old = (*in.labels)(x, y);
           const bool both_land = region <= Region::beach && old <= Region::beach;
@@ -159,13 +160,13 @@ Grid<uint8_t> dry_ground(const HeightField& terrain, bool rising, const RunConte
 }
 
 /// Dry and unknown ground stays as it was.
-void keep_dry(const HeightField& terrain, const Grid<uint8_t>& dry, Grown& out, const RunContext& run) {
+void keep_dry(const HeightField& terrain, const Grid<uint8_t>& dry, bool unknown, Grown& out) {
   for (size_t i = 0; i < dry.size(); ++i) {
     if (dry.cells()[i] == 0) continue;
     out.terrain.cells()[i] = terrain.cells()[i];
     out.aggregate.cells()[i] = 0.0F;
   }
-  if (geom::count_voids(terrain, run) == 0) return;
+  if (!unknown) return;
   for (size_t i = 0; i < terrain.size(); ++i) {
     if (!std::isnan(terrain.cells()[i])) continue;
     out.terrain.cells()[i] = terrain.cells()[i];
@@ -173,9 +174,9 @@ void keep_dry(const HeightField& terrain, const Grid<uint8_t>& dry, Grown& out, 
   }
 }
 
-void blur(HeightField& terrain, double blur_m, const RunContext& run) {
+void blur(HeightField& terrain, double blur_m, bool unknown, const RunContext& run) {
   if (blur_m <= 0) return;
-  if (geom::count_voids(terrain, run) > 0) geom::fill_voids(terrain, run);
+  if (unknown) geom::fill_voids(terrain, run);
   geom::gaussian_blur(terrain, blur_m, run);
 }
 
@@ -214,12 +215,18 @@ Form make_form(const Aggregate& reef, const GridFrame& lattice, const GridFrame&
   return form;
 }
 
-void raise(const Form& form, const SurfaceParams& surface, const HeightField& base, Seed seed, HeightField& terrain,
+/// Heights and aggregate from a base; true if any of it is unknown.
+bool raise(const Form& form, const SurfaceParams& surface, const HeightField& base, Seed seed, HeightField& terrain,
            ScalarField& aggregate, const RunContext& run) {
+  std::atomic<bool> unknown = false;
   parallel_rows(run, base.width(), base.height(), [&](int begin, int end) {
     SurfaceRows rows(form, surface, base.frame(), seed);
-    for (int y = begin; y < end; ++y) rows.row(y, base.row(y), terrain.row(y), aggregate.row(y));
+    for (int y = begin; y < end; ++y) {
+      rows.row(y, base.row(y), terrain.row(y), aggregate.row(y));
+      if (geom::any_void(base.row(y))) unknown = true;
+    }
   });
+  return unknown;
 }
 
 /// The passes of a form, sought on its own lattice.
@@ -264,9 +271,9 @@ Grown grow(const GrowInputs& in, const GrowParams& params, Seed seed, const RunC
   if (rising) form.passes = {passes_of(form, surface, params.passes, in.terrain, seed, run.part(0.4, 0.5)), 0.0F};
 
   Grown out{HeightField(frame), ScalarField(frame), LabelMap()};
-  raise(form, surface, in.terrain, seed, out.terrain, out.aggregate, run.part(0.5, 0.9));
-  blur(out.terrain, params.finish.blur_m, run);
-  keep_dry(in.terrain, dry, out, run);
+  const bool unknown = raise(form, surface, in.terrain, seed, out.terrain, out.aggregate, run.part(0.5, 0.9));
+  blur(out.terrain, params.finish.blur_m, unknown, run);
+  keep_dry(in.terrain, dry, unknown, out);
   if (params.finish.normalise) stretch(out.terrain, params.finish, run);
   const Borders borders{static_cast<float>(rising ? params.heights.flat_m - kBackReefDepth_m : -1e9),
                         static_cast<float>(kPlants * params.sand.cay_m)};
