@@ -117,7 +117,8 @@ std::vector<float> drain(const Tin& tin, const geom::NodeGraph& graph, const std
   run.check_cancelled();
   for (const int32_t node : order) {
     const int32_t to = drains[at(node)];
-    if (to < 0 || result[at(to)] < result[at(node)] || has_lower(result, graph, node)) continue;
+    if (to < 0 || result[at(to)] < result[at(node)]) continue;
+    if (edge[at(node)] != 0 || has_lower(result, graph, node)) continue;
     result[at(node)] = std::nextafter(result[at(to)], kFar);
   }
   return result;
