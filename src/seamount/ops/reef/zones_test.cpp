@@ -190,6 +190,25 @@ TEST(ReefZones, GroovesAreWindwardAndOnlyWhereCellsResolveThem) {
   EXPECT_GT(windward, 500);
   EXPECT_LT(lee, 0.02 * windward);
   EXPECT_LT(deepest, 8.0F);
+  // From spur to spur along the windward side, where they stand out most at each bearing.
+  int turns = 0;
+  double before = 0;
+  for (double angle = -0.6; angle < 0.6; angle += 0.002) {
+    double most = 0;
+    for (double r = 1900; r < 2150; r += 6) {
+      const GridFrame& f = a.terrain.frame();
+      const int x = static_cast<int>(std::lround(f.column(r * std::cos(angle))));
+      const int y = static_cast<int>(std::lround(f.row(r * std::sin(angle))));
+      const double d = static_cast<double>(a.terrain(x, y)) - static_cast<double>(b.terrain(x, y));
+      if (std::abs(d) > std::abs(most)) most = d;
+    }
+    if (std::abs(most) < 0.3) continue;
+    turns += most * before < 0 ? 1 : 0;
+    before = most;
+  }
+  const double spacing_m = 2.0 * 1.2 * 2030 / turns;
+  EXPECT_GT(spacing_m, 55);
+  EXPECT_LT(spacing_m, 125);
   HeightField coarse(GridFrame::centred(60, 60, 120), -30.0F);
   EXPECT_TRUE(grow({coarse}, with, Seed{1}, {}).terrain == grow({coarse}, without, Seed{1}, {}).terrain);
 }
