@@ -1,15 +1,19 @@
 // Registration of the terrain family.
 #include "seamount/geom/solve/fill_voids.h"
 #include "seamount/io/join.h"
+#include "seamount/io/projection.h"
 #include "seamount/io/raster.h"
 #include "seamount/ops/terrain/blend.h"
 #include "seamount/ops/terrain/compose.h"
+#include "seamount/ops/terrain/crop.h"
 #include "seamount/ops/terrain/layers.h"
 #include "seamount/ops/terrain/mask.h"
 #include "seamount/ops/terrain/noise.h"
 #include "seamount/ops/terrain/resample.h"
 #include "seamount/ops/terrain/samples.h"
 #include "seamount/ops/terrain/sea_floor.h"
+#include "seamount/ops/terrain/smooth.h"
+#include "seamount/ops/terrain/terrace.h"
 #include "seamount/recipe/ports.h"
 
 namespace seamount::recipe {
@@ -190,6 +194,48 @@ void add_sampling(Registry& registry) {
       }));
 }
 
+HeightField crop(const terrain::CropParams& params, const Call& call, const HeightField& terrain) {
+  terrain::CropParams placed = params;
+  if (params.longitude_deg.has_value() != params.latitude_deg.has_value())
+    throw InvalidArgument(params.longitude_deg ? "latitude_deg" : "longitude_deg", "is missing: a place has both");
+  if (params.longitude_deg) {
+    if (params.x_m || params.y_m) throw InvalidArgument("longitude_deg", "contradicts x_m and y_m: give one place");
+    if (terrain.frame().crs.empty())
+      throw InvalidArgument("longitude_deg", "the terrain has no coordinate system; give x_m and y_m");
+    const Vec2 place = io::from_lonlat({{*params.longitude_deg, *params.latitude_deg}}, terrain.frame().crs).front();
+    placed.x_m = place.x;
+    placed.y_m = place.y;
+  }
+  return terrain::crop(terrain, placed, call.run);
+}
+
+void add_shaping(Registry& registry) {
+  registry.add(make_operator<terrain::CropParams>(
+      {.name = "terrain.crop",
+       .summary = "A part of a terrain around a place, its summit or its middle, where it lies"},
+      inputs(with_voids(placed(Placing::system, in<Terrain>("terrain", kHeights)))),
+      outputs(out<Terrain>("terrain", kHeights)), crop));
+  registry.add(make_operator<terrain::SmoothParams>(
+      {.name = "terrain.smooth",
+       .summary = "A terrain with its detail taken off or exaggerated, all over or by a mask"},
+      inputs(in<Terrain>("terrain", kHeights),
+             optional_in<Field>("mask", "where it is done, 0 to 1; everywhere if open")),
+      outputs(out<Terrain>("terrain", kHeights)),
+      [](const terrain::SmoothParams& params, const Call& call, const HeightField& terrain, const ScalarField* mask) {
+        return terrain::smooth(terrain, mask, params, call.run);
+      }));
+  registry.add(make_operator<terrain::TerraceParams>(
+      {.name = "terrain.terrace",
+       .summary = "Slopes become treads and risers, as where hard beds lie in soft ones; erosion makes walls of them",
+       .stochastic = true},
+      inputs(in<Terrain>("terrain", kHeights),
+             optional_in<Field>("mask", "where it is done, 0 to 1; everywhere if open")),
+      outputs(out<Terrain>("terrain", kHeights)),
+      [](const terrain::TerraceParams& params, const Call& call, const HeightField& terrain, const ScalarField* mask) {
+        return terrain::terrace(terrain, mask, params, call.seed, call.run);
+      }));
+}
+
 void add_joining(Registry& registry) {
   registry.add(make_operator<terrain::BlendParams>(
       {.name = "terrain.blend",
@@ -217,6 +263,7 @@ void add_terrain_operators(Registry& registry) {
   add_sources(registry);
   add_sampling(registry);
   add_joining(registry);
+  add_shaping(registry);
   registry.add(make_operator<terrain::MaskParams>(
       {.name = "terrain.mask",
        .revision = 2,
