@@ -239,7 +239,9 @@ Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint, Dice dice) con
     const float swell = detail_noise(141, floor.x, floor.y, 0.2F * size, 3, 0.5F, footprint).value;
     const float far = border_depth_ * (1.0F + 0.2F * swell);
     const float near = std::exp(-out / (0.06F * size));
-    water.depth = mix(far, water.depth + cliff, near);
+    // By their ratio: a bank that is cut off by the border fades out instead of falling away.
+    constexpr float kLeast = 0.5F;
+    water.depth = std::exp(mix(std::log(std::max(far, kLeast)), std::log(std::max(water.depth + cliff, kLeast)), near));
     s.point.reef *= near;
     s.point.shore_m += out;
   }

@@ -1,10 +1,11 @@
 #include "seamount/ops/render/tints.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <span>
 
-#include "seamount/base/text.h"
 #include "seamount/model/label_map.h"
 
 namespace seamount::render {
@@ -137,7 +138,7 @@ Rgb region_colour(int region) {
 }
 
 std::string height_text(double height_m) {
-  std::string digits = format_number(std::abs(height_m));
+  std::string digits = fmt::format("{:.6g}", std::abs(height_m));  // multiples of a step, but for rounding
   const size_t point = digits.find_first_of(".e");
   for (size_t i = point == std::string::npos ? digits.size() : point; i > 3; i -= 3) {
     digits.insert(i - 3, "\u2009");  // thin space between thousands

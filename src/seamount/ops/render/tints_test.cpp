@@ -66,6 +66,7 @@ TEST(Tints, RoundNumbers) {
   EXPECT_DOUBLE_EQ(round_down_nice(4999.0), 2000.0);
   EXPECT_EQ(height_text(-1500.0), "\u22121\u2009500");
   EXPECT_EQ(height_text(200.0), "200");
+  EXPECT_EQ(height_text(3 * 0.2), "0.6");
 }
 
 }  // namespace
