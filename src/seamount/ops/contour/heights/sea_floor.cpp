@@ -26,7 +26,7 @@ constexpr double kOnLand = 0.0875;      ///< m/m, of ground outside an outline t
 constexpr double kNoCoast = 50.0;       ///< m, of an outline that is surely none
 constexpr double kSteepestCoast = 3.0;  ///< m/m that the sea floor takes over from the land
 constexpr double kGentlestCoast = 0.02;
-constexpr double kRelaxation = 0.05;  ///< of the land's width, over which the coast's slope ends
+constexpr double kRelaxation = 0.05;  ///< of the land's width, over which the coast's slope ends; of cliffs sooner
 constexpr double kWave = 0.4;         ///< of the land's width: length of the noise's waves
 constexpr double kSway = 0.15;        ///< of the distance from the coast, near it
 constexpr double kMostSway = 0.05;    ///< of the land's width, far out
@@ -179,9 +179,9 @@ class SeaFloor {
 
   /// Coasts of neighbours that are nearer to them count as much as the own: no creases where the nearest coast changes.
   void average_coasts() {
+    smooth_coast();
     for (const int32_t node : order_) {
       Offshore& o = offshore_[at(node)];
-      o.slope = std::clamp(o.slope, kGentlestCoast, kSteepestCoast);
       if (cap_[at(node)] != kFar) continue;
       double slope = 0.0, outline = 0.0, count = 0.0;
       for (const int32_t neighbour : graph_.around(at(node))) {
@@ -197,11 +197,36 @@ class SeaFloor {
     }
   }
 
+  /// Slopes at the coast, averaged along it: a cove's wall does not make a canyon.
+  void smooth_coast() {
+    constexpr int kRounds = 20;
+    std::vector<int32_t> coast;
+    for (const int32_t node : order_) {
+      if (cap_[at(node)] == kFar) continue;
+      coast.push_back(node);
+      offshore_[at(node)].slope = std::clamp(offshore_[at(node)].slope, kGentlestCoast, kSteepestCoast);
+    }
+    std::vector<double> next(coast.size());
+    for (int round = 0; round < kRounds; ++round) {
+      run_.check_cancelled();
+      for (size_t i = 0; i < coast.size(); ++i) {
+        double sum = offshore_[at(coast[i])].slope, count = 1.0;
+        for (const int32_t neighbour : graph_.around(at(coast[i]))) {
+          if (cap_[at(neighbour)] == kFar) continue;
+          sum += offshore_[at(neighbour)].slope;
+          count += 1.0;
+        }
+        next[i] = sum / count;
+      }
+      for (size_t i = 0; i < coast.size(); ++i) offshore_[at(coast[i])].slope = next[i];
+    }
+  }
+
   /// The height at a distance from an outline.
   double fallen(double outline_m, double coast, double away) const {
     const double dry = std::clamp(outline_m / kNoCoast, 0.0, 1.0);
     const double flank = flank_ + dry * (std::min(flank_, kOnLand) - flank_);
-    const double relaxation = std::max(kRelaxation * width_, 1e-3);
+    const double relaxation = std::max(kRelaxation * width_ / std::max(coast, 1.0), 1e-3);
     const double fall = flank * away + (coast - flank) * relaxation * (1.0 - std::exp(-away / relaxation));
     const double z = outline_m - fall;
     if (z >= 0.0) return z;
