@@ -148,6 +148,7 @@ struct MemberRow : geom::PlacedRow {
 void merge_lagoons(const std::vector<Placed>& placed, std::vector<MemberRow>& rows,
                    std::vector<std::vector<Region>>& labels) {
   std::vector<std::vector<float>> lowered;
+  lowered.reserve(rows.size());
   for (const MemberRow& row : rows) lowered.push_back(row.heights);
   std::vector<std::vector<Region>> merged = labels;
   for (size_t a = 0; a < rows.size(); ++a) {

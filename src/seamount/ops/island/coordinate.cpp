@@ -205,21 +205,21 @@ std::vector<Peak> peaks_of_lobes(const Plan& plan) {
   return peaks;
 }
 
-/// u / depth where u is well inside, spread a little outwards, so that it can be read right up to the outline.
-ScalarField slope_at_rim(const ScalarField& u, const ScalarField& distance, double offset, const RunContext& run) {
-  const GridFrame& frame = u.frame();
+/// v / depth where v is well inside, spread a little outwards, so that it can be read right up to the outline.
+ScalarField slope_at_rim(const ScalarField& v, const ScalarField& distance, double offset, const RunContext& run) {
+  const GridFrame& frame = v.frame();
   ScalarField slope(frame, 0.0F), weight(frame, 0.0F);
-  for (size_t c = 0; c < u.size(); ++c) {
+  for (size_t c = 0; c < v.size(); ++c) {
     const auto depth = static_cast<float>(offset - distance.cells()[c]);
     if (depth < 1.5F * static_cast<float>(frame.cell_m)) continue;
     weight.cells()[c] = 1.0F;
-    slope.cells()[c] = u.cells()[c] / depth;
+    slope.cells()[c] = v.cells()[c] / depth;
   }
   const ScalarField exact = slope;
   ScalarField cover = weight;
   geom::gaussian_blur(slope, 1.5 * frame.cell_m, run);
   geom::gaussian_blur(cover, 1.5 * frame.cell_m, run);
-  for (size_t c = 0; c < u.size(); ++c) {
+  for (size_t c = 0; c < v.size(); ++c) {
     const float spread = cover.cells()[c] > 1e-4F ? slope.cells()[c] / cover.cells()[c] : 0.0F;
     slope.cells()[c] = weight.cells()[c] > 0 ? exact.cells()[c] : spread;
   }

@@ -95,6 +95,7 @@ float share_at(const Cone& cone, Vec2 p, float distance) {
 void settle(std::vector<Cone>& cones) {
   constexpr int kRounds = 6;
   std::vector<float> wanted;
+  wanted.reserve(cones.size());
   for (const Cone& cone : cones) wanted.push_back(cone.share);
   for (int round = 0; round < kRounds; ++round) {
     for (size_t i = 0; i < cones.size(); ++i) {
