@@ -239,9 +239,13 @@ Rgb Scene::sea_light(Vec3 place, Vec3 direction, float footprint, Dice dice) con
     const float swell = detail_noise(141, floor.x, floor.y, 0.2F * size, 3, 0.5F, footprint).value;
     const float far = border_depth_ * (1.0F + 0.2F * swell);
     const float near = std::exp(-out / (0.06F * size));
-    // By their ratio: a bank that is cut off by the border fades out instead of falling away.
+    // A broad bank that is cut off by the border fades out (by the ratio of depths); a coast's shallows fall away.
+    const float broad = -ground_.form(floor.x, floor.y, 0.04F * size).height / ground_.exaggeration();
+    const float bank = ramp(2.0F, 5.0F, broad) * ramp(90.0F, 30.0F, broad);
     constexpr float kLeast = 0.5F;
-    water.depth = std::exp(mix(std::log(std::max(far, kLeast)), std::log(std::max(water.depth + cliff, kLeast)), near));
+    const float cut = water.depth + cliff;
+    water.depth = mix(mix(far, cut, near),
+                      std::exp(mix(std::log(std::max(far, kLeast)), std::log(std::max(cut, kLeast)), near)), bank);
     s.point.reef *= near;
     s.point.shore_m += out;
   }
