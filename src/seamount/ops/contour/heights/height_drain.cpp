@@ -68,14 +68,11 @@ std::vector<int32_t> rank_order(const Tin& tin, const std::vector<RegionBand>& b
     if (tin.region[node] < 0) continue;
     keys.push_back({bands[at(tin.region[node])].level, tin.rank[node], static_cast<int32_t>(node)});
   }
-  const auto [low, high] = std::minmax_element(
-      bands.begin(), bands.end(), [](const RegionBand& a, const RegionBand& b) { return a.level < b.level; });
+  int low = 0, high = 0;
+  for (const RegionBand& band : bands) low = std::min(low, band.level), high = std::max(high, band.level);
   run.check_cancelled();
   geom::bucket_sort(
-      keys,
-      [&](const Key& key) {
-        return (key.level - low->level + static_cast<double>(key.rank)) / (high->level - low->level + 1);
-      },
+      keys, [&](const Key& key) { return (key.level - low + static_cast<double>(key.rank)) / (high - low + 1); },
       [](const Key& a, const Key& b) { return std::tie(a.level, a.rank, a.node) < std::tie(b.level, b.rank, b.node); });
   std::vector<int32_t> order;
   order.reserve(keys.size());
