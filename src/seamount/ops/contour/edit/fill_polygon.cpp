@@ -152,13 +152,22 @@ geom::Fbm landforms(double wavelength_m, double cell_m) {
 void fill_polygon(const Polygon& outline, const FillTool& tool, const std::vector<LibraryPattern>& library,
                   ContourSet& set, const std::string& name, Seed seed, const RunContext& run) {
   const EditArea area = make_edit_area(set, outline, false, surroundings(outline), name, run);
+  const auto [lowest, highest] = std::minmax_element(area.ground.cells().begin(), area.ground.cells().end());
+  if (*lowest == *highest)
+    return run.say(name + " (fill): no contour comes near the outline; the ground there stays level");
   const geom::Box box = geom::bounding_box(outline.outer);
   const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   std::vector<PatchSource> sources;
   for (const LibraryPattern& pattern : library) sources.push_back(pattern_source(pattern.pattern, extent, run));
   if (library.empty()) sources.push_back(set_source(set, outline, extent, run));
-  const std::optional<Match> match =
-      find_match(area.ground, close_ground(area, run), outline, sources, seed.derive("match"), run);
+  const ScalarField expected = close_ground(area, run);
+  const auto best = [&] { return find_match(area.ground, expected, outline, sources, seed.derive("match"), run); };
+  std::optional<Match> match = best();
+  // A large outline leaves no room beside it: smaller pieces are enlarged.
+  for (double scale = 1.5; !match && library.empty() && scale < 5.0; scale *= 1.5) {
+    sources[0].scale = scale;
+    match = best();
+  }
   ScalarField heights;
   if (match) {
     const LibraryPattern* from = library.empty() ? nullptr : &library[match->source];

@@ -148,6 +148,14 @@ TEST(ContourFill, ChoosesThePatternOfALibraryThatFits) {
   EXPECT_THAT(notes[0], HasSubstr(" of own"));
 }
 
+TEST(ContourFill, LeavesAPlainWithoutContoursAlone) {
+  ContourSet set{GridFrame::centred(100, 100, 100), {}};
+  set.contours.push_back({50, {{3000, 3000}, {4500, 3000}, {4500, 4500}, {3000, 4500}}, -1});
+  set.contours.push_back({60, {{3300, 3300}, {4200, 3300}, {4200, 4200}, {3300, 4200}}, 0});
+  const Polygon outline{{{-3000, -3000}, {-1000, -3000}, {-1000, -1000}, {-3000, -1000}}, {}};
+  EXPECT_EQ(edit(set, {{FillTool{.within = {outline}}}}, {}, Seed{1}, {}), set);
+}
+
 TEST(FindMatch, FindsGroundThatWasTurnedMirroredAndRaised) {
   const HeightField source = range(6);
   for (const bool mirrored : {false, true}) {

@@ -59,6 +59,16 @@ void add_ring(const ScalarField& ground, const Ring& ring, Vec2 middle, double s
   }
 }
 
+struct Spread {
+  double count = 0.0, sum = 0.0, squares = 0.0;
+  void add(double height) {
+    count += 1.0;
+    sum += height;
+    squares += height * height;
+  }
+  double deviation() const { return std::sqrt(std::max(0.0, squares - sum * sum / count) / count); }
+};
+
 class Search {
  public:
   Search(const Samples& samples, const std::vector<PatchSource>& sources) : samples_(samples), sources_(sources) {}
@@ -74,20 +84,25 @@ class Search {
     for (const Sample& sample : samples_.rim) {
       const Vec2 p = placement.to_source(sample.at);
       if (!has(from, p)) return kNone;
-      const double off = sample.height - height_at(from.ground, p);
+      const double off = sample.height - placement.scale * height_at(from.ground, p);
       sum += off;
       squares += off * off;
       count += 1.0;
       if (squares - sum * sum / count > limit) return kNone;
     }
     double inner = 0.0;
+    Spread spread;
     for (const Sample& sample : samples_.inner) {
       const Vec2 p = placement.to_source(sample.at);
       if (!has(from, p)) return kNone;
-      inner += sample.height - height_at(from.ground, p);
+      const double height = height_at(from.ground, p);
+      inner += sample.height - placement.scale * height;
+      spread.add(height);
     }
     const double off = inner / static_cast<double>(samples_.inner.size()) - sum / count;
-    return std::sqrt(std::max(0.0, squares - sum * sum / count) / count + kMeanCounts * off * off);
+    // A plain is never far off, but it is not like mountains.
+    const double flat = std::max(0.0, spread_ - placement.scale * spread.deviation());
+    return std::sqrt(std::max(0.0, squares - sum * sum / count) / count + kMeanCounts * (off * off + flat * flat));
   }
 
   /// The best of each row of the seed's lattice of places, the best first.
@@ -155,6 +170,7 @@ class Search {
 
   const Samples& samples_;
   const std::vector<PatchSource>& sources_;
+  double spread_ = 0.0;  ///< of heights along the rim
 };
 
 }  // namespace

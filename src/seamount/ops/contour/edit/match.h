@@ -3,7 +3,7 @@
 //
 // Candidates are the outline itself laid anywhere over the sources, turned and mirrored; each is judged by how well the
 // heights below it and a little beyond it agree with those around the outline, but for a common shift. Heights along
-// two rings are heights and slopes; within it the mean height counts too, so that the distribution of heights is kept.
+// two rings are heights and slopes; within it the mean height and the spread count too: the distribution is kept.
 // The best of a lattice of places (shifted by the seed) and 16 attitudes is refined.
 #pragma once
 
@@ -40,7 +40,7 @@ struct Placement {
 struct PatchSource {
   ScalarField ground;
   ScalarField room;    ///< on the same frame: above 0 where it may be taken
-  double scale = 1.0;  ///< of lengths, at which it is laid
+  double scale = 1.0;  ///< of lengths and heights, at which it is laid
 };
 
 struct Match {
