@@ -92,7 +92,7 @@ void Document::save(const std::string& path) const { io::write_text(path, text()
 
 Recipe Document::recipe(std::optional<int> size) const {
   Json root(root_);
-  apply_changes(root, {.sets = {}, .seed = {}, .size = size});
+  apply_changes(root, {.sets = {}, .seed = {}, .size = size}, *registry_);
   Diagnostics none, missing;  // the steps say what is missing too
   return read_document(root, file_, folder_, none, missing, *registry_);
 }

@@ -6,62 +6,14 @@
 
 #include "seamount/io/projection.h"
 #include "seamount/recipe/recipe.h"
+#include "seamount/recipe/set_value.h"
+#include "seamount/recipe/variables.h"
 
 namespace seamount::recipe {
 namespace {
 
 constexpr double kMostCellsASide = 65536;
 constexpr double kMostCells = 1 << 30;
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  size_t begin = 0;
-  for (size_t end = text.find(separator); end != std::string::npos; end = text.find(separator, begin)) {
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  parts.push_back(text.substr(begin));
-  return parts;
-}
-
-/// The member that a path token names: a key, an index, or the id of a step.
-Json* descend(Json& json, const std::string& token, bool create) {
-  if (json.is_array()) {
-    for (Json& item : json) {
-      if (item.is_object() && item.contains("id") && item["id"] == token) return &item;
-    }
-    const bool digits =
-        !token.empty() && token.size() < 7 && token.find_first_not_of("0123456789") == std::string::npos;
-    if (digits && std::stoul(token) < json.size()) return &json[std::stoul(token)];
-    return nullptr;
-  }
-  if (json.is_null() && create) json = Json::object();
-  if (!json.is_object()) return nullptr;
-  if (!json.contains(token) && !create) return nullptr;
-  return &json[token];
-}
-
-void apply_set(Json& root, const std::string& assignment) {
-  const size_t equals = assignment.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    throw InvalidArgument("--set", "expected PATH=VALUE, found '" + assignment + "'");
-  }
-  const std::string path = assignment.substr(0, equals);
-  const std::string text = assignment.substr(equals + 1);
-  Json* target = &root;
-  const auto tokens = split(path, '.');
-  bool among_params = false;  // a group that the recipe leaves out may be named
-  for (size_t i = 0; i < tokens.size(); ++i) {
-    const bool may_create = among_params || i + 1 == tokens.size() || tokens[i] == "params" || tokens[i] == "domain";
-    among_params = among_params || tokens[i] == "params" || (tokens[0] == "outputs" && i == 1);
-    target = descend(*target, tokens[i], may_create);
-    if (target == nullptr) {
-      throw InvalidArgument("--set", "'" + path + "' leads nowhere: the recipe has no '" + tokens[i] + "' there");
-    }
-  }
-  const Json value = Json::parse(text, nullptr, false);
-  *target = value.is_discarded() ? Json(text) : value;
-}
 
 }  // namespace
 
@@ -88,15 +40,18 @@ GridFrame domain_frame(const DomainParams& params) {
   return frame;
 }
 
-void apply_changes(Json& root, const RecipeChanges& changes) {
-  for (const std::string& assignment : changes.sets) apply_set(root, assignment);
+void apply_changes(Json& root, const RecipeChanges& changes, const Registry& registry) {
+  for (const std::string& assignment : changes.sets) set_value(root, assignment, registry);
   if (!root.is_object()) return;
   if (changes.seed) root["seed"] = *changes.seed;
   if (changes.size) {
     Json& domain = root["domain"];
     if (domain.is_null()) domain = Json::object();
+    Diagnostics reported_later;
+    const VariablesApplied filled(root, {"", reported_later});
+    const Json& stated = filled.root()["domain"];
     const auto side = [&](const char* key, double otherwise) {
-      return domain.is_object() && domain.contains(key) && domain[key].is_number() ? domain[key].get<double>()
+      return stated.is_object() && stated.contains(key) && stated[key].is_number() ? stated[key].get<double>()
                                                                                    : otherwise;
     };
     const DomainParams defaults;

@@ -10,6 +10,7 @@ struct GridFrame;
 namespace seamount::recipe {
 
 struct RecipeChanges;
+class Registry;
 
 /// "domain" of a recipe: a rectangle of square cells around a place.
 struct DomainParams {
@@ -38,6 +39,6 @@ struct DomainParams {
 GridFrame domain_frame(const DomainParams& params);
 
 /// Applies --set, --seed and --size to a document. Throws InvalidArgument{"--set"} for a path that leads nowhere.
-void apply_changes(Json& root, const RecipeChanges& changes);
+void apply_changes(Json& root, const RecipeChanges& changes, const Registry& registry);
 
 }  // namespace seamount::recipe

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "seamount/recipe/bypass.h"
+#include "seamount/recipe/edit_shorthand.h"
+#include "seamount/recipe/variables.h"
 
 namespace seamount::recipe {
 namespace {
@@ -69,7 +71,10 @@ Way walk(OrderedJson& root, const std::string& pointer) {
       way.value = &*member;
       way.pointer += "/" + pointer_token(token);
     } else {
-      throw InvalidArgument(pointer, fmt::format("'{}' leads into a plain value", token));
+      const auto variable = variable_name(Json(*way.value));
+      throw InvalidArgument(
+          pointer, variable ? fmt::format("'{}' leads into '${}': set /variables/{}", token, *variable, *variable)
+                            : fmt::format("'{}' leads into a plain value", token));
     }
     way.rest.erase(way.rest.begin());
   }
@@ -146,6 +151,7 @@ class Editor {
   std::vector<Change> take_changes() { return std::move(changes_); }
 
   void operator()(const SetValue& edit) {
+    write_out_before(edit.pointer);
     if (edit.value) check_depth(edit.pointer, *edit.value);
     const Way way = walk(root_, edit.pointer);
     if (!edit.value) {
@@ -191,20 +197,21 @@ class Editor {
   void operator()(const RenameStep& edit) {
     const std::string pointer = step_pointer(edit.id);
     const OrderedJson step = *reach(root_, pointer).value;
-    const Operator* op = operator_of(step);
+    const Operator* op = operator_of(step, registry_);
     if (op != nullptr && op->stochastic && !step.contains("seed") && edit.new_id != edit.id) {
       const OrderedJson seed = root_.value("seed", OrderedJson(0));
       const uint64_t number = seed.is_number_unsigned() ? seed.get<uint64_t>() : 0;
       (*this)(SetValue{pointer + "/seed", Seed{number}.derive(edit.id).value});
     }
     for_each_reference(edit.id, [&](const std::string& place, const std::string& port) {
-      change_value(place, edit.new_id + "." + port);
+      change_value(place, edit.new_id + (port.empty() ? "" : "." + port));
     });
     change_value(pointer + "/id", edit.new_id);
   }
 
   void operator()(const RemoveStep& edit) {
     const std::string pointer = step_pointer(edit.id);
+    write_out_shorthand(edit.id);
     const OrderedJson step = *reach(root_, pointer).value;
     std::vector<std::string> dangling;  // outputs
     for_each_reference(edit.id, [&](const std::string& place, const std::string& port) {
@@ -223,6 +230,15 @@ class Editor {
   }
 
  private:
+  /// An input of its own is given to a step whose "in" names a step as a whole.
+  void write_out_before(const std::string& pointer) {
+    const std::vector<std::string> tokens = tokens_of(pointer);
+    if (tokens.size() < 4 || tokens[0] != "steps" || tokens[2] != "in") return;
+    const auto steps = root_.find("steps");
+    const auto index = steps == root_.end() ? std::nullopt : index_in(*steps, tokens[1]);
+    if (index) write_out_inputs(fmt::format("/steps/{}", *index));
+  }
+
   static void check_index(const std::string& pointer, size_t index, size_t last) {
     if (index > last) throw InvalidArgument(pointer, fmt::format("index {} is outside [0, {}]", index, last));
   }
@@ -240,14 +256,34 @@ class Editor {
     throw InvalidArgument("/steps", "there is no step '" + id + "'");
   }
 
-  const Operator* operator_of(const OrderedJson& step) const {
-    const auto op = step.find("op");
-    return op == step.end() || !op->is_string() ? nullptr : registry_.find_operator(op->get<std::string>());
+  /// Writes out "in": "isle" of a step.
+  void write_out_inputs(const std::string& step_pointer) {
+    const OrderedJson& step = *reach(root_, step_pointer).value;
+    if (step.contains("in") && step["in"].is_string())
+      change_value(step_pointer + "/in", written_out_inputs(root_, step, registry_));
+  }
+
+  /// Writes out the connections of the step with this id, and those to it.
+  void write_out_shorthand(const std::string& id) {
+    write_out_inputs(step_pointer(id));
+    for_each_reference(id, [&](const std::string& place, const std::string&) {
+      if (place.ends_with("/in") && std::count(place.begin(), place.end(), '/') == 3)
+        write_out_inputs(place.substr(0, place.rfind('/')));
+    });
+    for_each_reference(id, [&](const std::string& place, const std::string& port) {
+      if (!port.empty()) return;
+      const std::string key = place.substr(place.rfind('/') + 1);
+      const OrderedJson& item = *reach(root_, place.substr(0, place.find('/', place.find('/', 1) + 1))).value;
+      const std::string meant = place.starts_with("/outputs/")
+                                    ? written_out_port(root_, item, key, registry_)
+                                    : written_out_input_port(root_, item, key, id, registry_);
+      if (!meant.empty()) change_value(place, id + "." + meant);
+    });
   }
 
   /// Where a step's output comes from once the step is gone: a source as it is written, or null.
   OrderedJson passed_on(const OrderedJson& step, const std::string& port) const {
-    const Operator* op = operator_of(step);
+    const Operator* op = operator_of(step, registry_);
     const Port* out = op == nullptr ? nullptr : op->find_out(port);
     const Port* in = out == nullptr ? nullptr : stand_in(*op, *out);
     const auto inputs = step.find("in");
@@ -255,14 +291,15 @@ class Editor {
     return inputs->value(in->name, OrderedJson());
   }
 
-  /// Calls visit(pointer, port) for each place where "id.port" is written. visit may change or take out the value
-  /// there, not items of lists.
+  /// Calls visit(pointer, port) for each place where "id.port" is written, or "id" alone (no port). visit may change or
+  /// take out the value there, not items of lists.
   template <class Visit>
   void for_each_reference(const std::string& id, Visit visit) {
     std::vector<std::pair<std::string, std::string>> found;
     const auto look = [&](const OrderedJson& value, const std::string& pointer) {
       if (!value.is_string()) return;
       const auto& text = value.get_ref<const std::string&>();
+      if (text == id) found.emplace_back(pointer, "");
       if (text.size() > id.size() && text.starts_with(id) && text[id.size()] == '.')
         found.emplace_back(pointer, text.substr(id.size() + 1));
     };
@@ -275,6 +312,8 @@ class Editor {
           if (item.is_object() && item.contains(key)) look(item[key], place + "/" + key);
         }
         if (!item.is_object() || !item.contains("in")) continue;
+        look(item["in"], place + "/in");
+        if (!item["in"].is_object()) continue;
         for (const auto& [port, source] : item["in"].items()) look(source, place + "/in/" + pointer_token(port));
       }
     }
@@ -341,28 +380,5 @@ void join(std::vector<Change>& changes, std::vector<Change> later) {
     }
   }
 }
-
-Edit set_parameter(const std::string& step, const std::string& parameter, std::optional<OrderedJson> value) {
-  return SetValue{"/steps/" + step + "/params/" + parameter, std::move(value)};
-}
-
-Edit add_step(OrderedJson step, std::optional<size_t> index) { return InsertItem{"/steps", index, std::move(step)}; }
-
-Edit connect(const std::string& step, const std::string& port, const std::string& source) {
-  const auto value = source.empty() ? std::nullopt : std::optional<OrderedJson>(source);
-  return SetValue{"/steps/" + step + "/in/" + port, value};
-}
-
-Edit connect_file(const std::string& step, const std::string& port, const std::string& file) {
-  return SetValue{"/steps/" + step + "/in/" + port, OrderedJson{{"file", file}}};
-}
-
-Edit bypass(const std::string& step, bool on) {
-  return SetValue{"/steps/" + step + "/bypass", on ? std::optional<OrderedJson>(true) : std::nullopt};
-}
-
-Edit set_seed(uint64_t seed) { return SetValue{"/seed", seed}; }
-
-Edit set_domain(const std::string& member, double value) { return SetValue{"/domain/" + member, value}; }
 
 }  // namespace seamount::recipe

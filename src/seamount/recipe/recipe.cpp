@@ -11,41 +11,13 @@
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/output_files.h"
 #include "seamount/recipe/prepare_output.h"
+#include "seamount/recipe/read_sources.h"
+#include "seamount/recipe/shorthand.h"
 #include "seamount/recipe/step_order.h"
+#include "seamount/recipe/variables.h"
 
 namespace seamount::recipe {
 namespace {
-
-/// A step as it was written, before its operator and connections are known to be right.
-struct DraftStep {
-  Step step;
-  ReadPlace place;
-  const Json* in = nullptr;
-  bool bypass = false;
-};
-
-std::optional<std::string> text_member(const Json& object, const std::string& key, const ReadPlace& place,
-                                       bool required) {
-  const auto member = object.find(key);
-  if (member == object.end()) {
-    if (required) place.fail("\"" + key + "\" is missing");
-    return std::nullopt;
-  }
-  if (!member->is_string()) {
-    place.at(key).expected("a text", *member);
-    return std::nullopt;
-  }
-  const auto& text = member->get_ref<const std::string&>();
-  if (text.empty()) {
-    place.at(key).fail("is empty");
-    return std::nullopt;
-  }
-  if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < ' '; })) {
-    place.at(key).expected("a text without control characters", *member);
-    return std::nullopt;
-  }
-  return member->get<std::string>();
-}
 
 std::optional<Seed> read_seed(const Json& json, const ReadPlace& place) {
   if (json.is_number_unsigned()) return Seed{json.get<uint64_t>()};
@@ -65,7 +37,8 @@ class RecipeReader {
 
   void read() {
     if (!root_.is_object()) return top_.expected("a recipe: an object", root_);
-    refuse_unknown_keys(root_, {"$schema", "seamount", "about", "domain", "seed", "steps", "outputs"}, "member", top_);
+    refuse_unknown_keys(root_, {"$schema", "seamount", "about", "variables", "domain", "seed", "steps", "outputs"},
+                        "member", top_);
     read_version();
     if (const auto seed = root_.find("seed"); seed != root_.end())
       recipe_.seed = read_seed(*seed, top_.at("seed")).value_or(Seed{});
@@ -113,7 +86,7 @@ class RecipeReader {
       }
       drafts_.push_back(std::move(draft));
     }
-    for (DraftStep& draft : drafts_) connect(draft);
+    for (DraftStep& draft : drafts_) connect_inputs(draft, drafts_, missing_);
   }
 
   void read_step(const Json& json, DraftStep& draft) {
@@ -139,95 +112,6 @@ class RecipeReader {
     if (const auto in = json.find("in"); in != json.end()) draft.in = &*in;
     if (const auto bypass = json.find("bypass"); bypass != json.end())
       read_json(*bypass, draft.bypass, place.at("bypass"));
-  }
-
-  /// The name under which a port is connected: its own, or with a note its former one.
-  static std::string written_name(const Port& port, const Json& in, const ReadPlace& place) {
-    if (port.former.empty() || !in.contains(port.former)) return port.name;
-    const ReadPlace former = place.at(port.former);
-    if (in.contains(port.name)) {
-      former.fail(renamed_text(port.former, port.name) + ", which is given too: leave one out");
-      return port.name;
-    }
-    former.note(renamed_text(port.former, port.name));
-    return port.former;
-  }
-
-  /// An output by its name, or with a note by its former one.
-  static const Port* find_output(const DraftStep& draft, const std::string& name, const ReadPlace& place) {
-    if (const Port* port = draft.step.op->find_out(name)) return port;
-    for (const Port& port : draft.step.op->out) {
-      if (name.empty() || port.former != name) continue;
-      place.note(renamed_text(draft.step.id + "." + name, draft.step.id + "." + port.name));
-      return &port;
-    }
-    return nullptr;
-  }
-
-  void connect(DraftStep& draft) {
-    const Operator* op = draft.step.op;
-    if (op == nullptr) return;
-    static const Json kNothing = Json::object();
-    const Json& in = draft.in == nullptr ? kNothing : *draft.in;
-    const ReadPlace place = draft.place.at("in");
-    if (!in.is_object()) return place.expected("an object of inputs", in);
-    std::vector<std::string> names;
-    for (const Port& port : op->in) {
-      const std::string written = written_name(port, in, place);
-      names.push_back(written);
-      const auto member = in.find(written);
-      if (member != in.end()) {
-        if (auto source = read_source(*member, place.at(written), {port.kind})) draft.step.in[port.name] = *source;
-      } else if (port.required && !draft.bypass) {
-        leave_open(draft.step, draft.in == nullptr ? draft.place : place,
-                   fmt::format("{} needs the input '{}': {}", op->name, port.name, port.help));
-      }
-    }
-    refuse_unknown_keys(in, names, "input", place);
-  }
-
-  void leave_open(Step& step, const ReadPlace& place, const std::string& why) {
-    missing_.add(place.pointer, why);
-    if (step.incomplete.empty()) step.incomplete = why;
-  }
-
-  /// "step.port", or {"file": name}. Checks that it exists and fits one of `kinds` (none: anything).
-  std::optional<Source> read_source(const Json& json, const ReadPlace& place, const std::vector<const Kind*>& kinds) {
-    if (json.is_object() && json.contains("file")) {
-      refuse_unknown_keys(json, {"file"}, "member", place);
-      const auto file = text_member(json, "file", place, true);
-      return file ? std::optional(Source{"", "", *file}) : std::nullopt;
-    }
-    if (!json.is_string()) {
-      place.expected("\"step.port\" or {\"file\": name}", json);
-      return std::nullopt;
-    }
-    const auto text = json.get<std::string>();
-    const size_t dot = text.find('.');
-    Source source{text.substr(0, dot), dot == std::string::npos ? "" : text.substr(dot + 1), ""};
-    const DraftStep* step = find_draft(source.step);
-    if (step == nullptr) {
-      std::vector<std::string> ids;
-      for (const DraftStep& draft : drafts_) ids.push_back(draft.step.id);
-      place.fail("there is no step '" + source.step + "'" + suggestion(source.step, ids));
-      return std::nullopt;
-    }
-    if (step->step.op == nullptr) return std::nullopt;  // already reported
-    std::vector<std::string> ports;
-    for (const Port& port : step->step.op->out) ports.push_back(source.step + "." + port.name);
-    const Port* port = find_output(*step, source.port, place);
-    if (port == nullptr) {
-      place.fail("'" + text + "' is no output of " + step->step.op->name + suggestion(text, ports));
-      return std::nullopt;
-    }
-    if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), port->kind) == kinds.end()) {
-      std::string wanted;
-      for (const Kind* kind : kinds) wanted += (wanted.empty() ? "" : " or ") + kind->name;
-      place.fail(fmt::format("'{}' is {}; {} is needed here", text, port->kind->name, wanted));
-      return std::nullopt;
-    }
-    source.port = port->name;
-    return source;
   }
 
   const DraftStep* find_draft(const std::string& id) const {
@@ -276,7 +160,7 @@ class RecipeReader {
     if (stand_in(producer, *producer.find_out(input.second.port)) == nullptr) {
       place.fail(why);
     } else if (step.op->find_in(input.first)->required && !bypass) {
-      leave_open(step, place, fmt::format("{} needs the input '{}': {}", step.op->name, input.first, why));
+      leave_open(step, place, fmt::format("{} needs the input '{}': {}", step.op->name, input.first, why), missing_);
     }
   }
 
@@ -303,7 +187,8 @@ class RecipeReader {
       place.fail("\"from\" is missing");
       return false;
     }
-    const auto source = read_source(*from, place.at("from"), {});
+    const auto source =
+        read_source(*from, place.at("from"), {written_kinds(registry_, path.value_or(""), as), ""}, drafts_);
     if (!path || !source || (json.contains("as") && !as)) return false;
     const std::filesystem::path relative = std::filesystem::path(*path).lexically_normal();
     if (relative.is_absolute() || relative.string().starts_with("..")) {
@@ -353,7 +238,7 @@ class RecipeReader {
   /// "labels" as given, or the labels output of the same step.
   std::optional<Source> labels_for(const Json& json, const Source& from, const ReadPlace& place) {
     if (const auto given = json.find("labels"); given != json.end()) {
-      const auto source = read_source(*given, place.at("labels"), {&kinds::Labels::kind()});
+      const auto source = read_source(*given, place.at("labels"), {{&kinds::Labels::kind()}, "labels"}, drafts_);
       if (source && source->from_file()) place.at("labels").fail("the labels of an output come from a step");
       if (!source || source->from_file()) return std::nullopt;
       return follow_for_output(*source, place.at("labels"));
@@ -380,7 +265,10 @@ Recipe read_document(const Json& root, const std::string& file, const std::strin
   recipe.file = file;
   recipe.folder = folder;
   recipe.registry = &registry;
-  RecipeReader(root, recipe, defects, missing).read();
+  const ReadPlace top{"", defects};
+  const VariablesApplied variables(root, top);
+  RecipeReader(variables.root(), recipe, defects, missing).read();
+  variables.name_variables();
   recipe.notes = defects.notes();
   return recipe;
 }

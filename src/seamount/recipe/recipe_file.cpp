@@ -10,7 +10,7 @@ namespace seamount::recipe {
 Recipe parse_recipe(const std::string& text, const std::string& file, const std::string& folder,
                     const RecipeChanges& changes, const Registry& registry, const RunContext& run) {
   JsonDocument document = parse_json(text, file, run);
-  apply_changes(document.root, changes);
+  apply_changes(document.root, changes, registry);
   Diagnostics diagnostics;
   Recipe recipe = read_document(document.root, file, folder, diagnostics, diagnostics, registry);
   if (diagnostics.empty() && diagnostics.notes().empty()) return recipe;

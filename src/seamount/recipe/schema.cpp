@@ -4,15 +4,37 @@
 namespace seamount::recipe {
 namespace {
 
+const char* const kVariable = "^\\$[A-Za-z_][A-Za-z0-9_]*$";
+
+/// The schema of a value where "$name" may stand too, in it and in the members of a group.
+Json or_variable(Json schema) {
+  if (schema.contains("properties"))
+    for (auto& [name, member] : schema["properties"].items()) member = or_variable(member);
+  if (schema.contains("enum")) {
+    schema["anyOf"] = {{{"enum", schema["enum"]}}, {{"pattern", kVariable}}};
+    schema.erase("enum");
+  } else if (schema.contains("pattern")) {
+    schema["pattern"] = schema["pattern"].get<std::string>() + "|" + kVariable;
+  } else if (schema.value("type", Json()) != "string") {
+    Json types = schema["type"].is_array() ? schema["type"] : Json::array({schema["type"]});
+    types.push_back("string");
+    schema["type"] = types;
+    schema["pattern"] = kVariable;
+  }
+  return schema;
+}
+
 Json params_schema(const std::vector<ParamInfo>& params) {
   Json properties = Json::object();
-  for (const ParamInfo& info : params) properties[info.name] = param_schema(info);
+  for (const ParamInfo& info : params) properties[info.name] = or_variable(param_schema(info));
   return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
 }
 
+const char* const kSource = "^[A-Za-z0-9_-]+(\\.[A-Za-z0-9_]+)?$";
+
 Json source_schema() {
   return {{"anyOf",
-           {{{"type", "string"}, {"pattern", "^[A-Za-z0-9_-]+\\.[A-Za-z0-9_]+$"}, {"description", "\"step.port\""}},
+           {{{"type", "string"}, {"pattern", kSource}, {"description", "\"step.port\", or \"step\""}},
             {{"type", "object"},
              {"properties", {{"file", {{"type", "string"}}}}},
              {"required", {"file"}},
@@ -37,7 +59,13 @@ Json step_schema(const Operator& op) {
         {"about", {{"type", "string"}}},
         {"seed", {{"type", "integer"}, {"minimum", 0}}},
         {"bypass", {{"type", "boolean"}, {"description", "leave the step out: what it would be given is passed on"}}},
-        {"in", {{"type", "object"}, {"properties", in}, {"required", required}, {"additionalProperties", false}}},
+        {"in",
+         {{"type", {"object", "string"}},
+          {"pattern", kSource},
+          {"description", "inputs, or a step whose outputs go to the inputs of the same names"},
+          {"properties", in},
+          {"required", required},
+          {"additionalProperties", false}}},
         {"params", params_schema(op.params)}}},
       {"required", {"id", "op"}},
       {"additionalProperties", false}};
@@ -72,6 +100,10 @@ Json recipe_schema(const Registry& registry) {
            {{"$schema", {{"type", "string"}}},
             {"seamount", {{"const", 1}}},
             {"about", {{"type", "string"}}},
+            {"variables",
+             {{"type", "object"},
+              {"description", "values by name, used as \"$name\""},
+              {"propertyNames", {{"pattern", "^[A-Za-z_][A-Za-z0-9_]*$"}}}}},
             {"domain", params_schema(describe_params<DomainParams>())},
             {"seed", {{"type", "integer"}, {"minimum", 0}}},
             {"steps", {{"type", "array"}, {"items", {{"oneOf", steps}}}}},
