@@ -1,73 +1,92 @@
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
+#include <filesystem>
 
 #include "app.h"
+#include "seamount/base/printable.h"
+#include "seamount/io/image_file.h"
+#include "seamount/ops/render/contact_sheet.h"
+#include "seamount/recipe/kinds.h"
+#include "sweep.h"
 
 namespace seamount::app {
 namespace {
 
-/// A value of the recipe that goes evenly from one number to another: frames of an animation, variants.
-struct Sweep {
-  std::string name;
-  double from = 0, to = 0;
-  int count = 0;
-
-  std::string assignment(int k) const {
-    return fmt::format("{}={}", name, k == count - 1 ? to : from + (to - from) * k / std::max(1, count - 1));
-  }
+struct Flags : RunFlags {
+  std::string file;
+  std::string out = "out";
+  std::vector<std::string> sets;
+  std::vector<std::string> sweeps;
+  bool sheet = false;
+  std::optional<int> size;
 };
 
-constexpr int kMostRuns = 9999;
+/// The outputs that are pictures, by their paths below the output folder.
+std::vector<std::string> pictures_of(const recipe::Recipe& recipe) {
+  std::vector<std::string> paths;
+  for (const recipe::Output& output : recipe.outputs) {
+    const auto step = std::find_if(recipe.steps.begin(), recipe.steps.end(),
+                                   [&](const recipe::Step& one) { return one.id == output.from.step; });
+    if (step == recipe.steps.end()) continue;
+    const recipe::Port* port = step->op->find_out(output.from.port);
+    const std::string extension = std::filesystem::path(output.path).extension().string();
+    const bool readable = extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+    if (port != nullptr && port->kind == &recipe::kinds::Image::kind() && readable) paths.push_back(output.path);
+  }
+  return paths;
+}
 
-/// Reads "steps.worn.params.years=0:100000:11".
-Sweep parse_sweep(const std::string& text) {
-  const auto refuse = [&](const std::string& why) {
-    throw InvalidArgument("--sweep", "expected NAME=FROM:TO:COUNT, found '" + text + "': " + why);
-  };
-  Sweep sweep;
-  const size_t equals = text.find('=');
-  if (equals == 0 || equals == std::string::npos) refuse("no name");
-  sweep.name = text.substr(0, equals);
-  const char *at = text.data() + equals + 1, *end = text.data() + text.size();
-  const auto number = [&](auto& value, const char* what) {
-    const auto read = std::from_chars(at, end, value);
-    if (read.ec != std::errc{} || !std::isfinite(static_cast<double>(value)))
-      refuse(std::string(what) + " is no number");
-    at = read.ptr;
-  };
-  const auto colon = [&] {
-    if (at == end || *at++ != ':') refuse("a colon is missing");
-  };
-  number(sweep.from, "FROM");
-  colon();
-  number(sweep.to, "TO");
-  colon();
-  number(sweep.count, "COUNT");
-  if (at != end) refuse("something follows COUNT");
-  if (sweep.count < 1 || sweep.count > kMostRuns) refuse(fmt::format("COUNT is outside [1, {}]", kMostRuns));
-  return sweep;
+std::string run_folder(const Flags& flags, size_t run) { return fmt::format("{}/{:04}", flags.out, run + 1); }
+
+/// sheet.png: of each run the same picture, its values under it. Of several pictures a sheet each: sheet_view.png.
+void write_sheets(const Flags& flags, const Sweep& sweep, const std::vector<std::string>& pictures) {
+  for (const std::string& picture : pictures) {
+    std::vector<render::SheetCell> cells;
+    for (size_t k = 0; k < sweep.runs.size(); ++k)
+      cells.push_back({io::read_image(run_folder(flags, k) + "/" + picture), sweep.runs[k].caption});
+    std::string name = picture.substr(0, picture.rfind('.'));
+    std::replace(name.begin(), name.end(), '/', '_');
+    const std::string path = flags.out + (pictures.size() == 1 ? "/sheet.png" : "/sheet_" + name + ".png");
+    io::write_png(render::contact_sheet(cells, sweep.columns), path);
+    fmt::print("{}\n", printable(path));
+  }
+}
+
+void run_sweep(const Flags& flags, const std::function<recipe::Recipe(const std::vector<std::string>&)>& read) {
+  if (flags.out.empty()) throw InvalidArgument("--out", "a folder name is needed");
+  const Sweep sweep = parse_sweeps(flags.sweeps);
+  std::vector<recipe::Recipe> runs;  // all are checked before the first begins
+  for (const SweepRun& run : sweep.runs) {
+    std::vector<std::string> sets = flags.sets;
+    sets.insert(sets.end(), run.sets.begin(), run.sets.end());
+    runs.push_back(read(sets));
+  }
+  const std::vector<std::string> pictures = pictures_of(runs.front());
+  if (flags.sheet && pictures.empty())
+    throw InvalidArgument("--sheet",
+                          "the recipe has no output that is a picture: add one \"as\": \"perspective\" or \"map\"");
+  for (size_t k = 0; k < runs.size(); ++k) {
+    print_message(fmt::format("{:04}: {}", k + 1, sweep.runs[k].caption));
+    run_and_report(runs[k], run_folder(flags, k), flags);
+  }
+  if (flags.sheet) write_sheets(flags, sweep, pictures);
 }
 
 }  // namespace
 
 void add_run_command(Command program, const recipe::Registry& registry) {
-  struct Flags : RunFlags {
-    std::string file;
-    std::string out = "out";
-    std::vector<std::string> sets;
-    std::string sweep;
-    std::optional<int> size;
-  };
   const auto flags = std::make_shared<Flags>();
   Command command = program.add_command("run", "Run a recipe and write its outputs");
   command.add("recipe", &flags->file, "recipe file (JSON)").required();
   command.add("--out", &flags->out, "folder for the outputs");
-  command.add("--set", &flags->sets, "change a value: steps.isle.params.relief=0.5, domain.cell_m=5");
-  command.add("--sweep", &flags->sweep,
-              "run COUNT times while a value goes from FROM to TO, into folders 0001, 0002, ... of --out: frames "
-              "of an animation, variants. steps.worn.params.years=0:100000:11, seed=1:8:8");
+  command.add(
+      "--set", &flags->sets,
+      "change a value: steps.isle.params.relief=0.5, outputs.0.width_px=640, variables.age=0.3, domain.cell_m=5");
+  command.add("--sweep", &flags->sweeps,
+              "run once for each value, into folders 0001, 0002, ... of --out: frames of an animation, variants. "
+              "steps.worn.params.years=0:100000:11 (FROM:TO:COUNT), seed=1,2,3; several: all combinations");
+  command.add_switch("--sheet", flags->sheet, "write the pictures of a sweep side by side too, as sheet.png in --out");
   command.add("--size", &flags->size, "cells along the longer side: a quick preview, or more detail").between(1, 65536);
   add_run_flags(command, *flags);
   command.does([flags, &registry] {
@@ -75,17 +94,9 @@ void add_run_command(Command program, const recipe::Registry& registry) {
       return recipe::read_recipe(flags->file, {.sets = sets, .seed = flags->seed, .size = flags->size}, registry,
                                  {.cancelled = &cancel_flag()});
     };
-    if (flags->sweep.empty()) return run_and_report(read(flags->sets), flags->out, *flags);
-    if (flags->out.empty()) throw InvalidArgument("--out", "a folder name is needed");
-    const Sweep sweep = parse_sweep(flags->sweep);
-    std::vector<recipe::Recipe> runs;  // all are checked before the first begins
-    for (int k = 0; k < sweep.count; ++k) {
-      std::vector<std::string> sets = flags->sets;
-      sets.push_back(sweep.assignment(k));
-      runs.push_back(read(sets));
-    }
-    for (size_t k = 0; k < runs.size(); ++k)
-      run_and_report(runs[k], fmt::format("{}/{:04}", flags->out, k + 1), *flags);
+    if (!flags->sweeps.empty()) return run_sweep(*flags, read);
+    if (flags->sheet) throw InvalidArgument("--sheet", "is for the pictures of a --sweep");
+    run_and_report(read(flags->sets), flags->out, *flags);
   });
 }
 
