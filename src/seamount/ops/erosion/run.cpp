@@ -7,13 +7,14 @@
 #include <optional>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/scalar/noise.h"
 #include "seamount/geom/water/inland.h"
 #include "seamount/model/same_size.h"
 #include "seamount/ops/erosion/beds.h"
 #include "seamount/ops/erosion/coast.h"
 #include "seamount/ops/erosion/drainage.h"
+#include "seamount/ops/erosion/fade.h"
 #include "seamount/ops/erosion/fans.h"
+#include "seamount/ops/erosion/hardness.h"
 #include "seamount/ops/erosion/hollows.h"
 #include "seamount/ops/erosion/levels.h"
 #include "seamount/ops/erosion/margin.h"
@@ -23,9 +24,8 @@
 namespace seamount::erosion {
 namespace {
 
-constexpr int kCoarsestSide = 64;         // grids are halved until the next one would be smaller
-constexpr double kShareOfRest = 0.3;      // of the remaining years that a coarse grid takes
-constexpr double kRockBodies_m = 2500.0;  // size of the largest bodies of harder and softer rock
+constexpr int kCoarsestSide = 64;     // grids are halved until the next one would be smaller
+constexpr double kShareOfRest = 0.3;  // of the remaining years that a coarse grid takes
 constexpr int kMostSteps = 24, kFewestSteps = 6;
 constexpr int kSlides = 2;                  // rounds per step
 constexpr double kOutletReach = 1.0 / 16;   // of the map's side along which valleys compete for an outlet
@@ -51,22 +51,13 @@ void limit(ScalarField& map, float low, float high) {
   for (float& value : map.cells()) value = std::clamp(value, low, high);
 }
 
-/// Bedrock is nowhere the same: makes a hardness of 1 on average, or the given one, vary by up to (1 + v) / (1 - v).
-void vary_hardness(ScalarField& hardness, const GridFrame& frame, double variation, Seed seed, const RunContext& run) {
-  if (variation <= 0) return;
-  if (hardness.empty()) hardness = ScalarField(frame, 1.0F);
-  const geom::Fbm shape{.wavelength_m = kRockBodies_m, .octaves = 8, .gain = 0.75, .cell_m = frame.cell_m};
-  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
-    std::vector<float> noise(static_cast<size_t>(frame.width));
-    for (int y = begin; y < end; ++y) {
-      geom::fbm_row(seed, shape, frame.x(0), frame.cell_m, frame.y(y), noise);
-      const auto row = hardness.row(y);
-      for (size_t i = 0; i < noise.size(); ++i) {
-        const float by = static_cast<float>(variation) * std::clamp(1.5F * noise[i], -1.0F, 1.0F);
-        row[i] *= (1.0F + by) / (1.0F - by);
-      }
-    }
-  });
+/// A share lies from 0 to 1; what does not is said.
+void limit_mask(Mask& mask, const RunContext& run) {
+  const auto outside = [](float share) { return !(share >= 0.0F && share <= 1.0F); };
+  const auto count = std::count_if(mask.cells().begin(), mask.cells().end(), outside);
+  if (count > 0)
+    run.say("mask: values outside of 0 to 1 (" + std::to_string(count) + " cells) are taken for the nearer of the two");
+  limit(mask, 0.0F, 1.0F);
 }
 
 Rivers rivers_of(const RunParams& p, double years, Seed rock) {
@@ -283,6 +274,9 @@ void crop(Eroded& out, const GridFrame& frame, int cells, double start_m3, doubl
 /// The run on ground and maps that fit.
 Eroded run_extended(Layers ground, Maps site, const RunParams& params, Seed seed, const RunContext& run) {
   const GridFrame frame = ground.frame();
+  const Mask asked = site.mask;
+  const Layers before = asked.empty() ? Layers() : ground;
+  site.mask = opened(asked);
   if (params.lithology.beds.empty() && !params.lithology.faults.empty())
     run.say("lithology: faults move nothing without beds");
   const Lithology beds(params.lithology, seed.derive("erosion.beds"));
@@ -305,6 +299,8 @@ Eroded run_extended(Layers ground, Maps site, const RunParams& params, Seed seed
         done += std::pow(0.25, k);
         run.report(std::min(1.0, done / cost));
       }
+      if (k == 0 && !asked.empty())
+        keep_share(faded(asked, before.surface, now.surface, run), before, now, out.ledger, run);
       if (k == 0) level.finish(params.years > 0, out.ledger, out.flow, out.lake, out.bed, run);
       years = level.done();
     }
@@ -338,12 +334,13 @@ Eroded run(Layers ground, Maps site, const RunParams& params, Seed seed, const R
   if (ground.sediment.empty()) ground.sediment = ScalarField(frame, 0.0F);
   limit(ground.debris, 0.0F, 1e5F);
   limit(ground.sediment, 0.0F, 1e5F);
+  settle_hardness(site.hardness, run);
   const double start_m3 = volume_of(ground.surface);
   const int margin = margin_of(frame, params);
   extend(ground, site, margin, params, run);
   vary_hardness(site.hardness, ground.frame(), params.hardness_variation, seed.derive("erosion.rock"), run);
   limit(site.hardness, 0.01F, 1e6F);
-  limit(site.mask, 0.0F, 1.0F);
+  limit_mask(site.mask, run);
   limit(site.uplift, 0.0F, 1e3F);
   limit(site.rain, 1e-3F, 1e3F);  // every cell has some, which others divide by
   run.check_cancelled();

@@ -33,12 +33,12 @@ struct Eroded {
   Ledger ledger;
 };
 
-/// Erodes a terrain. Maps are optional (empty) and cover the same frame: hardness > 0, mask in [0, 1], uplift and rain
-/// >= 0; debris and sediment are what already lies on the bedrock. Zero years change nothing. The terrain loses to
-/// the border what ledger.exported says, less what came in over it, and nothing else (to 1e-4 of ledger.eroded, which
-/// counts the land beyond as well; so does flow where rivers come in). Throws InvalidArgument for params out of range,
-/// IncompatibleInputs for maps of another size. Parallel but for the order of the rivers; about 4 us and 60 bytes per
-/// cell with the results, with beds half as much again.
+/// Erodes a terrain. Maps are optional (empty) and cover the same frame: hardness > 0 (hardness.h says
+/// how 0 to 1 is read), mask in [0, 1] (fade.h), uplift and rain >= 0; debris and sediment are what already lies on the
+/// bedrock. Zero years change nothing. The terrain loses to the border what ledger.exported says, less what came in
+/// over it, and nothing else (to 1e-4 of ledger.eroded, which counts the land beyond as well; so does flow where rivers
+/// come in). Throws InvalidArgument for params out of range, IncompatibleInputs for maps of another size. Parallel but
+/// for the order of the rivers; about 4 us and 60 bytes per cell with the results, with beds half as much again.
 Eroded run(Layers ground, Maps site, const RunParams& params, Seed seed, const RunContext& run);
 
 }  // namespace seamount::erosion

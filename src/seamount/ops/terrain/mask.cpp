@@ -97,6 +97,12 @@ void say_if_nothing(const Mask& mask, const RunContext& run) {
   if (std::all_of(cells.begin(), cells.end(), [](float w) { return w == 0.0F; })) run.say("nothing is selected");
 }
 
+/// From shares to what unselected and selected ground gets, both exactly.
+void give_values(const MaskParams& params, Mask& mask) {
+  if (params.low == 0.0 && params.high == 1.0) return;
+  for (float& w : mask.cells()) w = static_cast<float>((1.0 - w) * params.low + w * params.high);
+}
+
 /// Weights of one criterion after another.
 class Judge {
  public:
@@ -286,6 +292,7 @@ Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunCo
   if (geom::count_voids(in.terrain, run) == 0) {
     Mask out = mask_known(in, params, seed, run);
     say_if_nothing(out, run);
+    give_values(params, out);
     return out;
   }
   HeightField filled = in.terrain;  // slopes at the rim of a hole need something beyond it
@@ -293,6 +300,7 @@ Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunCo
   Mask out = mask_known({filled, in.labels, in.drawing, in.values, in.mask}, params, seed, run.part(0.2, 1.0));
   select_nothing_unknown(in.terrain, out);
   say_if_nothing(out, run);
+  give_values(params, out);
   return out;
 }
 

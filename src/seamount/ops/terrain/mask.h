@@ -33,13 +33,18 @@ struct MaskParams {
   std::vector<Criterion> criteria;
   Combine combine = Combine::product;
   bool invert = false;
+  double low = 0.0;
+  double high = 1.0;
 
   static constexpr auto fields() {
     using P = MaskParams;
     return std::tuple(
         field(&P::criteria, "criteria", "what is selected; none: everything"),
         field(&P::combine, "combine", "how criteria are combined: product or min where all must hold, max where any"),
-        field(&P::invert, "invert", "select what would not be"));
+        field(&P::invert, "invert", "select what would not be"),
+        field(&P::low, "low", "", between(-1e6, 1e6),
+              "value of ground that is not selected; low 1 and high 10 make a hardness for erosion.run"),
+        field(&P::high, "high", "", between(-1e6, 1e6), "value of ground that is selected; soft edges lie between"));
   }
 };
 
@@ -55,9 +60,9 @@ struct MaskInputs {
 /// 1 in [low, high], falling by a smoothstep to 0 at `falloff` beyond; a limit that is absent does not limit.
 double soft_range(double x, std::optional<double> low, std::optional<double> high, double falloff);
 
-/// The mask, on the terrain's frame. Throws InvalidArgument for params out of range, low above high, and criteria whose
-/// input is missing; IncompatibleInputs for inputs of another size. Parallel; about 10 ns per cell and criterion, more
-/// for scales, distances and noise; at most five grids of memory.
+/// The mask, on the terrain's frame: low + selection * (high - low). Throws InvalidArgument for params out of range,
+/// low above high, and criteria whose input is missing; IncompatibleInputs for inputs of another size. Parallel; about
+/// 10 ns per cell and criterion, more for scales, distances and noise; at most five grids of memory.
 Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunContext& run);
 
 }  // namespace seamount::terrain

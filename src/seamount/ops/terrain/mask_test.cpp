@@ -163,6 +163,22 @@ TEST(Mask, InvertingIsOneMinus) {
   for (size_t i = 0; i < terrain.size(); ++i) ASSERT_NEAR(some.cells()[i] + rest.cells()[i], 1.0F, 1e-6);
 }
 
+TEST(Mask, LowAndHighAreWhatUnselectedAndSelectedGroundGets) {
+  const HeightField terrain = hills();
+  const std::vector<Criterion> high = {ByHeight{.low_m = 30, .falloff_m = 40}};
+  const Mask share = select(terrain, high);
+  for (const auto& [low, top] : {std::pair{1.0, 10.0}, {10.0, 0.25}, {-3.0, -3.0}}) {
+    const Mask made = mask({.terrain = terrain}, {.criteria = high, .low = low, .high = top}, Seed{1}, {});
+    for (size_t i = 0; i < share.size(); ++i) {
+      const float w = share.cells()[i];
+      ASSERT_NEAR(made.cells()[i], low + w * (top - low), 1e-5);
+      if (w == 0.0F || w == 1.0F) {
+        ASSERT_EQ(made.cells()[i], static_cast<float>(w == 0.0F ? low : top));
+      }
+    }
+  }
+}
+
 TEST(Mask, SelectsByAnyField) {
   const HeightField terrain = hills();
   ScalarField flow(terrain.frame());

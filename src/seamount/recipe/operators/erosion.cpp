@@ -26,15 +26,19 @@ Parts run(const erosion::RunParams& params, const Call& call, const HeightField&
 void add_erosion_operators(Registry& registry) {
   registry.add(make_operator<erosion::RunParams>(
       {.name = "erosion.run",
-       .revision = 10,
+       .revision = 11,
        .summary =
            "Years of rivers, slides, creep and waves on bedrock, debris and sediment; or a range that rises and wears",
        .source = "P1 sec. 5.4; Braun and Willett 2013, Yuan et al. 2019, Tarboton 1997, Musgrave et al. 1989",
        .stochastic = true},
       inputs(
           in<kinds::Terrain>("terrain", "heights in metres"),
-          optional_in<Field>("hardness", "how many times as hard as `erodibility` says; 1 if absent"),
-          optional_in<Field>("mask", "where erosion acts: 0 nowhere, 1 fully"),
+          optional_in<Field>("hardness",
+                             "how many times as hard as `erodibility` says, 0.1 and more; 1 if absent. A mask or "
+                             "picture from 0 to 1 makes rock from 1 to 10 times as hard"),
+          optional_in<Field>("mask",
+                             "share of the change that is kept: 0 nothing, 1 all; over a hard edge it fades as "
+                             "gently as its depth asks for"),
           optional_in<Field>("uplift", "share of `uplift_mm_yr`; 1 if absent"),
           optional_in<Field>("rain", "share of `runoff_mm_yr`, as wet and dry sides of mountains; 1 if absent"),
           formerly("rock", optional_in<Field>("debris", "thickness of debris on the bedrock in metres; 0 if absent")),

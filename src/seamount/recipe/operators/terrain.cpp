@@ -276,7 +276,7 @@ void add_terrain_operators(Registry& registry) {
              optional_in<kinds::Drawing>("drawing", "areas and lines, for the criteria area and line"),
              with_voids(optional_in<Field>("values", "any field, for the criterion value")),
              with_voids(optional_in<Field>("mask", "one more mask, combined like a criterion"))),
-      outputs(out<Field>("mask", "0 where nothing is selected, 1 where all is")),
+      outputs(out<Field>("mask", "`low` (0) where nothing is selected, `high` (1) where all is")),
       [](const terrain::MaskParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
          const Drawing* drawing, const ScalarField* values, const ScalarField* mask) {
         return terrain::mask({terrain, labels, drawing, values, mask}, params, call.seed, call.run);
