@@ -7,7 +7,7 @@
 namespace seamount::erosion {
 namespace {
 
-constexpr double kShareOfSlope = 0.3, kLeastSlope = 0.01, kMostSlope = 0.15;
+constexpr double kShareOfSlope = 0.6, kLeastSlope = 0.01, kMostSlope = 0.3;
 constexpr int kRounds = 2;  // of sweeps down and up: ways that bend both ways need a second
 
 /// Sweeps a grid down and up; `meet(cell, neighbour, cells_apart)` updates a cell by a neighbour that was met before.
