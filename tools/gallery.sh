@@ -32,6 +32,16 @@ cp "$made/competition/map.png" docs/gallery/ecosystem_competition.png
 for step in 1_coast 2_ranges 3_summits 4_histogram 5_edits 5_contours; do
   cp "$made/coastline/$step.png" "docs/gallery/coastline_$step.png"
 done
+for recipe in canyon chain; do
+  ./run run "recipes/guide/$recipe.json" --out "$made/guide" --no-cache
+done
+./run run recipes/guide/ages.json --out "$made/ages" --no-cache --sweep steps.reef.params.subsidence=0:0.5:6
+for frame in 1 2 3 6; do
+  cp "$made/ages/000$frame/view.png" "docs/gallery/guide_ages_$frame.png"
+done
+cp "$made/guide/view.png" docs/gallery/guide_canyon.png
+cp "$made/guide/inside.png" docs/gallery/guide_canyon_inside.png
+cp "$made/guide/chain.png" docs/gallery/guide_chain.png
 mv docs/gallery/erosion_worn_island.png docs/gallery/worn_island.png
 cp "$made"/{stone,desert,volcano}.png docs/gallery/
 cp "$made"/view.png docs/gallery/kauai.png
