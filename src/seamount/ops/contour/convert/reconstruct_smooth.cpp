@@ -7,9 +7,11 @@
 //
 // so heights meet each contour with the same slope from both sides and stay between the levels, while spurs and valleys
 // between two branches of one contour, which the plain interpolation leaves almost level, go on as steep as the slopes
-// beside them. Creases on the medial axes stay: they are the ridges and the valleys. Wide valleys, which neither slope
-// reaches the middle of, tilt from their head to their mouth, and nothing leaves the plain interpolation by half an
-// interval. A plate's few sweeps take the noise of the distances out.
+// beside them. On hillsides, where the ways to both contours are opposite, a cubic holds instead whose ends are at most
+// twice as steep as its mean, so that no tread lies below a break of slope. Creases on the medial axes stay: they are
+// the ridges and the valleys. Wide valleys, which neither slope reaches the middle of, tilt from their head to their
+// mouth, and nothing leaves the plain interpolation by half an interval. A plate's few sweeps take the noise of the
+// distances out.
 //
 // Hollows that this leaves are raised to where their water leaves, and tilted to there, not cut through: nothing but
 // distances counts, and a little noise in the contours changes heights by little. What no ground can be raised for (a
@@ -52,7 +54,9 @@ class Blend {
     // Where both contours are further off than their slopes reach, in wide valleys and on wide spurs, the ground lies
     // level by either; it tilts from one to the other.
     const float wide = geom::smoothstep((slope * std::min(low, high) - kReach) / kReach);
-    const float off = share + wide * (0.5F + kLevel * (t - 0.5F) - share) - t;
+    float off = share + wide * (0.5F + kLevel * (t - 0.5F) - share) - t;
+    if (const float steep = slope * (low + high); steep > 1.0F)
+      off += hillside(x, y) * rest(steep) * (cubic(t, steep) - t - off);
     return foot + rise * (t + kMostOff * saturated_late(off / kMostOff));
   }
 
@@ -60,6 +64,42 @@ class Blend {
   static constexpr float kReach = 1.5F;     ///< of slopes, in intervals
   static constexpr float kLevel = 0.6F;     ///< share of the interval over which such ground tilts
   static constexpr float kMostOff = 0.45F;  ///< from the plain interpolation, in intervals
+
+  /// On a hillside the ground falls from contour to contour, by a cubic whose ends are at most twice as steep as its
+  /// mean: steeper, and the rest would be level, a terrace along the foot of every range.
+  static float cubic(float t, float steep) {
+    constexpr float kMost = 2.0F;
+    const float end = std::min(steep, kMost);
+    return t * (end + t * (3.0F - 3.0F * end + t * (2.0F * end - 2.0F)));
+  }
+
+  /// How far a slope is from that of the plain interpolation.
+  static float rest(float steep) { return geom::smoothstep((steep - 1.0F) / 0.3F); }
+
+  /// 1 where the ways to both contours are opposite; 0 in valleys and on spurs between branches of one contour.
+  float hillside(int x, int y) const {
+    const Way down = way(ground_.between.low, x, y), up = way(ground_.between.high, x, y);
+    return geom::smoothstep((-(down.x * up.x + down.y * up.y) - 0.4F) / 0.5F);
+  }
+
+  struct Way {
+    float x, y;
+  };
+  /// The gradient of a distance, within the cell's face.
+  Way way(const HeightField& distance, int x, int y) const {
+    const int32_t face = ground_.between.face(x, y);
+    const auto along = [&](int dx, int dy) {
+      const auto inside = [&](int sign) {
+        const int nx = x + sign * dx, ny = y + sign * dy;
+        return distance.contains(nx, ny) && ground_.between.face(nx, ny) == face && std::isfinite(distance(nx, ny));
+      };
+      const int after = inside(1) ? 1 : 0, before = inside(-1) ? 1 : 0;
+      if (after + before == 0) return 0.0F;
+      return (distance(x + after * dx, y + after * dy) - distance(x - before * dx, y - before * dy)) /
+             static_cast<float>(after + before);
+    };
+    return {along(1, 0), along(0, 1)};
+  }
 
   /// How far the ground of a face with one bound leaves it.
   float leave(int x, int y, int32_t face, float low) const {

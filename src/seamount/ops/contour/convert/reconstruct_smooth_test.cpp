@@ -96,5 +96,35 @@ TEST(ContourReconstructSmooth, LittleNoiseChangesLittle) {
   }
 }
 
+/// A mountain whose foot is a sharp break of slope: one in two above, one in `gentle` below.
+HeightField broken_slope(double gentle, double cell_m) {
+  const int size = static_cast<int>(12000.0 / cell_m);
+  HeightField z(GridFrame::centred(size, size, cell_m));
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const double r = std::hypot(z.frame().x(x), z.frame().y(y));
+      z(x, y) = static_cast<float>(r < 1500.0 ? 1000.0 - 0.5 * r : 250.0 - (r - 1500.0) / gentle);
+    }
+  return z;
+}
+
+TEST(ContourReconstructSmooth, NoTerraceRunsAlongTheFootOfARange) {
+  for (const double gentle : {6.0, 12.0, 20.0}) {
+    for (const double cell_m : {15.0, 30.0}) {
+      const HeightField land = broken_slope(gentle, cell_m);
+      const HeightField z = reconstruct(contours_of(land), {}, {});
+      // Down the fall line through the first two bands below the foot: never nearly level.
+      const int row = z.height() / 2;
+      const auto column = [&](double r) { return static_cast<int>(z.frame().column(r)); };
+      const int last = column(1500.0 + 1.6 * kInterval * gentle),
+                step = static_cast<int>(0.2 * kInterval * gentle / cell_m);
+      for (int x = column(1520.0); x + step < last; ++x) {
+        const double slope = static_cast<double>(z(x, row) - z(x + step, row)) / (step * cell_m);
+        EXPECT_GT(slope, 0.35 / gentle) << gentle << " " << cell_m << " at " << z.frame().x(x);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace seamount::contour

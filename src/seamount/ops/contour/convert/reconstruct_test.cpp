@@ -215,7 +215,8 @@ TEST(ContourReconstruct, SlopesGoOnAcrossContours) {
     for (int x = 20; x < 85; ++x) bend = std::max(bend, std::abs(z(x - 1, 110) - 2 * z(x, 110) + z(x + 1, 110)));
     return bend;
   };
-  EXPECT_LT(sharpest_bend(Method::smooth), 0.55F * sharpest_bend(Method::interpolated));
+  // A slope that went on wholly would leave a level tread below the break (NoTerraceRunsAlongTheFootOfARange).
+  EXPECT_LT(sharpest_bend(Method::smooth), 0.65F * sharpest_bend(Method::interpolated));
 }
 
 TEST(ContourReconstruct, StairsAreTheHeightsOfTheContours) {
