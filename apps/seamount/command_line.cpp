@@ -42,6 +42,50 @@ std::vector<std::string> command_names(const CLI::App& program) {
   return names;
 }
 
+/// The option that the beginning of its name means, or the option itself; nullptr: none. Throws for several.
+const CLI::Option* meant_option(const CLI::App& command, const std::string& flag) {
+  std::vector<std::string> names;
+  const CLI::Option* meant = nullptr;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames())
+      if (name == flag) return option;
+    const bool within = flag.find('.') != std::string::npos;
+    const auto begins = [&](const std::string& name) {
+      return name.starts_with(flag) && (within || name.find('.') == std::string::npos);
+    };
+    const bool shown = !option->get_group().empty();  // former names are not
+    if (!shown || std::none_of(option->get_lnames().begin(), option->get_lnames().end(), begins)) continue;
+    meant = option;
+    names.push_back("--" + option->get_lnames().front());
+  }
+  if (names.size() < 2) return meant;
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  throw InvalidArgument("--" + flag, "may be each of " + all);
+}
+
+/// The command line with abbreviated flags written out: "--vertical 2" as "--vertical_exaggeration 2", wherever one
+/// flag of the command alone begins so. A group's name means the group, not its members.
+std::vector<std::string> written_out(const CLI::App& program, int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  const CLI::App* command = &program;
+  for (std::string& word : words) {
+    if (!word.starts_with("--")) {
+      for (const CLI::App* inner :
+           command->get_subcommands([&](const CLI::App* one) { return one->get_name() == word; }))
+        command = inner;
+      continue;
+    }
+    const size_t end = std::min(word.find('='), word.size());
+    if (end < 3) continue;
+    const std::string flag = word.substr(2, end - 2);
+    if (const CLI::Option* option = meant_option(*command, flag); option != nullptr && !option->check_lname(flag))
+      word = "--" + option->get_lnames().front() + word.substr(end);
+  }
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  return words;
+}
+
 /// "unknown flag '--relef', did you mean '--relief'?" for the first argument that the chosen command does not know.
 std::string unknown_argument(const CLI::App& program, const CLI::ExtrasError& error) {
   for (const CLI::App* command : program.get_subcommands()) {
@@ -149,7 +193,7 @@ int run_command_line(int argc, char** argv, const std::function<void(Command)>& 
   Work work;
   add_commands(Command(&program, &work));
   try {
-    program.parse(argc, argv);
+    program.parse(written_out(program, argc, argv));
   } catch (const CLI::ParseError& error) {
     return report_usage(program, error, argc, argv);
   }

@@ -40,6 +40,20 @@ TEST(Text, SuggestsTheNearestName) {
   EXPECT_EQ(nearest_name(std::string(100000, 'a'), names), std::nullopt);
 }
 
+TEST(Text, SuggestsNamesOfWhichItIsAPart) {
+  const std::vector<std::string> names = {"erosion.run",  "erosion.thermal", "terrain.crop",
+                                          "contour.grow", "reef.grow",       "light.sun_azimuth_deg"};
+  EXPECT_EQ(suggestion("erosion", names), ", did you mean 'erosion.run' or 'erosion.thermal'?");
+  EXPECT_EQ(suggestion("crop", names), ", did you mean 'terrain.crop'?");
+  EXPECT_EQ(suggestion("grow", names), ", did you mean 'contour.grow' or 'reef.grow'?");
+  EXPECT_EQ(suggestion("azimuth", names), ", did you mean 'light.sun_azimuth_deg'?");
+  EXPECT_EQ(suggestion("--sun_azimuth_deg", {"--out", "--light.sun_azimuth_deg"}),
+            ", did you mean '--light.sun_azimuth_deg'?");
+  EXPECT_EQ(suggestion("cro", {"terrain.crop"}), ", known are: terrain.crop");
+  EXPECT_EQ(suggestion("a", std::vector<std::string>(9, "b.a")),
+            ", did you mean 'b.a', 'b.a', 'b.a', 'b.a', 'b.a', 'b.a', ...?");
+}
+
 TEST(Text, NumbersAreShortAndReadBack) {
   EXPECT_EQ(format_number(0.1), "0.1");
   EXPECT_EQ(format_number(2500), "2500");

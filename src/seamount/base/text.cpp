@@ -24,6 +24,40 @@ size_t edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
+/// The name without the dashes of a flag.
+std::string_view bare(std::string_view name) {
+  while (name.starts_with('-')) name.remove_prefix(1);
+  return name;
+}
+
+/// Candidates of which `name` is some of the parts between these separators.
+std::vector<std::string> names_with_part(std::string_view name, const std::vector<std::string>& candidates,
+                                         std::string_view separators) {
+  const std::string_view part = bare(name);
+  std::vector<std::string> found;
+  const auto parts = [&](std::string_view whole, size_t i) {
+    return i >= whole.size() || separators.find(whole[i]) != std::string_view::npos;
+  };
+  for (const std::string& candidate : candidates) {
+    const std::string_view whole = bare(candidate);
+    for (size_t at = part.empty() ? whole.npos : whole.find(part); at != whole.npos; at = whole.find(part, at + 1)) {
+      if ((at > 0 && !parts(whole, at - 1)) || !parts(whole, at + part.size())) continue;
+      found.push_back(candidate);
+      break;
+    }
+  }
+  return found;
+}
+
+/// ", did you mean 'A', 'B' or 'C'?" of at most six.
+std::string question(const std::vector<std::string>& names) {
+  constexpr size_t kMost = 6;
+  const size_t shown = std::min(kMost, names.size());
+  std::string text = ", did you mean ";
+  for (size_t i = 0; i < shown; ++i) text += (i == 0 ? "'" : i + 1 == names.size() ? " or '" : ", '") + names[i] + "'";
+  return text + (names.size() > shown ? ", ...?" : "?");
+}
+
 }  // namespace
 
 std::string xml_escaped(std::string_view text) {
@@ -71,7 +105,10 @@ std::optional<std::string> nearest_name(std::string_view name, std::span<const s
 
 std::string suggestion(std::string_view name, const std::vector<std::string>& candidates) {
   if (candidates.empty()) return "";
-  if (const auto near = nearest_name(name, candidates)) return ", did you mean '" + *near + "'?";
+  if (const auto whole_parts = names_with_part(name, candidates, "."); !whole_parts.empty())
+    return question(whole_parts);
+  if (const auto near = nearest_name(name, candidates)) return question({*near});
+  if (const auto words = names_with_part(name, candidates, "._-"); !words.empty()) return question(words);
   constexpr size_t kMostNames = 12;
   std::string text = ", known are: ";
   for (size_t i = 0; i < std::min(kMostNames, candidates.size()); ++i) text += (i == 0 ? "" : ", ") + candidates[i];

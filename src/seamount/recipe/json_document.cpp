@@ -90,6 +90,39 @@ std::string syntax_message(const std::string& what) {
   return "not valid JSON: " + (colon == std::string::npos ? what : what.substr(colon + 2));
 }
 
+/// Where the token begins in which `position` lies, or which ends there.
+size_t token_at(std::string_view text, size_t position) {
+  constexpr std::string_view kSpace = " \t\r\n", kEnds = " \t\r\n,:[]{}\"";
+  for (size_t at = text.find_first_not_of(kSpace); at < text.size(); at = text.find_first_not_of(kSpace, at)) {
+    const size_t begin = at++;
+    if (text[begin] == '"') {
+      while (at < text.size() && text[at] != '"') at += text[at] == '\\' ? 2 : 1;
+      ++at;
+    } else if (kEnds.find(text[begin]) == std::string_view::npos) {
+      at = std::min(text.find_first_of(kEnds, at), text.size());
+    }
+    if (at >= position) return begin;
+  }
+  return text.size();
+}
+
+/// Slips that are made by hand, by their own names and places: a comma after the last item, none between two, a remark.
+/// `begin`: where the token stands that does not fit.
+void fail_for_slip(const std::string& file, std::string_view text, size_t begin, const std::string& problem) {
+  const size_t before = begin == 0 ? std::string_view::npos : text.find_last_not_of(" \t\r\n", begin - 1);
+  if (begin >= text.size() || before == std::string_view::npos) return;
+  const char found = text[begin], last = text[before];
+  const bool ends = found == '}' || found == ']';
+  const bool after_item = problem.ends_with("expected '}'") || problem.ends_with("expected ']'");
+  const bool starts = std::string_view("\"{[-0123456789tfn").find(found) != std::string_view::npos;
+  if (found == '/' || found == '#')
+    fail(file, place_of(text, begin), "not valid JSON: JSON has no comments; \"about\" holds remarks");
+  if (ends && last == ',')
+    fail(file, place_of(text, before),
+         fmt::format("not valid JSON: a comma before the '{}': none follows the last item", found));
+  if (after_item && starts) fail(file, place_of(text, before + 1), "not valid JSON: a comma is missing here");
+}
+
 }  // namespace
 
 std::string pointer_token(std::string_view key) {
@@ -116,6 +149,7 @@ JsonDocument parse_json(std::string_view text, const std::string& file, const Ru
     fail(file, place_of(text, text.find(tree.overflow())), "the number " + tree.overflow() + " is too large");
   if (!valid) {
     const size_t position = tree.error_position();
+    fail_for_slip(file, text, token_at(text, position), tree.problem());
     fail(file, place_of(text, position == 0 ? 0 : position - 1), syntax_message(tree.problem()));
   }
   if (tree.has_duplicate_keys()) throw RecipeError(file, find_duplicate_keys(text));

@@ -49,6 +49,23 @@ TEST(JsonDocument, RefusesWhatIsNotStrictJsonWithItsPlace) {
   EXPECT_NE(message_of(std::string("{\"a\": \"\xff\"}")), "no error");
 }
 
+TEST(JsonDocument, CallsSlipsByTheirNames) {
+  EXPECT_EQ(message_of("{\"a\": 1,}"),
+            "a.json:1:8: not valid JSON: a comma before the '}': none follows the last item");
+  EXPECT_EQ(message_of("{\"a\": [1, 2,\n  ]\n}"),
+            "a.json:1:12: not valid JSON: a comma before the ']': none follows the last item");
+  EXPECT_EQ(message_of("{\"a\": {\"b\": \"x\"\n , \n } }"),
+            "a.json:2:2: not valid JSON: a comma before the '}': none follows the last item");
+  EXPECT_EQ(message_of("{\"a\": 1 \"b\": 2}"), "a.json:1:8: not valid JSON: a comma is missing here");
+  EXPECT_EQ(message_of("[{\"a\": 1}\n {\"b\": 2}]"), "a.json:1:10: not valid JSON: a comma is missing here");
+  EXPECT_EQ(message_of("[1 2]"), "a.json:1:3: not valid JSON: a comma is missing here");
+  EXPECT_EQ(message_of("[1, // one\n 2]").substr(0, 48), "a.json:1:5: not valid JSON: JSON has no comments");
+  for (const char* other : {"{\"a\" 2}", "{} trailing", "[,1]", "{,}", "[1", "{\"a\": ]", "]"}) {
+    EXPECT_EQ(message_of(other).find("comma"), std::string::npos) << message_of(other);
+    EXPECT_NE(message_of(other).find("not valid JSON"), std::string::npos);
+  }
+}
+
 TEST(JsonDocument, NamesEveryKeyThatAppearsTwice) {
   EXPECT_EQ(message_of("{\"a\": [{\"b\": 1,\n\"b\": 2}], \"a\": 3}"),
             "a.json:2:1: /a/0/b: the key 'b' appears twice\na.json:2:11: /a: the key 'a' appears twice");

@@ -10,6 +10,19 @@
 namespace seamount::recipe {
 namespace {
 
+/// "by its ending to .tif, .asc; with "as": one of unreal (.png, .r16), perspective (.png)".
+std::string what_can_be_written(const Registry& registry, const Kind& kind) {
+  std::string endings, named;
+  for (const auto& format : registry.formats()) {
+    if (!format->takes(kind)) continue;
+    for (const std::string& ending : format->claims) endings += (endings.empty() ? "" : ", ") + ending;
+    if (format->claims.empty())
+      named += fmt::format("{}{} ({})", named.empty() ? "" : ", ", format->name, fmt::join(format->extensions, ", "));
+  }
+  return (endings.empty() ? "" : "by its ending to " + endings) + (endings.empty() || named.empty() ? "" : "; ") +
+         (named.empty() ? "" : "with \"as\": one of " + named);
+}
+
 void report_no_format(const Registry& registry, const Kind& kind, const std::optional<std::string>& as,
                       const std::string& path, const ReadPlace& place) {
   std::vector<std::string> names;
@@ -22,8 +35,8 @@ void report_no_format(const Registry& registry, const Kind& kind, const std::opt
     place.at("path").fail(fmt::format("'{}' is written to {}, not to '{}'", names.front(),
                                       fmt::join(registry.find_format(names.front())->extensions, ", "), path));
   } else {
-    place.at("path").fail(fmt::format("'{}' does not say how to write {}; add \"as\": one of {}", path, kind.name,
-                                      fmt::join(names, ", ")));
+    place.at("path").fail(fmt::format("'{}' does not say how to write {}: that goes {}", path, kind.name,
+                                      what_can_be_written(registry, kind)));
   }
 }
 

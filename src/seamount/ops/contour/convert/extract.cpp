@@ -17,17 +17,33 @@ constexpr double kMostLevels = 5000;
 
 std::string metres(double value) { return format_number(std::round(value * 1000.0) / 1000.0) + " m"; }
 
+/// Takes out levels that lie outside the heights by less than a hundredth of the relief, as heights that were rounded
+/// or made a little lower would have them, and says so. Throws for one that lies further out, and where none is left.
+void drop_just_outside(std::vector<double>& levels, double low, double high, const RunContext& run) {
+  constexpr double kShare = 0.01;
+  const std::string range = metres(low) + " to " + metres(high);
+  std::string dropped;
+  for (const double level : levels) {
+    const double beyond = std::max(low - level, level - high);
+    if (beyond <= 0.0) continue;
+    if (beyond > kShare * (high - low))
+      throw InvalidArgument("levels_m", metres(level) + " is outside the heights, which are " + range);
+    dropped += (dropped.empty() ? "" : ", ") + metres(level);
+  }
+  if (dropped.empty()) return;
+  std::erase_if(levels, [&](double level) { return level < low || level > high; });
+  if (levels.empty()) throw InvalidArgument("levels_m", dropped + " is outside the heights, which are " + range);
+  run.say("there are no contours at " + dropped + ": just outside the heights, which are " + range);
+}
+
 /// The levels that the params ask for, ascending, each once.
-std::vector<double> chosen_levels(const ExtractParams& params, double low, double high) {
+std::vector<double> chosen_levels(const ExtractParams& params, double low, double high, const RunContext& run) {
   const std::string range = metres(low) + " to " + metres(high);
   std::vector<double> levels = params.levels_m;
   if (!levels.empty()) {
     std::sort(levels.begin(), levels.end());
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-    for (const double outside : {levels.front(), levels.back()}) {
-      if (outside < low || outside > high)
-        throw InvalidArgument("levels_m", metres(outside) + " is outside the heights, which are " + range);
-    }
+    drop_just_outside(levels, low, high, run);
     return levels;
   }
   if (params.interval_m) {
@@ -107,7 +123,7 @@ ContourSet extract(const Tin& tin, const ExtractParams& params, const RunContext
   if (tin.nodes.empty() || tin.triangles.empty()) throw InvalidArgument("tin", "has no triangles");
   if (tin.height_m.empty()) throw InvalidArgument("tin", "has no heights yet; give it some with contour.heights");
   const auto [low, high] = std::minmax_element(tin.height_m.begin(), tin.height_m.end());
-  const std::vector<double> levels = chosen_levels(params, *low, *high);
+  const std::vector<double> levels = chosen_levels(params, *low, *high, run);
   return finish(tin.frame, geom::march_triangles(tin, levels, run), params, run);
 }
 
@@ -116,7 +132,7 @@ ContourSet extract(const HeightField& terrain, const ExtractParams& params, cons
   run.check_cancelled();
   if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");
   const Known known = known_range(terrain);
-  const std::vector<double> levels = chosen_levels(params, known.low, known.high);
+  const std::vector<double> levels = chosen_levels(params, known.low, known.high, run);
   if (known.voids == 0) return finish(terrain.frame(), geom::trace_contours(terrain, levels, run), params, run);
   HeightField closed = terrain;
   const float below = known.low - std::max(1.0F, known.high - known.low);

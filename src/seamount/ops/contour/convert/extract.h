@@ -47,7 +47,8 @@ struct ExtractParams {
                                               FormerName{"least_length_m", "min_length_m"}};
 };
 
-/// Contours of a network, in its frame. Throws InvalidArgument for params out of range, levels outside the heights and
+/// Contours of a network, in its frame. Throws InvalidArgument for params out of range, levels outside the heights by
+/// more than a hundredth of them (nearer ones are left out and said) and
 /// more than 5000 levels, for a network without triangles or heights. REQUIRES: geom::find_tin_defect() finds nothing.
 /// Linear in the triangles and, times its logarithm, in the points.
 ContourSet extract(const Tin& tin, const ExtractParams& params, const RunContext& run);

@@ -129,6 +129,29 @@ TEST(ContourExtract, SimplifiesWithoutCrossings) {
   expect_sound(set);
 }
 
+/// A level of a rounded summit or a coast is not worth an error, but said.
+TEST(ContourExtract, LevelsJustOutsideAreLeftOutAndSaid) {
+  const HeightField terrain = raster();
+  const auto [low, high] = std::minmax_element(terrain.cells().begin(), terrain.cells().end());
+  const double relief = *high - *low;
+  std::string said;
+  RunContext run;
+  run.note = [&](const std::string& line) { said += line; };
+  ExtractParams params;
+  params.levels_m = {*low + 0.5 * relief};
+  const ContourSet plain = extract(terrain, params, run);
+  EXPECT_EQ(said, "");
+  params.levels_m = {*low - 0.009 * relief, *low + 0.5 * relief, *high + 0.009 * relief};
+  const ContourSet set = extract(terrain, params, run);
+  EXPECT_EQ(set.contours.size(), plain.contours.size());
+  EXPECT_THAT(said, HasSubstr("there are no contours at "));
+  EXPECT_THAT(said, HasSubstr("just outside the heights"));
+  params.levels_m = {*low + 0.5 * relief, *high + 0.011 * relief};
+  EXPECT_THAT(message_of([&] { extract(terrain, params, run); }), HasSubstr("is outside the heights"));
+  params.levels_m = {*high + 0.005 * relief};
+  EXPECT_THAT(message_of([&] { extract(terrain, params, run); }), HasSubstr("is outside the heights"));
+}
+
 TEST(ContourExtract, SaysWhatIsWrong) {
   ExtractParams params;
   params.levels_m = {20, 900};
