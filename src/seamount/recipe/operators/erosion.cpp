@@ -1,4 +1,6 @@
 // Registration of the erosion family.
+#include "seamount/geom/water/follow_labels.h"
+#include "seamount/model/same_size.h"
 #include "seamount/ops/erosion/balance.h"
 #include "seamount/ops/erosion/run.h"
 #include "seamount/recipe/ports.h"
@@ -6,19 +8,24 @@
 namespace seamount::recipe {
 namespace {
 
-using kinds::Field;
-using Parts = std::tuple<HeightField, ScalarField, ScalarField, ScalarField, ScalarField, ScalarField, Report>;
+using kinds::Field, kinds::Labels;
+using Parts =
+    std::tuple<HeightField, ScalarField, ScalarField, ScalarField, ScalarField, ScalarField, LabelMap, Report>;
 
 Parts run(const erosion::RunParams& params, const Call& call, const HeightField& terrain, const ScalarField* hardness,
           const ScalarField* mask, const ScalarField* uplift, const ScalarField* rain, const ScalarField* debris,
-          const ScalarField* sediment) {
+          const ScalarField* sediment, const LabelMap* labels) {
+  if (labels != nullptr) check_same_size("labels", labels->frame(), terrain.frame());
   const auto copy_of = [](const ScalarField* given) { return given == nullptr ? ScalarField() : *given; };
   erosion::Layers ground{terrain, copy_of(debris), copy_of(sediment)};
   erosion::Maps site{copy_of(hardness), copy_of(mask), copy_of(uplift), copy_of(rain)};
   erosion::Eroded made = erosion::run(std::move(ground), std::move(site), params, call.seed, call.run);
   Report balance = erosion::balance_report({terrain, debris, sediment}, made, params, call.run);
+  const auto sea_m = static_cast<float>(params.sea_m);
+  LabelMap regions = labels == nullptr ? geom::plain_labels(made.terrain, sea_m, call.run)
+                                       : geom::follow_labels(*labels, terrain, made.terrain, sea_m, call.run);
   return {std::move(made.terrain), std::move(made.debris), std::move(made.sediment), std::move(made.flow),
-          std::move(made.lake),    std::move(made.bed),    std::move(balance)};
+          std::move(made.lake),    std::move(made.bed),    std::move(regions),       std::move(balance)};
 }
 
 }  // namespace
@@ -42,13 +49,17 @@ void add_erosion_operators(Registry& registry) {
           optional_in<Field>("uplift", "share of `uplift_mm_yr`; 1 if absent"),
           optional_in<Field>("rain", "share of `runoff_mm_yr`, as wet and dry sides of mountains; 1 if absent"),
           formerly("rock", optional_in<Field>("debris", "thickness of debris on the bedrock in metres; 0 if absent")),
-          optional_in<Field>("sediment", "thickness of fine sediment in metres; 0 if absent")),
+          optional_in<Field>("sediment", "thickness of fine sediment in metres; 0 if absent"),
+          optional_in<Labels>("labels", "its regions, which follow the new coast")),
       outputs(out<kinds::Terrain>("terrain", "heights in metres"),
               formerly("rock", out<Field>("debris", "thickness of debris in metres")),
               out<Field>("sediment", "thickness of fine sediment in metres"),
               out<Field>("flow", "discharge in m3 per year"),
               out<Field>("lake", "depth of standing water on land in metres"),
               out<Field>("bed", "number of the bed at the top of the bedrock, from 1 for the first; 0 without beds"),
+              out<Labels>("labels",
+                          "its regions: land is beach or mountain, sea lagoon, reef or abyss; mountain and abyss if no "
+                          "labels were given"),
               out<kinds::Report>("balance",
                                  "volumes in m3: bedrock worn, laid down on land and under water, left over "
                                  "the border; and the error")),
