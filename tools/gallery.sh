@@ -42,6 +42,12 @@ done
 cp "$made/guide/view.png" docs/gallery/guide_canyon.png
 cp "$made/guide/inside.png" docs/gallery/guide_canyon_inside.png
 cp "$made/guide/chain.png" docs/gallery/guide_chain.png
+./run run recipes/guide/dem.json --out "$made/dem" --no-cache
+./run run recipes/contours/volcano.json --out "$made/dem/volcano" --size 200 --no-cache
+./run contour.pattern --contours "$made/dem/volcano/contours.gpkg" --within '[[[-1500,-1500],[1500,-1500],[1500,1500],[-1500,1500]]]' --out "$made/dem"
+./run new guide/crater --out "$made/dem"
+./run run "$made/dem/crater.json" --out "$made/dem" --no-cache
+cp "$made/dem/view.png" docs/gallery/guide_crater.png
 mv docs/gallery/erosion_worn_island.png docs/gallery/worn_island.png
 cp "$made"/{stone,desert,volcano}.png docs/gallery/
 cp "$made"/view.png docs/gallery/kauai.png
