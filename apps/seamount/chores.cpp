@@ -23,6 +23,7 @@ struct ChoreFlags : RunFlags {
   std::string out;
   std::string as;
   std::string labels;
+  std::string like;
   std::string feature;
   std::string layer;
   std::string crs;
@@ -154,15 +155,30 @@ std::string picture_of(const ChoreFlags& flags) {
                                     "contour.reconstruct");
 }
 
+/// The parameters of a recipe's first picture of this kind.
+Json params_like(const std::string& file, const std::string& picture, const recipe::Registry& registry) {
+  const recipe::Recipe recipe = recipe::read_recipe(file, {}, registry, {.cancelled = &cancel_flag()});
+  for (const recipe::Step& step : recipe.steps)
+    if (step.op->name == "render." + picture) return step.params;
+  throw InvalidArgument("--like", file + " makes no picture of the kind '" + picture + "'");
+}
+
 /// A picture of a terrain or of contours.
-void render(const ChoreFlags& flags) {
+void render(const ChoreFlags& flags, const recipe::Registry& registry) {
   const std::string picture = picture_of(flags);
   Json step = {{"id", "picture"},
                {"op", "render." + picture},
                {"in", {{picture == "contours" ? "contours" : "terrain", {{"file", absolute_file("file", flags.in)}}}}},
                {"params", Json::object()}};
   if (!flags.labels.empty()) step["in"]["labels"] = {{"file", absolute_file("--labels", flags.labels)}};
-  for (const std::string& assignment : flags.sets) set_member(step["params"], assignment);
+  Json set = Json::object();
+  for (const std::string& assignment : flags.sets) set_member(set, assignment);
+  if (flags.like.empty()) {
+    step["params"] = std::move(set);
+  } else {
+    step["params"] = params_like(flags.like, picture, registry);
+    step["params"].merge_patch(set);
+  }
   const fs::path out(flags.out);
   const Json document = {{"seamount", 1},
                          {"steps", {step}},
@@ -232,9 +248,10 @@ void add_chore_commands(Command program, const recipe::Registry& registry) {
   render_command.add("--out", &flags->out, "picture to write (.png)").required();
   render_command.add("--as", &flags->as, "perspective (default), map, relief or texture; of contours: contours");
   render_command.add("--labels", &flags->labels, "label map that goes with it");
+  render_command.add("--like", &flags->like, "a recipe: as its first picture of this kind is seen; --set changes more");
   render_command.add("--set", &flags->sets, "a parameter of the picture: NAME=VALUE");
   add_run_flags(render_command, *flags);
-  render_command.does([=] { render(*flags); });
+  render_command.does([=, &registry] { render(*flags, registry); });
 }
 
 }  // namespace seamount::app
