@@ -1,4 +1,5 @@
 // Registration of the classify family.
+#include "seamount/ops/classify/follow.h"
 #include "seamount/ops/classify/terrain.h"
 #include "seamount/recipe/ports.h"
 
@@ -18,6 +19,14 @@ void add_classify_operators(Registry& registry) {
         classify::Classified made = classify::terrain(terrain, params, call.run);
         return std::tuple(std::move(made.labels), std::move(made.exposure));
       }));
+  registry.add(make_operator<classify::FollowParams>(
+      {.name = "classify.follow", .summary = "Labels of a terrain that any steps have changed, from those before"},
+      inputs(in<kinds::Terrain>("terrain", "heights in metres, as they are now"),
+             in<kinds::Terrain>("before", "the terrain that the labels belong to"),
+             in<kinds::Labels>("labels", "its regions before")),
+      outputs(out<kinds::Labels>("labels", "land is beach or mountain, sea lagoon, reef or abyss")),
+      [](const classify::FollowParams& params, const Call& call, const HeightField& terrain, const HeightField& before,
+         const LabelMap& labels) { return classify::follow(terrain, before, labels, params, call.run); }));
 }
 
 }  // namespace seamount::recipe
