@@ -4,7 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 
+#include "seamount/base/rng.h"
+#include "seamount/io/atomic_file.h"
 #include "seamount/io/info.h"
 #include "seamount/io/png_codec.h"
 #include "seamount/io/raster.h"
@@ -148,43 +154,75 @@ TEST(Engines, FloatTargetsHoldMetres) {
   EXPECT_DOUBLE_EQ(typed(folder("land.exr"), "plane size Y"), 50 * 4.0);
 }
 
-TEST(Splat, WeightsSumTo255OverAllFiles) {
+std::vector<GroundLayer> random_layers(const GridFrame& frame, uint64_t seed) {
+  Rng rng(Seed{seed}.derive("weights"));
+  std::vector<GroundLayer> layers;
+  for (const char* name : {"sand", "grass", "rock", "snow", "mud", "reef"}) {
+    layers.push_back({name, Mask(frame)});
+    for (float& w : layers.back().weights.cells()) w = rng.chance(0.4) ? 0.0F : static_cast<float>(rng.uniform(0, 3));
+    layers.back().weights(3, 3) = 0;
+  }
+  return layers;
+}
+
+std::vector<std::string> names_of(const std::vector<GroundLayer>& layers) {
+  std::vector<std::string> names;
+  for (const GroundLayer& layer : layers) names.push_back(layer.name);
+  return names;
+}
+
+TEST(Splat, WeightsSumTo255OverAllFilesAndTheListNamesThem) {
   const TestFolder folder;
-  const GridFrame frame = GridFrame::centred(23, 7, 1);
-  Rng rng(Seed{1}.derive("weights"));
-  std::vector<Mask> weights(6, Mask(frame));
-  for (Mask& mask : weights)
-    for (float& w : mask.cells()) w = rng.chance(0.4) ? 0.0F : static_cast<float>(rng.uniform(0, 3));
-  for (Mask& mask : weights) mask(3, 3) = 0;
-  const std::vector<std::string> files = write_splat(weights, folder("s.png"));
-  ASSERT_EQ(files.size(), 2U);
-  const PngSamples a = decode_png_samples(read_file(files[0]), files[0], 1000);
-  const PngSamples b = decode_png_samples(read_file(files[1]), files[1], 1000);
-  for (size_t i = 0; i < weights[0].size(); ++i) {
-    int sum = 0;
-    double total = 0;
-    for (const Mask& mask : weights) total += mask.cells()[i];
-    for (size_t m = 0; m < 8; ++m) {
-      const int share = (m < 4 ? a : b).bytes8[4 * i + m % 4];
-      sum += share;
-      if (total > 0 && m < 6) {
-        EXPECT_NEAR(share, 255 * weights[m].cells()[i] / total, 1.0);
+  for (const uint64_t seed : {1, 2}) {
+    for (const SplatFiles kind : {SplatFiles::grey, SplatFiles::rgba}) {
+      const bool grey = kind == SplatFiles::grey;
+      const auto layers = random_layers(GridFrame::centred(23, 7, 1), seed);
+      const std::vector<std::string> files = splat_files(names_of(layers), folder("s.png"), kind);
+      ASSERT_EQ(files.size(), grey ? 7U : 3U);
+      write_splat(layers, folder("s.png"), {.files = kind});
+      std::map<std::string, PngSamples> pictures;
+      for (size_t f = 0; f + 1 < files.size(); ++f) {
+        pictures[std::filesystem::path(files[f]).filename().string()] =
+            decode_png_samples(read_file(files[f]), files[f], 1000);
+      }
+      const auto list = nlohmann::json::parse(std::ifstream(files.back()));
+      ASSERT_EQ(list["layers"].size(), 6U);
+      for (size_t i = 0; i < layers[0].weights.size(); ++i) {
+        double total = 0;
+        int sum = 0;
+        for (const GroundLayer& layer : layers) total += layer.weights.cells()[i];
+        for (size_t m = 0; m < 6; ++m) {
+          const auto& row = list["layers"][m];
+          ASSERT_EQ(row["name"], layers[m].name);
+          const PngSamples& picture = pictures.at(row["file"]);
+          const std::string channel = row["channel"];
+          const size_t at = channel == "green" ? 1 : channel == "blue" ? 2 : 0;
+          ASSERT_EQ(picture.channels, grey ? 1 : 4);
+          const int share = picture.bytes8[i * (grey ? 1 : 4) + at];
+          if (total > 0) {
+            ASSERT_NEAR(share, 255 * layers[m].weights.cells()[i] / total, 1.0);
+          }
+          if (!grey) {
+            ASSERT_EQ(picture.bytes8[4 * i + 3], 255) << "alpha is opaque";
+          }
+          sum += share;
+        }
+        ASSERT_EQ(sum, 255);
       }
     }
-    EXPECT_EQ(sum, 255);
   }
-  EXPECT_EQ(a.bytes8[4 * (3 * 23 + 3)], 255) << "no weight at all: the first material";
 }
 
 TEST(Splat, RefusesNonsense) {
   const TestFolder folder;
-  std::vector<Mask> masks(2, Mask(GridFrame::centred(2, 2, 1), 1.0F));
-  EXPECT_THROW(write_splat(masks, folder("s.tif")), IoError);
-  masks[1](0, 0) = -1;
-  EXPECT_THROW(write_splat(masks, folder("s.png")), InvalidArgument);
-  masks[1] = Mask(GridFrame::centred(3, 2, 1), 1.0F);
-  EXPECT_THROW(write_splat(masks, folder("s.png")), IncompatibleInputs);
-  EXPECT_EQ(write_splat(LabelMap(GridFrame::centred(3, 3, 1), Region::reef), folder("l.png")).size(), 2U);
+  const GridFrame frame = GridFrame::centred(2, 2, 1);
+  std::vector<GroundLayer> layers = {{"a", Mask(frame, 1.0F)}, {"b", Mask(frame, 1.0F)}};
+  EXPECT_THROW(write_splat(layers, folder("s.tif")), IoError);
+  layers[1].weights(0, 0) = -1;
+  EXPECT_THROW(write_splat(layers, folder("s.png")), InvalidArgument);
+  layers[1].weights = Mask(GridFrame::centred(3, 2, 1), 1.0F);
+  EXPECT_THROW(write_splat(layers, folder("s.png")), IncompatibleInputs);
+  EXPECT_THROW(write_splat({}, folder("s.png")), InvalidArgument);
 }
 
 }  // namespace

@@ -163,30 +163,4 @@ void write_gazebo(const Mesh& mesh, const GridFrame& frame, const std::string& p
   write_world(ground, frame, low_m, path, options, run);
 }
 
-Image texture_between(const Image& picture, const GridFrame& of, const GridFrame& samples) {
-  const double span = samples.cell_m * (samples.width - 1), pixel_m = of.width_m() / picture.width;
-  const int side = std::clamp(static_cast<int>(std::lround(span / pixel_m)), 2, 16384);
-  Image part(side, side);
-  const auto place = [](double place_m, double pixel, int count) {
-    return std::clamp(place_m / pixel - 0.5, 0.0, count - 1.0);
-  };
-  for (int y = 0; y < side; ++y) {
-    const double row =
-        place(of.north_m - samples.y(0) + (y + 0.5) * span / side, of.height_m() / picture.height, picture.height);
-    const int top = std::min(static_cast<int>(row), picture.height - 1), below = std::min(top + 1, picture.height - 1);
-    for (int x = 0; x < side; ++x) {
-      const double column = place(samples.x(0) - of.west_m + (x + 0.5) * span / side, pixel_m, picture.width);
-      const int left = std::min(static_cast<int>(column), picture.width - 1),
-                right = std::min(left + 1, picture.width - 1);
-      const double fx = column - left, fy = row - top;
-      for (int c = 0; c < 3; ++c) {
-        const double upper = picture.pixel(left, top)[c] * (1 - fx) + picture.pixel(right, top)[c] * fx;
-        const double lower = picture.pixel(left, below)[c] * (1 - fx) + picture.pixel(right, below)[c] * fx;
-        part.pixel(x, y)[c] = static_cast<uint8_t>(std::lround(upper * (1 - fy) + lower * fy));
-      }
-    }
-  }
-  return part;
-}
-
 }  // namespace seamount::io

@@ -50,8 +50,4 @@ void write_gazebo(const HeightField& heights, const std::string& path, const Gaz
 void write_gazebo(const Mesh& mesh, const GridFrame& frame, const std::string& path, const GazeboOptions& options = {},
                   const RunContext& run = {});
 
-/// The part of a picture of a whole terrain (`of`) that lies between the outer samples of `samples`, as large a square
-/// as it is fine; beyond the terrain its edge.
-Image texture_between(const Image& picture, const GridFrame& of, const GridFrame& samples);
-
 }  // namespace seamount::io

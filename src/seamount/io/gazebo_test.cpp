@@ -11,6 +11,7 @@
 #include "seamount/io/projection.h"
 #include "seamount/io/raster.h"
 #include "seamount/io/test_files.h"
+#include "seamount/io/texture_part.h"
 
 namespace seamount::io {
 namespace {

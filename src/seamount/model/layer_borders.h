@@ -21,7 +21,9 @@ struct LayerBorders {
     using P = LayerBorders;
     return std::tuple(
         field(&P::low_m, "low_m", "m", between(-12000, 9000),
-              "height up to which all is the low layer; by default 0.3 of the relief, or as the style asks"),
+              "height up to which all is the low layer; by default 0.3 of the relief, over the sea where there is "
+              "some, or "
+              "as the style asks"),
         field(&P::low_error_m, "low_error_m", "m", between(0, 20000),
               "height above low_m over which the low layer fades; by default 0.1 of the relief"),
         field(&P::high_m, "high_m", "m", between(-12000, 9000),

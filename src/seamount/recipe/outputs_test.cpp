@@ -92,11 +92,15 @@ class Outputs : public ::testing::Test {
 };
 
 TEST_F(Outputs, WriteTheFilesThatTheySay) {
-  const std::map<std::string, Json> small = {
-      {"mesh", {{"texture_px", 32}}},   {"gazebo", {{"texture_px", 32}}},
-      {"tiles", {{"tile_size", 33}}},   {"perspective", {{"width_px", 96}, {"height_px", 64}}},
-      {"map", {{"width_px", 128}}},     {"texture", {{"size_px", 64}}},
-      {"things", {{"texture_px", 32}}}, {"thing_world", {{"texture_px", 32}}}};
+  const std::map<std::string, Json> small = {{"mesh", {{"texture_px", 32}}},
+                                             {"gazebo", {{"texture_px", 32}}},
+                                             {"bundle", {{"texture_px", 32}}},
+                                             {"tiles", {{"tile_size", 33}}},
+                                             {"perspective", {{"width_px", 96}, {"height_px", 64}}},
+                                             {"map", {{"width_px", 128}}},
+                                             {"texture", {{"size_px", 64}}},
+                                             {"things", {{"texture_px", 32}}},
+                                             {"thing_world", {{"texture_px", 32}}}};
   for (const auto& format : standard_registry().formats()) {
     for (const Kind* kind : format->accepts) {
       if (!is_made(*kind)) continue;

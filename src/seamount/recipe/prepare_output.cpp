@@ -33,7 +33,7 @@ void report_no_format(const Registry& registry, const Kind& kind, const std::opt
     place.at("as").fail(fmt::format("'{}' is no way to write {}{}", *as, kind.name, suggestion(*as, names)));
   } else if (names.size() == 1) {
     place.at("path").fail(fmt::format("'{}' is written to {}, not to '{}'", names.front(),
-                                      fmt::join(registry.find_format(names.front())->extensions, ", "), path));
+                                      written_to(*registry.find_format(names.front())), path));
   } else {
     place.at("path").fail(fmt::format("'{}' does not say how to write {}: that goes {}", path, kind.name,
                                       what_can_be_written(registry, kind)));
@@ -68,6 +68,11 @@ std::string add_once(std::vector<Step>& steps, Step step) {
 
 }  // namespace
 
+std::string written_to(const OutputFormat& format) {
+  const std::string list = fmt::format("{}", fmt::join(format.extensions, ", "));
+  return list.empty() ? "a folder" : list;
+}
+
 bool choose_format(const Registry& registry, const Kind& kind, const std::optional<std::string>& as, Output& output,
                    const ReadPlace& place) {
   output.format = as ? registry.find_format(*as) : registry.format_for(output.path, kind);
@@ -79,7 +84,7 @@ bool choose_format(const Registry& registry, const Kind& kind, const std::option
   const auto& allowed = output.format->extensions;
   if (allowed.empty() || std::find(allowed.begin(), allowed.end(), extension) != allowed.end()) return true;
   place.at("path").fail(
-      fmt::format("'{}' is written to {}, not to '{}'", output.format->name, fmt::join(allowed, ", "), output.path));
+      fmt::format("'{}' is written to {}, not to '{}'", output.format->name, written_to(*output.format), output.path));
   return false;
 }
 

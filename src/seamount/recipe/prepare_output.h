@@ -8,6 +8,9 @@
 
 namespace seamount::recipe {
 
+/// What a format writes to, for messages: ".tif, .png", or "a folder" where no extension is wanted.
+std::string written_to(const OutputFormat& format);
+
 /// Chooses the format of output.path for a value of this kind: the one named by `as`, or by the extension. Reports what
 /// is wrong at `place` and returns false then.
 bool choose_format(const Registry& registry, const Kind& kind, const std::optional<std::string>& as, Output& output,

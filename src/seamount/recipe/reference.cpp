@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "seamount/base/text.h"
+#include "seamount/recipe/prepare_output.h"
 #include "seamount/recipe/reference_params.h"
 
 namespace seamount::recipe {
@@ -75,7 +76,7 @@ std::string describe_format(const OutputFormat& format) {
   std::vector<std::string> kinds;
   for (const Kind* kind : format.accepts) kinds.push_back(kind->name);
   return fmt::format("{}  -  {}\nwrites {} to {}\n\nparameters\n{}", format.name, format.summary,
-                     fmt::join(kinds, ", "), fmt::join(format.extensions, ", "), params_text(format.params));
+                     fmt::join(kinds, ", "), written_to(format), params_text(format.params));
 }
 
 std::string describe_kind(const Kind& kind, const Registry& registry) {
@@ -122,7 +123,7 @@ std::string reference_markdown(const Registry& registry) {
     std::vector<std::string> kinds;
     for (const Kind* kind : format.accepts) kinds.push_back(kind->name);
     text += fmt::format("## as {}\n\n{} ({} to {}).\n\n{}", format.name, format.summary, fmt::join(kinds, ", "),
-                        fmt::join(format.extensions, ", "), params_table(format.params));
+                        written_to(format), params_table(format.params));
   }
   text += "# Kinds of values\n\n| kind | | read from |\n|---|---|---|\n";
   for (const Kind* kind : registry.kinds())

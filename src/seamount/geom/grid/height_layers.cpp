@@ -76,7 +76,8 @@ Borders resolve_borders(const LayerBorders& borders, double bottom_m, double top
 
 Borders relief_borders(const LayerBorders& borders, const HeightField& terrain) {
   const auto [bottom, top] = std::minmax_element(terrain.cells().begin(), terrain.cells().end());
-  return resolve_borders(borders, static_cast<double>(*bottom), static_cast<double>(*top));
+  const bool shore = *bottom < 0.0F && *top > 0.0F;
+  return resolve_borders(borders, shore ? 0.0 : static_cast<double>(*bottom), static_cast<double>(*top));
 }
 
 double error_pass(double distance, double error) { return distance < error ? 1.0 - distance / error : 0.0; }

@@ -20,7 +20,8 @@ struct Borders {
 /// What is absent becomes the paper's share of the relief between `bottom_m` and `top_m`: borders at 0.3 and 0.5,
 /// errors of 0.1 and 0.05. Throws InvalidArgument{high_m} where high_m lies below low_m.
 Borders resolve_borders(const LayerBorders& borders, double bottom_m, double top_m);
-/// The same with the relief of a terrain: from its lowest to its highest cell. REQUIRES: it has cells.
+/// The same with the relief of a terrain: from its lowest to its highest cell, or from sea level where it has land and
+/// sea: the depth of the water says nothing of what grows on an island. REQUIRES: it has cells.
 Borders relief_borders(const LayerBorders& borders, const HeightField& terrain);
 
 /// P_error (eq. 5): 1 at no distance, 0 from `error` on. REQUIRES: distance >= 0.

@@ -64,6 +64,18 @@ TEST(HeightLayers, BordersThatAreAbsentAreSharesOfTheRelief) {
   EXPECT_THROW(resolve_borders({.low_m = 200}, -100, 400), InvalidArgument);
 }
 
+TEST(HeightLayers, ReliefCountsFromTheSeaWhereThereIsLandAndSea) {
+  HeightField ground(GridFrame::centred(3, 1, 10.0));
+  const auto borders = [&](float a, float b, float c) {
+    ground(0, 0) = a, ground(1, 0) = b, ground(2, 0) = c;
+    return relief_borders({}, ground);
+  };
+  EXPECT_DOUBLE_EQ(borders(-4000, 10, 1000).low_m, 300);
+  EXPECT_DOUBLE_EQ(borders(-9, 10, 1000).high_m, 500);
+  EXPECT_DOUBLE_EQ(borders(200, 700, 1200).low_m, 500);
+  EXPECT_DOUBLE_EQ(borders(-400, -300, -200).high_m, -300);
+}
+
 HeightField hills(int width, int height) {
   HeightField terrain = fbm_grid(GridFrame::centred(width, height, 25.0), Seed{8}, {.wavelength_m = 1500}, {});
   for (float& z : terrain.cells()) z = 200.0F + 200.0F * z;

@@ -104,6 +104,14 @@ GridFrame tiled_frame(const GridFrame& source, int tile_size) {
   return grown(source, 0, 0, missing(source.width), missing(source.height));
 }
 
+GridFrame samples_frame(const GridFrame& source, const SamplesParams& params) {
+  const bool square = params.layout == SampleLayout::square;
+  const GridFrame frame = square && params.fit == SquareFit::pad ? square_around(source) : source;
+  const int side = square ? std::min(frame.width, frame.height) : std::max(frame.width, frame.height);
+  const int size = params.samples > 0 ? params.samples : natural_size(side, params.choices);
+  return square ? square_frame(frame, size) : whole_frame(frame, size);
+}
+
 HeightField samples(const HeightField& terrain, const SamplesParams& params, const RunContext& run) {
   check_params(params);
   const GridFrame& frame = terrain.frame();
@@ -124,9 +132,7 @@ HeightField samples(const HeightField& terrain, const SamplesParams& params, con
     tell_difference(frame, around, run);
     return samples(padded(terrain, around), of_square, run);
   }
-  const int side = square ? std::min(frame.width, frame.height) : std::max(frame.width, frame.height);
-  const int size = params.samples > 0 ? params.samples : natural_size(side, params.choices);
-  const GridFrame wanted = square ? square_frame(frame, size) : whole_frame(frame, size);
+  const GridFrame wanted = samples_frame(frame, params);
   run.check_cancelled();
   tell_difference(frame, wanted, run);
   if (wanted == frame) return terrain;

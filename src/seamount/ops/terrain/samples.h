@@ -55,6 +55,9 @@ GridFrame whole_frame(const GridFrame& source, int size);
 /// borders counted once. REQUIRES: tile_size >= 2.
 GridFrame tiled_frame(const GridFrame& source, int tile_size);
 
+/// The frame of samples() in the layouts square and whole. Throws as square_frame.
+GridFrame samples_frame(const GridFrame& source, const SamplesParams& params);
+
 /// The terrain on such a frame; as it is where it lies there already. Says how much was cut off or added, in metres,
 /// and how much coarser it became. What is added repeats the terrain's edge. Throws InvalidArgument for params out of
 /// range and what square_frame throws. Parallel; about 10 ns per cell of the larger of both grids.

@@ -1,29 +1,13 @@
 // Height maps for engines, and tiles: terrain.samples brings the terrain to their samples.
 #include "seamount/io/engine.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <filesystem>
 
 #include "seamount/io/tiles.h"
 #include "seamount/recipe/format.h"
+#include "seamount/recipe/formats/engine_fit.h"
 #include "seamount/recipe/formats/formats.h"
 #include "seamount/recipe/kinds.h"
-
-namespace seamount::recipe {
-namespace {
-
-/// How a terrain that is no square is fitted. by_engine: crop for those that read squares only, else whole.
-enum class Fit { by_engine, crop, pad, whole };
-
-}  // namespace
-}  // namespace seamount::recipe
-
-template <>
-struct seamount::Choices<seamount::recipe::Fit> {
-  static constexpr std::array<std::string_view, 4> names = {"by_engine", "crop", "pad", "whole"};
-};
 
 namespace seamount::recipe {
 namespace {
@@ -39,10 +23,7 @@ struct EngineParams {
     return std::tuple(
         field(&P::size, "size", "", between(0, 16385),
               "samples a side; 0: the largest that the engine takes and the terrain fills"),
-        field(&P::fit, "fit",
-              "a terrain that is no square: crop takes its middle, pad adds its repeated edge, whole leaves it as long "
-              "as "
-              "it is; by_engine: crop for unreal and unity, which read squares, else whole"),
+        field(&P::fit, "fit", kFitMeaning),
         field(&P::low_m, "low_m", "m", between(-20000, 20000),
               "height of the lowest code; chosen with room to sculpt if absent"),
         field(&P::high_m, "high_m", "m", between(-20000, 20000), "height of the highest code; chosen if absent"));
@@ -80,23 +61,12 @@ void add_engine(Registry& registry, io::Engine engine, OutputFormat row) {
   const std::vector<int>& sizes = io::engine_sizes(engine);
   format.complete = [&sizes, name = format.name](const Json& given, const ReadPlace& place) {
     const auto params = read_params<EngineParams>(given, place);
-    if (params.size > 0 && !sizes.empty() && std::find(sizes.begin(), sizes.end(), params.size) == sizes.end()) {
-      place.at("size").fail(
-          fmt::format("{} is not a size that {} reads; allowed are {}", params.size, name, fmt::join(sizes, ", ")));
-    }
-    if (params.fit == Fit::whole && !sizes.empty()) place.at("fit").fail(fmt::format("{} reads squares only", name));
+    check_fit(params.size, params.fit, sizes, name, place);
     return write_params(params);
   };
   format.prepare = [&sizes](const Json& params, const Kind&, const std::string&) -> std::vector<Preparation> {
-    const Json& fit = params["fit"];
-    const bool whole = fit == "whole" || (fit == "by_engine" && sizes.empty());
-    return {{"",
-             "terrain.samples",
-             "terrain",
-             {{"layout", whole ? "whole" : "square"},
-              {"fit", fit == "pad" ? "pad" : "crop"},
-              {"samples", params["size"]},
-              {"choices", sizes}}}};
+    const auto read = read_complete<EngineParams>(params);
+    return {{"", "terrain.samples", "terrain", samples_params(read.size, read.fit, sizes)}};
   };
   format.files = [](const Json&, const Kind&, const std::string& path) -> std::vector<std::string> {
     return {path, io::sidecar_path(path)};

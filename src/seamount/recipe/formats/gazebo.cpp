@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "seamount/geom/mesh/terrain_mesh.h"
+#include "seamount/io/texture_part.h"
 #include "seamount/recipe/format.h"
 #include "seamount/recipe/formats/formats.h"
 #include "seamount/recipe/kinds.h"

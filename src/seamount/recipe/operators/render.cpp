@@ -106,6 +106,7 @@ void add_render_operators(Registry& registry) {
       }));
   registry.add(make_operator<render::LayersParams>(
       {.name = "render.layers",
+       .revision = 2,
        .summary = "The layers of ground that a style's pictures show: three masks that sum to one, for splat maps",
        .source = "P4 sec. 3.4, eq. 3-6"},
       inputs(in<Terrain>("terrain", "heights in metres")),

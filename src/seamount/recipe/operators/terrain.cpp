@@ -283,6 +283,7 @@ void add_terrain_operators(Registry& registry) {
       }));
   registry.add(make_operator<LayerBorders>(
       {.name = "terrain.layers",
+       .revision = 2,
        .summary = "How much of each place is low, middle and high ground: three masks that sum to one",
        .source = "P4 sec. 3.4, eq. 3-6"},
       inputs(in<Terrain>("terrain", kHeights)),
