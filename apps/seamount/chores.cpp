@@ -1,8 +1,10 @@
 // convert, info, render: daily chores with files, made as small recipes where that is what they are.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 
 #include "app.h"
 #include "seamount/base/printable.h"
@@ -10,6 +12,7 @@
 #include "seamount/io/vector.h"
 #include "seamount/recipe/file_info.h"
 #include "seamount/recipe/recipe.h"
+#include "seamount/recipe/terrain_info.h"
 
 namespace seamount::app {
 namespace {
@@ -33,6 +36,7 @@ struct ChoreFlags : RunFlags {
   std::optional<int> band;
   std::optional<int> size;
   std::optional<double> cell_m, low_m, high_m;
+  std::string at, at_lonlat;
   std::vector<std::string> sets;
 };
 
@@ -188,8 +192,35 @@ void render(const ChoreFlags& flags, const recipe::Registry& registry) {
   run_and_report(recipe, out.has_parent_path() ? out.parent_path().string() : ".", flags);
 }
 
+/// "x,y" in metres or degrees.
+Vec2 place_of(const char* flag, const std::string& text) {
+  std::istringstream in(text);
+  Vec2 place;
+  char comma = 0, more = 0;
+  if (!(in >> place.x >> comma >> place.y) || comma != ',' || in >> more || !std::isfinite(place.x + place.y))
+    throw InvalidArgument(flag, "expected two numbers as 'x,y', found '" + text + "'");
+  return place;
+}
+
+io::FileInfo info_lines(const recipe::Registry& registry, const ChoreFlags& flags) {
+  const bool lonlat = !flags.at_lonlat.empty();
+  if (flags.at.empty() && !lonlat) {
+    if (!flags.labels.empty()) throw InvalidArgument("--labels", "tells the region of a place: give --at as well");
+    return recipe::describe_file(flags.in, registry);
+  }
+  if (lonlat && !flags.at.empty()) throw InvalidArgument("--at-lonlat", "and --at are two places; give one");
+  const char* flag = lonlat ? "--at-lonlat" : "--at";
+  try {
+    return recipe::describe_place(flags.in,
+                                  {place_of(flag, lonlat ? flags.at_lonlat : flags.at), lonlat, flags.labels});
+  } catch (const InvalidArgument& error) {
+    if (error.field() != "at") throw;
+    throw InvalidArgument(flag, std::string(error.what()).substr(error.field().size() + 2));
+  }
+}
+
 void info(const recipe::Registry& registry, const ChoreFlags& flags) {
-  const io::FileInfo lines = recipe::describe_file(flags.in, registry);
+  const io::FileInfo lines = info_lines(registry, flags);
   if (flags.json) {
     Json object = Json::object();
     for (const auto& [key, value] : lines) object[key] = value;
@@ -240,12 +271,15 @@ void add_chore_commands(Command program, const recipe::Registry& registry) {
 
   Command info_command = program.add_command("info", "Say what a file is, and the numbers to type into an engine");
   info_command.add("file", &flags->in, "any file that Seamount reads").required();
+  info_command.add("--at", &flags->at, "what a raster has at a place, x,y in metres: height, slope");
+  info_command.add("--at-lonlat", &flags->at_lonlat, "the same at longitude,latitude in degrees");
+  info_command.add("--labels", &flags->labels, "with a place: label map that tells its region");
   info_command.add_switch("--json", flags->json, "as JSON");
   info_command.does([=, &registry] { info(registry, *flags); });
 
   Command render_command = program.add_command("render", "Draw a terrain or contours");
   render_command.add("file", &flags->in, "file of a terrain or of contours").required();
-  render_command.add("--out", &flags->out, "picture to write (.png)").required();
+  render_command.add("--out", &flags->out, "picture to write (.png, .jpg)").required();
   render_command.add("--as", &flags->as, "perspective (default), map, relief or texture; of contours: contours");
   render_command.add("--labels", &flags->labels, "label map that goes with it");
   render_command.add("--like", &flags->like, "a recipe: as its first picture of this kind is seen; --set changes more");

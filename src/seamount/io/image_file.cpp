@@ -1,6 +1,7 @@
 #include "seamount/io/image_file.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "seamount/base/error.h"
 #include "seamount/io/atomic_file.h"
@@ -76,5 +77,49 @@ std::vector<uint8_t> encode_png(const Image& image) {
 }
 
 void write_png(const Image& image, const std::string& path) { write_bytes(path, encode_png(image)); }
+
+std::vector<uint8_t> encode_jpeg(const Image& image, int quality, const std::string& name) {
+  if (image.width < 1 || image.height < 1) throw InvalidArgument("image", "is empty");
+  constexpr int kLongest = 65500;
+  if (std::max(image.width, image.height) > kLongest)
+    throw IoError(name, "a JPEG has at most " + std::to_string(kLongest) + " pixels a side; write a PNG");
+  static std::atomic<uint64_t> count{0};
+  const std::string place = "/vsimem/seamount-jpeg-" + std::to_string(count++) + ".jpg";
+  GdalCall call(name);
+  call.hide(place);
+  auto& drivers = *GetGDALDriverManager();
+  const DatasetPtr memory(drivers.GetDriverByName("MEM")->Create("", image.width, image.height, 3, GDT_Byte, nullptr));
+  std::vector<uint8_t> rgb = image.rgb;
+  if (memory == nullptr ||
+      memory->RasterIO(GF_Write, 0, 0, image.width, image.height, rgb.data(), image.width, image.height, GDT_Byte, 3,
+                       nullptr, 3, GSpacing{3} * image.width, 1, nullptr) != CE_None)
+    call.fail("cannot be made");
+  CPLStringList how;
+  how.SetNameValue("QUALITY", std::to_string(quality).c_str());
+  DatasetPtr(
+      drivers.GetDriverByName("JPEG")->CreateCopy(place.c_str(), memory.get(), FALSE, how.List(), nullptr, nullptr))
+      .reset();
+  vsi_l_offset length = 0;
+  GByte* bytes = VSIGetMemFileBuffer(place.c_str(), &length, FALSE);
+  std::vector<uint8_t> file;
+  if (bytes != nullptr) file.assign(bytes, bytes + length);
+  VSIUnlink(place.c_str());
+  call.check("cannot be written as JPEG");
+  if (file.empty()) call.fail("cannot be written as JPEG");
+  return file;
+}
+
+const std::vector<std::string>& picture_extensions() {
+  static const std::vector<std::string> kExtensions = {".png", ".jpg", ".jpeg"};
+  return kExtensions;
+}
+
+void write_picture(const Image& image, const std::string& path) {
+  constexpr int kQuality = 92;
+  const std::string extension = extension_of(path);
+  if (extension == ".png") return write_png(image, path);
+  if (extension == ".jpg" || extension == ".jpeg") return write_bytes(path, encode_jpeg(image, kQuality, path));
+  throw IoError(path, "'" + extension + "' is not a format that pictures are written to; there are .png, .jpg, .jpeg");
+}
 
 }  // namespace seamount::io

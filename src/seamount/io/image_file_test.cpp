@@ -7,7 +7,7 @@
 
 #include "seamount/io/info.h"
 #include "seamount/io/png_codec.h"
-#include "seamount/io/test_jpeg.h"
+#include "seamount/io/test_files.h"
 
 namespace seamount::io {
 namespace {
@@ -58,6 +58,25 @@ TEST(ImageFile, JpegIsRead) {
   ASSERT_EQ(back.width, 40);
   ASSERT_EQ(back.height, 24);
   for (size_t i = 0; i < image.rgb.size(); ++i) EXPECT_LE(std::abs(image.rgb[i] - back.rgb[i]), 12);
+}
+
+TEST(ImageFile, PicturesAreWrittenByTheirEnding) {
+  const TestFolder folder;
+  for (const auto& [width, height] : {std::pair(1, 1), std::pair(64, 33), std::pair(200, 7)}) {
+    Image image(width, height, {200, 120, 40});
+    for (const std::string& ending : picture_extensions()) {
+      write_picture(image, folder("x" + ending));
+      write_picture(image, folder("again" + ending));
+      EXPECT_EQ(read_file(folder("x" + ending)), read_file(folder("again" + ending)));
+      const Image back = read_image(folder("x" + ending));
+      ASSERT_EQ(back.width, width);
+      ASSERT_EQ(back.height, height);
+      for (size_t i = 0; i < image.rgb.size(); ++i) ASSERT_LE(std::abs(image.rgb[i] - back.rgb[i]), 4) << ending;
+    }
+  }
+  EXPECT_THAT(error_of([&] { write_picture(Image(2, 2), folder("x.bmp")); }), HasSubstr(".png, .jpg, .jpeg"));
+  EXPECT_THAT(error_of([&] { write_picture(Image(65501, 1), folder("x.jpg")); }), HasSubstr("65500"));
+  EXPECT_NO_THROW(write_picture(Image(65501, 1), folder("x.png")));
 }
 
 TEST(ImageFile, EveryShorterFileIsAnErrorOrAPicture) {

@@ -4,6 +4,7 @@
 
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
+#include "seamount/recipe/terrain_info.h"
 
 namespace seamount::recipe {
 
@@ -14,6 +15,8 @@ io::FileInfo describe_file(const std::string& path, const Registry& registry) {
     if (!kind->info) continue;
     if (auto told = kind->info(path)) {
       told->insert(told->begin(), {"file", path});
+      const io::FileInfo peaks = describe_peaks(path);
+      told->insert(told->end(), peaks.begin(), peaks.end());
       return *told;
     }
     known.insert(known.end(), kind->reads.begin(), kind->reads.end());

@@ -8,7 +8,8 @@
 
 namespace seamount::recipe {
 
-/// What the first kind that knows such files says of it, after its name. Throws IoError for a file that no kind knows.
+/// What the first kind that knows such files says of it, after its name, and the highest peaks of a terrain. Throws
+/// IoError for a file that no kind knows.
 io::FileInfo describe_file(const std::string& path, const Registry& registry = standard_registry());
 
 }  // namespace seamount::recipe

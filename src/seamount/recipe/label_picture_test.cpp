@@ -5,7 +5,6 @@
 #include "seamount/io/image_file.h"
 #include "seamount/io/raster.h"
 #include "seamount/io/test_files.h"
-#include "seamount/io/test_jpeg.h"
 #include "seamount/recipe/kind.h"
 #include "seamount/recipe/kinds.h"
 

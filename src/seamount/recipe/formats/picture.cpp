@@ -1,4 +1,4 @@
-// Pictures of terrains and contours: an operator's picture, written as PNG.
+// Pictures of terrains and contours: an operator's picture, written as PNG or JPEG.
 #include "seamount/io/image_file.h"
 #include "seamount/ops/render/contours.h"
 #include "seamount/ops/render/map.h"
@@ -15,9 +15,9 @@ namespace {
 /// A format with the parameters of the operator that draws it.
 template <class Params>
 void add_picture(Registry& registry, const std::string& op, OutputFormat row) {
-  row.extensions = {".png"};
+  row.extensions = io::picture_extensions();
   OutputFormat format = make_format<Params>(std::move(row), [](const Params&, const OutputCall& call) {
-    io::write_png(call.value.get<kinds::Image>(), call.path);
+    io::write_picture(call.value.get<kinds::Image>(), call.path);
   });
   format.prepare = [op](const Json& params, const Kind&, const std::string&) -> std::vector<Preparation> {
     return {{"", op, "image", params}};
@@ -38,7 +38,7 @@ void add_picture_formats(Registry& registry) {
                                      {"texture", "the ground from above, for meshes", {}, {}, terrain});
   add_picture<render::ContoursParams>(
       registry, "render.contours",
-      {"contour_map", "contours as a topographic map", {}, {".png"}, {&kinds::Contours::kind()}});
+      {"contour_map", "contours as a topographic map", {}, io::picture_extensions(), {&kinds::Contours::kind()}});
 }
 
 }  // namespace seamount::recipe

@@ -40,8 +40,8 @@ const Kind& kinds::Image::kind() {
 
 void kinds::Image::add_formats(Registry& registry) {
   registry.add(make_format<NoParams>(
-      {"image", "a picture", {".png"}, {".png"}, {&kind()}},
-      [](const NoParams&, const OutputCall& call) { io::write_png(call.value.get<Image>(), call.path); }));
+      {"image", "a picture", io::picture_extensions(), io::picture_extensions(), {&kind()}},
+      [](const NoParams&, const OutputCall& call) { io::write_picture(call.value.get<Image>(), call.path); }));
 }
 
 }  // namespace seamount::recipe
