@@ -35,7 +35,7 @@ done
 for recipe in canyon chain; do
   ./run run "recipes/guide/$recipe.json" --out "$made/guide" --no-cache
 done
-./run run recipes/guide/ages.json --out "$made/ages" --no-cache --sweep steps.reef.params.subsidence=0:0.5:6
+./run run recipes/guide/ages.json --out "$made/ages" --no-cache --sweep variables.age=0:0.5:6
 for frame in 1 2 3 6; do
   cp "$made/ages/000$frame/view.png" "docs/gallery/guide_ages_$frame.png"
 done
