@@ -8,7 +8,6 @@
 #include "seamount/io/png_codec.h"
 #include "seamount/io/raster.h"
 #include "seamount/io/test_files.h"
-#include "seamount/io/test_jpeg.h"
 #include "seamount/recipe/kind.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/laid_over.h"
