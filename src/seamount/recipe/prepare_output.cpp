@@ -17,7 +17,7 @@ std::string what_can_be_written(const Registry& registry, const Kind& kind) {
     if (!format->takes(kind)) continue;
     for (const std::string& ending : format->claims) endings += (endings.empty() ? "" : ", ") + ending;
     if (format->claims.empty())
-      named += fmt::format("{}{} ({})", named.empty() ? "" : ", ", format->name, fmt::join(format->extensions, ", "));
+      named += fmt::format("{}{} ({})", named.empty() ? "" : ", ", format->name, written_to(*format));
   }
   return (endings.empty() ? "" : "by its ending to " + endings) + (endings.empty() || named.empty() ? "" : "; ") +
          (named.empty() ? "" : "with \"as\": one of " + named);
