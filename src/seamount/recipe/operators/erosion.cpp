@@ -22,8 +22,10 @@ Parts run(const erosion::RunParams& params, const Call& call, const HeightField&
   erosion::Eroded made = erosion::run(std::move(ground), std::move(site), params, call.seed, call.run);
   Report balance = erosion::balance_report({terrain, debris, sediment}, made, params, call.run);
   const auto sea_m = static_cast<float>(params.sea_m);
-  LabelMap regions = labels == nullptr ? geom::plain_labels(made.terrain, sea_m, call.run)
-                                       : geom::follow_labels(*labels, terrain, made.terrain, sea_m, call.run);
+  RunContext quiet = call.run;  // the run itself has said what is sea
+  quiet.note = {};
+  LabelMap regions = labels == nullptr ? geom::plain_labels(made.terrain, sea_m, quiet)
+                                       : geom::follow_labels(*labels, terrain, made.terrain, sea_m, quiet);
   return {std::move(made.terrain), std::move(made.debris), std::move(made.sediment), std::move(made.flow),
           std::move(made.lake),    std::move(made.bed),    std::move(regions),       std::move(balance)};
 }
