@@ -124,7 +124,7 @@ TEST(Recipe, ChecksOutputs) {
   EXPECT_THAT(output(R"("from": "isle.terrain", "path": "x.tif", "as": "unrael")"),
               ElementsAre("/outputs/0/as: 'unrael' is no way to write terrain, did you mean 'unreal'?"));
   EXPECT_THAT(output(R"("from": "isle.terrain", "path": "x.tif", "as": "perspective")"),
-              ElementsAre("/outputs/0/path: 'perspective' is written to .png, not to 'x.tif'"));
+              ElementsAre("/outputs/0/path: 'perspective' is written to .png, .jpg, .jpeg, not to 'x.tif'"));
   EXPECT_THAT(output(R"("from": "isle.terrain", "path": "x.tif", "sise": 3)").front(),
               ::testing::HasSubstr("/outputs/0/sise: unknown parameter 'sise'"));
   EXPECT_THAT(output(R"("from": "isle.terrain", "path": "x.r16", "as": "unreal", "size": 506)").front(),

@@ -79,7 +79,7 @@ class Blend {
   /// 1 where the ways to both contours are opposite; 0 in valleys and on spurs between branches of one contour.
   float hillside(int x, int y) const {
     const Way down = way(ground_.between.low, x, y), up = way(ground_.between.high, x, y);
-    return geom::smoothstep((-(down.x * up.x + down.y * up.y) - 0.4F) / 0.5F);
+    return geom::smoothstep((-(down.x * up.x + down.y * up.y) - 0.75F) / 0.2F);
   }
 
   struct Way {
