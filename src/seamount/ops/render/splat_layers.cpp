@@ -43,6 +43,7 @@ std::vector<std::string> terrain_layer_names() { return {"low", "middle", "high"
 
 std::vector<std::string> region_layer_names() {
   std::vector<std::string> names;
+  names.reserve(kRegions.size());
   for (const Region region : kRegions) names.emplace_back(region_name(region));
   return names;
 }

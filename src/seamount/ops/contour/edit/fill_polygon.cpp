@@ -158,6 +158,7 @@ void fill_polygon(const Polygon& outline, const FillTool& tool, const std::vecto
   const geom::Box box = geom::bounding_box(outline.outer);
   const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   std::vector<PatchSource> sources;
+  sources.reserve(library.size() + 1);
   for (const LibraryPattern& pattern : library) sources.push_back(pattern_source(pattern.pattern, extent, run));
   if (library.empty()) sources.push_back(set_source(set, outline, extent, run));
   const ScalarField expected = close_ground(area, run);

@@ -125,7 +125,7 @@ class Search {
             placement.at = middle;
             placement.from = {frame.west_m + (column + shift.x) / columns * frame.width_m(),
                               frame.south_m() + (static_cast<double>(begin) + shift.y) / rows * frame.height_m()};
-            placement.turn = direction(2.0 * std::numbers::pi * (k / 2) / kTurns);
+            placement.turn = direction(2.0 * std::numbers::pi * std::floor(0.5 * k) / kTurns);
             placement.mirrored = k % 2 == 1;
             placement.scale = sources_[s].scale;
             const double off = misfit(s, placement, own ? own->misfit_m : kNone);

@@ -199,7 +199,8 @@ int64_t lowest_in_pond(const ScalarField& heights, const ScalarField& water, int
 
 Vec2 place_of(const ScalarField& heights, int64_t cell) {
   const GridFrame& frame = heights.frame();
-  return {frame.x(static_cast<double>(cell % frame.width)), frame.y(static_cast<double>(cell / frame.width))};
+  const int64_t column = cell % frame.width, row = cell / frame.width;
+  return {frame.x(static_cast<double>(column)), frame.y(static_cast<double>(row))};
 }
 
 /// Raises what is left of hollows within the outline.
@@ -231,7 +232,8 @@ std::vector<Pond> let_water_out(const EditArea& area, ScalarField& heights, doub
   std::vector<Pond> cut;
   for (int round = 0; round < kRounds; ++round) {
     const ScalarField water = water_levels(heights, run);
-    const ScalarField before = heights;
+    ScalarField before(heights.frame());  // valleys are cut into `heights`
+    std::copy(heights.cells().begin(), heights.cells().end(), before.cells().begin());
     std::vector<char> marked(heights.size(), 0);
     const size_t known = cut.size();
     for (;;) {
