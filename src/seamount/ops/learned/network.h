@@ -1,0 +1,46 @@
+// Evaluates a trained network (architecture.h) on the processor, with oneDNN's convolutions.
+//
+// Threads are ours (base/parallel.h): each layer is cut into bands of rows, and each band is one serial call of oneDNN,
+// so that the result is the same bytes on any number of threads, work can be cancelled, and no second pool of threads
+// competes. Large maps are evaluated in tiles: levels up to stride 4 tile by tile with as many cells around as they
+// see, deeper ones for the whole map at once, so that tiles do not show.
+#pragma once
+
+#include <memory>
+
+#include "seamount/base/run_context.h"
+#include "seamount/model/grid.h"
+#include "seamount/model/weights.h"
+#include "seamount/ops/learned/architecture.h"
+#include "seamount/ops/learned/planes.h"
+
+namespace seamount::learned {
+
+/// bf16 halves time and memory where the processor has it (AVX-512 BF16 or AMX); heights are summed in f32 in any case.
+enum class Precision { automatic, f32, bf16 };
+
+class Network {
+ public:
+  /// Throws InvalidArgument where the weights are of no network (architecture_of()), or where bf16 is asked of a
+  /// processor without it.
+  explicit Network(const Weights& weights, Precision precision = Precision::automatic);
+  Network(Network&&) noexcept;
+  Network& operator=(Network&&) noexcept;
+  ~Network();
+
+  const Architecture& architecture() const;
+  /// f32 or bf16: what automatic came to.
+  Precision precision() const;
+
+  /// The network's plane over the whole map, in the frame given. The map is padded with its edge cells to a multiple of
+  /// architecture().stride(). Throws IncompatibleInputs unless planes and frame agree. Parallel; the same bytes on any
+  /// number of threads; another `tile` (cells a side, a multiple of the stride; 0: chosen by size) changes it by
+  /// rounding only.
+  ScalarField evaluate(const Planes& planes, const GridFrame& frame, const RunContext& run, int tile = 0) const;
+
+ private:
+  struct Prepared;
+  std::unique_ptr<Prepared> prepared_;
+};
+
+}  // namespace seamount::learned
