@@ -22,6 +22,7 @@ void add_commands(Command program, const recipe::Registry& registry) {
   add_discover_commands(program, registry);
   add_chore_commands(program, registry);
   add_dataset_command(program);
+  add_train_command(program);
   add_operator_commands(program, registry);
 }
 

@@ -1,0 +1,31 @@
+#include "seamount/base/shared_library.h"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+
+#include "seamount/base/error.h"
+
+namespace seamount {
+
+std::optional<std::string> find_part(const std::string& file) {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) return std::nullopt;
+  for (const std::filesystem::path& folder :
+       {program.parent_path(), program.parent_path().parent_path() / "lib" / "seamount"}) {
+    const std::filesystem::path path = folder / file;
+    if (std::filesystem::exists(path, error)) return path.string();
+  }
+  return std::nullopt;
+}
+
+void* load_function(const std::string& library, const char* function) {
+  void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) throw Error(library + " cannot be loaded: " + dlerror());
+  void* const found = dlsym(handle, function);
+  if (found == nullptr) throw Error(library + " has no " + function + ": it is of another version");
+  return found;
+}
+
+}  // namespace seamount

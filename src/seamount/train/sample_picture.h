@@ -1,0 +1,17 @@
+// Pictures of a training's samples, to look at.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "seamount/train/sample.h"
+
+namespace seamount::train {
+
+/// One row of relief shadings: what was drawn (rivers blue, ridges red, the base behind), what the network made, what
+/// is real; four samples beside each other. Planes as of the sketch task; other tasks show their base. Throws
+/// WriteError.
+void write_sample_picture(const std::vector<Sample>& samples, const std::vector<std::vector<float>>& made,
+                          const std::string& path);
+
+}  // namespace seamount::train
