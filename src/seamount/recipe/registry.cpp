@@ -81,6 +81,7 @@ const Registry& standard_registry() {
     add_erosion_operators(all);
     add_glacier_operators(all);
     add_sketch_operators(all);
+    add_learned_operators(all);
     add_ecosystem_operators(all);
     add_classify_operators(all);
     add_thing_operators(all);

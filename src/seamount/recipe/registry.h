@@ -152,6 +152,7 @@ void add_hydrology_operators(Registry& registry);
 void add_erosion_operators(Registry& registry);
 void add_glacier_operators(Registry& registry);
 void add_sketch_operators(Registry& registry);
+void add_learned_operators(Registry& registry);
 void add_classify_operators(Registry& registry);
 void add_thing_operators(Registry& registry);
 void add_render_operators(Registry& registry);

@@ -13,11 +13,9 @@
 #include "seamount/model/weights.h"
 #include "seamount/ops/learned/architecture.h"
 #include "seamount/ops/learned/planes.h"
+#include "seamount/ops/learned/precision.h"
 
 namespace seamount::learned {
-
-/// bf16 halves time and memory where the processor has it (AVX-512 BF16 or AMX); heights are summed in f32 in any case.
-enum class Precision { automatic, f32, bf16 };
 
 class Network {
  public:

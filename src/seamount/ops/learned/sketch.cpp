@@ -1,0 +1,67 @@
+#include "seamount/ops/learned/sketch.h"
+
+#include <cmath>
+#include <utility>
+
+#include "seamount/base/error.h"
+#include "seamount/base/parallel.h"
+#include "seamount/geom/grid/pyramid_fill.h"
+#include "seamount/ops/learned/sketch_map.h"
+#include "seamount/ops/learned/sketch_planes.h"
+
+namespace seamount::learned {
+namespace {
+
+/// Takes the residual at known ground (all of it) and drawn heights (a share) away, spread over what is near.
+void meet_heights(const SketchMap& map, double adherence, HeightField& heights, const RunContext& run) {
+  const bool known = !map.known_m.empty(), cues = !map.cue.empty() && adherence > 0;
+  if (!known && !cues) return;
+  ScalarField residual(map.frame, 0.0F);
+  Grid<float> weight(map.frame, 0.0F);
+  parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < map.frame.width; ++x) {
+        if (known && !std::isnan(map.known_m(x, y))) {
+          residual(x, y) = map.known_m(x, y) - heights(x, y);
+        } else if (cues && map.cue(x, y) != 0) {
+          residual(x, y) = static_cast<float>(adherence) * (map.cue_m(x, y) - heights(x, y));
+        } else {
+          continue;
+        }
+        weight(x, y) = 1;
+      }
+    }
+  });
+  geom::pyramid_fill(residual, weight, {.prior = 0.0F, .fade = 0.7F}, run);
+  parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < map.frame.width; ++x) {
+        const bool stays = known && !std::isnan(map.known_m(x, y));
+        heights(x, y) = stays ? map.known_m(x, y) : heights(x, y) + residual(x, y);
+      }
+    }
+  });
+}
+
+}  // namespace
+
+HeightField sketch(const SketchInputs& inputs, const SketchParams& params, const Network& network,
+                   const GridFrame& frame, Seed seed, const RunContext& run) {
+  check_params(params);
+  if (network.architecture().planes != kSketchPlanes)
+    throw InvalidArgument("model", "is a network of " + std::to_string(network.architecture().planes) +
+                                       " planes, and a sketch has " + std::to_string(kSketchPlanes));
+  const SketchMap map = map_of(inputs, params, frame, run);
+  const SketchPlanes planes(map, seed, run);
+  HeightField heights = network.evaluate(planes.planes(), frame, run);
+  const auto low = static_cast<float>(map.low_m), relief = static_cast<float>(map.relief_m);
+  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < frame.width; ++x) heights(x, y) = low + relief * (planes.base()(x, y) + heights(x, y));
+    }
+  });
+  meet_heights(map, params.adherence, heights, run);
+  return heights;
+}
+
+}  // namespace seamount::learned

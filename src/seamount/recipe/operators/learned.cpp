@@ -1,0 +1,55 @@
+// Registration of the learned family.
+#include "seamount/io/find_model.h"
+#include "seamount/io/weights.h"
+#include "seamount/ops/learned/sketch.h"
+#include "seamount/recipe/ports.h"
+
+namespace seamount::recipe {
+namespace {
+
+using kinds::Drawing, kinds::Field, kinds::Terrain;
+
+/// The network of a file, or the shipped one of that name. Says in what numbers it is evaluated.
+learned::Network network_of(const FilePath& model, const char* shipped, learned::Precision precision,
+                            const Call& call) {
+  const std::string path = model.path.empty() ? io::find_model(shipped) : call.resolve(model);
+  learned::Network network(io::read_weights(path), precision);
+  if (network.precision() == learned::Precision::f32 && precision == learned::Precision::automatic)
+    call.run.say("this processor has no bf16: the network is evaluated in f32, which takes twice as long");
+  return network;
+}
+
+HeightField sketch(const learned::SketchParams& params, const Call& call, const seamount::Drawing* lines,
+                   const Image* image, const ScalarField* river, const ScalarField* ridge, const ScalarField* levelset,
+                   const HeightField* terrain, const ScalarField* erase) {
+  GridFrame frame = call.domain;
+  for (const ScalarField* grid : {terrain, river, ridge, levelset, erase}) {
+    if (grid == nullptr) continue;
+    frame = grid->frame();
+    break;
+  }
+  const learned::Network network = network_of(params.model, "sketch", params.precision, call);
+  return learned::sketch({lines, image, river, ridge, levelset, terrain, erase}, params, network, frame, call.seed,
+                         call.run);
+}
+
+}  // namespace
+
+void add_learned_operators(Registry& registry) {
+  registry.add(make_operator<learned::SketchParams>(
+      {.name = "learned.sketch",
+       .summary =
+           "Terrain from a sketch of ridges, rivers, heights, high ground and known ground in any mix, by a network",
+       .source = "P1 sec. 4 to 6.1",
+       .stochastic = true},
+      inputs(optional_in<Drawing>("lines",
+                                  "lines of value 0 (river) or 1 (ridge), points with heights, areas of high ground"),
+             optional_in<kinds::Image>("image", "a painted sketch over the domain: ridges red, rivers blue"),
+             optional_in<Field>("river", "above 0.5 on rivers"), optional_in<Field>("ridge", "above 0.5 on ridges"),
+             with_voids(optional_in<Field>("levelset", "1 on high ground, 0 on low, unknown where nothing is said")),
+             with_voids(optional_in<Terrain>("terrain", "known ground, which stays; unknown cells are made")),
+             optional_in<Field>("erase", "above 0.5 where known ground is made anew")),
+      outputs(out<Terrain>("terrain", "heights in metres")), sketch));
+}
+
+}  // namespace seamount::recipe
