@@ -7,6 +7,7 @@
 #include "app.h"
 #include "seamount/base/printable.h"
 #include "seamount/recipe/param_json.h"
+#include "seamount/train/island_task.h"
 #include "seamount/train/sketch_task.h"
 #include "seamount/train/training.h"
 
@@ -74,6 +75,12 @@ void add_train_command(Command program) {
   sketch.does([flags] {
     const Session session(*flags);
     const train::SketchTask task(flags->dem, 256, Seed{flags->seed.value_or(0)}, session.run());
+    train_on(task, *flags, session);
+  });
+  Command island = add_kind(command, flags, "island", "Maps of regions to islands, learned from the island generator");
+  island.does([flags] {
+    const Session session(*flags);
+    const train::IslandTask task(Seed{flags->seed.value_or(0)});
     train_on(task, *flags, session);
   });
 }

@@ -1,6 +1,11 @@
 // Registration of the learned family.
+#include <algorithm>
+
+#include "seamount/geom/grid/painted_labels.h"
 #include "seamount/io/find_model.h"
+#include "seamount/io/image_file.h"
 #include "seamount/io/weights.h"
+#include "seamount/ops/learned/island.h"
 #include "seamount/ops/learned/sketch.h"
 #include "seamount/recipe/ports.h"
 
@@ -33,6 +38,28 @@ HeightField sketch(const learned::SketchParams& params, const Call& call, const 
                          call.run);
 }
 
+HeightField island(const learned::IslandParams& params, const Call& call, const LabelMap* labels,
+                   const ScalarField* subsidence) {
+  learned::IslandMap map;
+  if ((labels == nullptr) == params.painting.path.empty())
+    throw InvalidArgument(labels == nullptr ? "labels" : "painting",
+                          "a map of regions is needed, as the input labels or as a painting, and not both");
+  if (labels != nullptr) {
+    map.frame = labels->frame();
+    map.shares = learned::shares_of(*labels, call.run);
+    map.subsidence = ScalarField(map.frame, static_cast<float>(params.subsidence));
+  } else {
+    map.frame = call.domain;
+    geom::PaintedLabels read = geom::decode_labels(io::read_image(call.resolve(params.painting)), map.frame, call.run);
+    map.shares = std::move(read.shares);
+    map.subsidence = std::move(read.subsidence_per_cell);
+  }
+  if (subsidence != nullptr) map.subsidence = *subsidence;
+  const double width_m = std::max(map.frame.width_m(), map.frame.height_m());
+  map.scale = params.scale.value_or(std::clamp(width_m / learned::kIslandWidth_m, 0.02, 1.0));
+  return learned::island(map, network_of(params.model, "island", params.precision, call), call.seed, call.run);
+}
+
 }  // namespace
 
 void add_learned_operators(Registry& registry) {
@@ -50,6 +77,14 @@ void add_learned_operators(Registry& registry) {
              with_voids(optional_in<Terrain>("terrain", "known ground, which stays; unknown cells are made")),
              optional_in<Field>("erase", "above 0.5 where known ground is made anew")),
       outputs(out<Terrain>("terrain", "heights in metres")), sketch));
+  registry.add(make_operator<learned::IslandParams>(
+      {.name = "learned.island",
+       .summary = "Island terrain from a map of its regions, painted or made, by a network",
+       .source = "P0 sec. 1.5 to 1.7",
+       .stochastic = true},
+      inputs(optional_in<kinds::Labels>("labels", "regions"),
+             optional_in<Field>("subsidence", "how far the ground has sunk, 0 to 1")),
+      outputs(out<Terrain>("terrain", "heights in metres")), island));
 }
 
 }  // namespace seamount::recipe
