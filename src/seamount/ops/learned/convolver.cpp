@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 #include <oneapi/dnnl/dnnl.hpp>
@@ -81,7 +82,8 @@ bool has_bf16() {
 }
 
 struct Convolver::Prepared {
-  Convolution shape;
+  memory::dim outs, ins, rows, columns;  ///< of the weights
+  memory::dim stride;
   After after;
   bool bf16, f32_out;
   memory weight, bias;  ///< as they were given, in f32
@@ -96,29 +98,26 @@ struct Convolver::Prepared {
   std::map<std::pair<int, int>, Call> calls;  ///< by width and rows
   std::vector<memory> orders;                 ///< the weights in all orders that any call wants
 
-  const Call& call_for(int width, int rows);
-  Call make(int width, int rows);
+  const Call& call_for(int width, int count);
+  Call make(int width, int count);
   memory ordered(const memory::desc& wanted);
 };
 
-const Convolver::Prepared::Call& Convolver::Prepared::call_for(int width, int rows) {
+const Convolver::Prepared::Call& Convolver::Prepared::call_for(int width, int count) {
   const std::lock_guard lock(mutex);
-  const auto found = calls.find({width, rows});
+  const auto found = calls.find({width, count});
   if (found != calls.end()) return found->second;
-  return calls.emplace(std::pair(width, rows), make(width, rows)).first->second;
+  return calls.emplace(std::pair(width, count), make(width, count)).first->second;
 }
 
-Convolver::Prepared::Call Convolver::Prepared::make(int width, int rows) {
-  const memory::dim around = shape.kernel / 2, stride = shape.stride;
-  const memory::dims in_size = {1, shape.in, stride * (rows - 1) + shape.kernel, width};
-  const memory::dims out_size = {1, shape.out, rows, width / stride};
-  const memory::desc in(in_size, type_of(bf16), memory::format_tag::nhwc);
-  const memory::desc out(out_size, type_of(bf16 && !f32_out), memory::format_tag::nhwc);
+Convolver::Prepared::Call Convolver::Prepared::make(int width, int count) {
+  const memory::dim left = columns == 3 ? 1 : 0, out_width = columns == 2 ? width - 1 : width / stride;
+  const memory::dim right = (out_width - 1) * stride + columns - width - left;
+  const memory::desc in({1, ins, stride * (count - 1) + rows, width}, type_of(bf16), memory::format_tag::nhwc);
+  const memory::desc out({1, outs, count, out_width}, type_of(bf16 && !f32_out), memory::format_tag::nhwc);
   const memory::desc any(weight.get_desc().dims(), type_of(bf16), memory::format_tag::any);
-  const memory::dim right = (width / stride - 1) * stride + shape.kernel - width - around;
   const dnnl::convolution_forward::desc wanted(dnnl::prop_kind::forward_inference, dnnl::algorithm::convolution_direct,
-                                               in, any, bias.get_desc(), out, {stride, stride}, {0, around},
-                                               {0, right});
+                                               in, any, bias.get_desc(), out, {stride, stride}, {0, left}, {0, right});
   const dnnl::convolution_forward::primitive_desc chosen(wanted, attributes(after), engine());
   return {in, out, chosen.scratchpad_desc(), dnnl::convolution_forward(chosen), ordered(chosen.weights_desc())};
 }
@@ -134,22 +133,36 @@ memory Convolver::Prepared::ordered(const memory::desc& wanted) {
   return order;
 }
 
-Convolver::Convolver(const Convolution& shape, const Tensor& weight, const Tensor& bias, After after, bool bf16,
-                     bool f32_out)
-    : prepared_(new Prepared{shape, after, bf16, f32_out, {}, {}, {}, {}, {}}) {
-  const auto memory_of = [](const Tensor& tensor, const memory::dims& dims, memory::format_tag tag) {
-    memory out({dims, memory::data_type::f32, tag}, engine());
+Convolver::Convolver(const Tensor& weight, const Tensor& bias, int stride, After after, bool bf16, bool f32_out)
+    : prepared_(new Prepared{weight.shape[0],
+                             weight.shape[1],
+                             weight.shape[2],
+                             weight.shape[3],
+                             stride,
+                             after,
+                             bf16,
+                             f32_out,
+                             {},
+                             {},
+                             {},
+                             {},
+                             {}}) {
+  const auto memory_of = [](const Tensor& tensor, memory::format_tag order) {
+    memory out({tensor.shape, memory::data_type::f32, order}, engine());
     std::copy(tensor.values.begin(), tensor.values.end(), static_cast<float*>(out.get_data_handle()));
     return out;
   };
-  prepared_->weight = memory_of(weight, {shape.out, shape.in, shape.kernel, shape.kernel}, memory::format_tag::oihw);
-  prepared_->bias = memory_of(bias, {shape.out}, memory::format_tag::x);
+  prepared_->weight = memory_of(weight, memory::format_tag::oihw);
+  prepared_->bias = memory_of(bias, memory::format_tag::x);
 }
 Convolver::Convolver(Convolver&&) noexcept = default;
 Convolver& Convolver::operator=(Convolver&&) noexcept = default;
 Convolver::~Convolver() = default;
 
-const Convolution& Convolver::shape() const { return prepared_->shape; }
+int Convolver::out_channels() const { return static_cast<int>(prepared_->outs); }
+double Convolver::work() const {
+  return static_cast<double>(prepared_->outs * prepared_->ins * prepared_->rows * prepared_->columns);
+}
 
 void Convolver::run(const void* in, int width, int rows, void* out) const {
   const OneThread one;

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "seamount/model/weights.h"
-#include "seamount/ops/learned/architecture.h"
 #include "seamount/ops/learned/bf16.h"
 
 namespace seamount::learned {
@@ -21,19 +20,20 @@ bool has_bf16();
 
 class Convolver {
  public:
-  /// `bf16`: weights and inputs are; results are unless `f32_out`. Weights as architecture.h says.
-  Convolver(const Convolution& shape, const Tensor& weight, const Tensor& bias, After after, bool bf16,
-            bool f32_out = false);
+  /// `weight`: [out, in, rows, columns], 3x3, 1x1 or 3x2. `bf16`: weights and inputs are; results are unless `f32_out`.
+  Convolver(const Tensor& weight, const Tensor& bias, int stride, After after, bool bf16, bool f32_out = false);
   Convolver(Convolver&&) noexcept;
   Convolver& operator=(Convolver&&) noexcept;
   ~Convolver();
 
-  const Convolution& shape() const;
+  int out_channels() const;
+  /// Multiplications for a cell of the result.
+  double work() const;
 
-  /// Writes `rows` rows of the result from rows of `width` cells, channels last. A 3x3 convolution reads
-  /// stride (rows - 1) + 3 rows from `in` on, with a cell of zeros left and right; a 1x1 convolution reads `rows`.
-  /// Serial; any number of threads may call it at once. REQUIRES: the types of the constructor; an even width where the
-  /// stride is 2.
+  /// Writes `rows` rows of the result from rows of `width` cells, channels last. A convolution of three rows reads
+  /// stride (rows - 1) + 3 rows from `in` on, that of one row reads `rows`; three columns have a cell of zeros left and
+  /// right, two have none, and give a cell less. Serial; any number of threads may call it at once. REQUIRES: the types
+  /// of the constructor; an even width where the stride is 2.
   void run(const void* in, int width, int rows, void* out) const;
 
  private:

@@ -127,20 +127,15 @@ class Evaluation {
     return tiles;
   }
 
-  static double work(const Convolver& convolver) {
-    const Convolution& c = convolver.shape();
-    return static_cast<double>(c.in) * c.out * c.kernel * c.kernel;
-  }
-
   void count_work(int tiles) {
     total_ = 0.0;
     const auto cells = [this](int level) { return static_cast<double>(height_ >> (level + 1)) * width_of(level); };
     for (int k = 0; k < levels_; ++k) {
       const double again = tiles > 1 && k < fine_ ? 2.0 : 1.0;
-      total_ += again * cells(k) * work(k == 0 ? layers_["input"] : layers_("down", k));
-      if (k < levels_ - 1) total_ += cells(k) * work(layers_("join", k)) * (layers_.has_deep(k) ? 2.0 : 1.0);
+      total_ += again * cells(k) * (k == 0 ? layers_["input"] : layers_("down", k)).work();
+      if (k < levels_ - 1) total_ += cells(k) * layers_("join", k).work() * (layers_.has_deep(k) ? 2.0 : 1.0);
     }
-    total_ += cells(levels_ - 1) * work(layers_["middle"]) + cells(-1) * work(layers_["inner"]);
+    total_ += cells(levels_ - 1) * layers_["middle"].work() + cells(-1) / 2 * layers_["inner"].work();
   }
 
   /// The loop of a layer over rows [begin, end): bands(scratch, begin, end), `row_work` multiplications a row; `least`
@@ -152,7 +147,8 @@ class Evaluation {
     done_ += row_work * (end - begin);
     const int rows = std::max(1, static_cast<int>(kBlockWork / row_work));
     const int most = std::max(1, (end - begin + 1) / 2);
-    parallel_blocks(part, end - begin, std::min(std::max(rows, least), most), [&](int64_t from, int64_t to) {
+    const int enough = std::clamp((end - begin) / 16, least, 2 * least);
+    parallel_blocks(part, end - begin, std::min(std::max(rows, enough), most), [&](int64_t from, int64_t to) {
       std::unique_ptr<Scratch<T>> scratch = pool_.take();
       band(*scratch, begin + static_cast<int>(from), begin + static_cast<int>(to));
       pool_.give(std::move(scratch));
@@ -175,7 +171,7 @@ class Evaluation {
     const size_t stride = static_cast<size_t>(width) * channels;
     parts_[0] = {map(0, rows), tile.first / 2};
     Part<T>& out = parts_[0];
-    bands(out.first, out.first + rows, work(conv) * width, 8, [&](Scratch<T>& scratch, int begin, int end) {
+    bands(out.first, out.first + rows, conv.work() * width, 8, [&](Scratch<T>& scratch, int begin, int end) {
       T* in = sized(scratch.in, stride * (end - begin + 2));
       const int from = std::max(begin - 1, 0), to = std::min(end + 1, height_ / 2);
       scratch.planes.fetch(planes_, width_, 2 * from, 2 * to);
@@ -196,7 +192,7 @@ class Evaluation {
     const Convolver& conv = layers_("down", level);
     const Part<T>& in = parts_[level - 1];
     Part<T>& out = parts_[level];
-    bands(begin, end, work(conv) * width_of(level), 1, [&](Scratch<T>&, int from, int to) {
+    bands(begin, end, conv.work() * width_of(level), 1, [&](Scratch<T>&, int from, int to) {
       conv.run(in.cells.row(2 * from - 1 - in.first), in.cells.width(), to - from, out.cells.row(from - out.first));
     });
   }
@@ -220,8 +216,8 @@ class Evaluation {
   Part<T> finish(int level, const Part<T>& in, const Convolver& conv) {
     const Convolver& after = narrow(level);
     const FeatureMap<T>& cells = in.cells;
-    Part<T> out{{cells.rows(), cells.width(), after.shape().out}, in.first};
-    bands(0, cells.rows(), work(conv) * cells.width(), 1, [&](Scratch<T>& scratch, int begin, int end) {
+    Part<T> out{{cells.rows(), cells.width(), after.out_channels()}, in.first};
+    bands(0, cells.rows(), conv.work() * cells.width(), 1, [&](Scratch<T>& scratch, int begin, int end) {
       T* sum = sized(scratch.out, cells.row_size() * (end - begin));
       std::copy(cells.row(begin), cells.row(end), sum);
       conv.run(cells.row(begin - 1), cells.width(), end - begin, sum);
@@ -238,8 +234,8 @@ class Evaluation {
     const int rows = skip.cells.rows(), width = skip.cells.width();
     const size_t stride = skip.cells.row_size();
     const bool deep = layers_.has_deep(level);
-    Part<T> out{{rows, width, deep ? channels_of(level) : after.shape().out}, skip.first};
-    bands(0, rows, work(join) * width, 8, [&](Scratch<T>& scratch, int begin, int end) {
+    Part<T> out{{rows, width, deep ? channels_of(level) : after.out_channels()}, skip.first};
+    bands(0, rows, join.work() * width, 8, [&](Scratch<T>& scratch, int begin, int end) {
       T* sum = sized(scratch.in, stride * (end - begin + 2));
       for (int y = begin - 1; y <= end; ++y) merge_row(low, skip, y, scratch, sum + stride * (y - begin + 1));
       T* joined = deep ? out.cells.row(begin) : sized(scratch.out, stride * (end - begin));
@@ -270,11 +266,12 @@ class Evaluation {
   /// The full size: up2(thin) and the planes, inner, outer.
   void head(const Tile& tile, const Part<T>& thin) {
     const Convolver& inner = layers_["inner"];
-    const size_t in_stride = static_cast<size_t>(width_) * (kThinWidth + planes_.count);
+    // A cell of zeros left and right of each row, and two cells side by side at once (layers.h).
+    const size_t in_cell = static_cast<size_t>(kThinWidth + planes_.count), in_stride = (width_ + 2) * in_cell;
     const size_t inner_stride = static_cast<size_t>(width_) * kInnerWidth;
     const int end_row = std::min(tile.end, planes_.height);
     if (tile.begin >= end_row) return;
-    bands(tile.begin, end_row, work(inner) * width_, 16, [&](Scratch<T>& scratch, int begin, int end) {
+    bands(tile.begin, end_row, inner.work() * width_ / 2, 16, [&](Scratch<T>& scratch, int begin, int end) {
       T* in = sized(scratch.in, in_stride * (end - begin + 4));
       float* middle = sized(scratch.inner, inner_stride * (end - begin + 2));
       const int from = std::max(begin - 2, 0), to = std::min(end + 2, height_);
@@ -286,10 +283,12 @@ class Evaluation {
           continue;
         }
         const auto [near, far] = rows_below(thin, y);
+        std::fill_n(row, in_cell, T{});
+        std::fill_n(row + in_stride - in_cell, in_cell, T{});
         upsample_concat(near, far, scratch.planes.row(y), width_ / 2, planes_.count,
-                        sized(scratch.blend, thin.cells.row_size()), row);
+                        sized(scratch.blend, thin.cells.row_size()), row + in_cell);
       }
-      inner.run(in, width_, end - begin + 2, middle);
+      inner.run(in, width_ / 2 + 1, end - begin + 2, middle);
       if (begin == 0) std::fill_n(middle, inner_stride, 0.0F);
       if (end == height_) std::fill_n(middle + inner_stride * (end - begin + 1), inner_stride, 0.0F);
       for (int y = begin; y < end; ++y) {

@@ -21,6 +21,31 @@ Tensor for_halved(const Tensor& weight, int planes) {
   return out;
 }
 
+/// The weights of `inner` for two cells side by side at once, of 3x2 pairs of cells: as many results as a vector has
+/// numbers. The left pair of inputs begins a cell before the pair of results.
+Tensor for_pairs(const Tensor& weight) {
+  const int64_t outs = weight.shape[0], ins = weight.shape[1];
+  Tensor out{{2 * outs, 2 * ins, 3, 2}, std::vector<float>(static_cast<size_t>(24 * outs * ins))};
+  for (int64_t o = 0; o < 2 * outs; ++o) {
+    for (int64_t i = 0; i < 2 * ins; ++i) {
+      for (int64_t tap = 0; tap < 6; ++tap) {
+        const int64_t column = 2 * (tap % 2) + i / ins - o / outs;  // of the kernel
+        if (column < 0 || column > 2) continue;
+        out.values[(o * 2 * ins + i) * 6 + tap] =
+            weight.values[((o % outs * ins + i % ins) * 3 + tap / 2) * 3 + column];
+      }
+    }
+  }
+  return out;
+}
+
+Tensor twice(Tensor bias) {
+  bias.shape[0] *= 2;
+  const std::vector<float> values = bias.values;
+  bias.values.insert(bias.values.end(), values.begin(), values.end());
+  return bias;
+}
+
 After after(const std::string& name) {
   if (name.starts_with("lift") || name == "thin") return After::nothing;
   return name == "middle" || name.starts_with("deep") ? After::add_relu : After::relu;
@@ -41,9 +66,12 @@ Layers make_layers(const Weights& weights, bool bf16) {
       layers.outer_bias = bias.values[0];
       continue;
     }
-    const Tensor& order = shape.name == "input" ? for_halved(weight, layers.architecture.planes) : weight;
-    layers.convolvers.emplace(shape.name,
-                              Convolver(shape, order, bias, after(shape.name), bf16, shape.name == "inner"));
+    const bool inner = shape.name == "inner";
+    const Tensor order = inner                   ? for_pairs(weight)
+                         : shape.name == "input" ? for_halved(weight, layers.architecture.planes)
+                                                 : weight;
+    layers.convolvers.emplace(
+        shape.name, Convolver(order, inner ? twice(bias) : bias, shape.stride, after(shape.name), bf16, inner));
   }
   return layers;
 }

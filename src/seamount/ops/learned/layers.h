@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "seamount/ops/learned/architecture.h"
 #include "seamount/ops/learned/convolver.h"
 
 namespace seamount::learned {
@@ -12,7 +13,7 @@ namespace seamount::learned {
 struct Layers {
   Architecture architecture;
   bool bf16 = false;
-  std::map<std::string, Convolver> convolvers;  ///< by name; all but `outer`
+  std::map<std::string, Convolver> convolvers;  ///< by name; all but `outer`. `inner` is of pairs of cells
   std::vector<float> outer_weight;              ///< [row][column][plane]
   float outer_bias = 0.0F;
 

@@ -1,6 +1,7 @@
 #include "seamount/ops/learned/rows.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "seamount/ops/learned/architecture.h"
 
@@ -32,10 +33,19 @@ SEAMOUNT_INLINE void upsample_add_relu_row(const T* near, const T* far, const T*
   }
 }
 
+/// Eight at a time where there are: a number that the compiler knows.
+template <class T>
+SEAMOUNT_INLINE void store_all(const float* values, int count, T* out) {
+  int i = 0;
+  for (; i + 8 <= count; i += 8)
+    for (int k = 0; k < 8; ++k) store(values[i + k], out[i + k]);
+  for (; i < count; ++i) store(values[i], out[i]);
+}
+
 template <class T>
 SEAMOUNT_INLINE void concat_cell(const float* near, const float* far, const float* plane_row, int planes, T* out) {
   for (int c = 0; c < kThinWidth; ++c) store(0.75F * near[c] + 0.25F * far[c], out[c]);
-  for (int p = 0; p < planes; ++p) store(plane_row[p], out[kThinWidth + p]);
+  store_all(plane_row, planes, out + kThinWidth);
 }
 
 template <class T>
@@ -57,9 +67,54 @@ SEAMOUNT_INLINE void halve_row(const float* upper, const float* lower, int width
   const int two = 2 * planes;
   for (int x = 0; x < width; ++x) {
     const size_t at = static_cast<size_t>(x) * two;
-    for (int i = 0; i < two; ++i) store(upper[at + i], out[2 * at + i]);
-    for (int i = 0; i < two; ++i) store(lower[at + i], out[2 * at + two + i]);
+    store_all(upper + at, two, out + 2 * at);
+    store_all(lower + at, two, out + 2 * at + two);
   }
+}
+
+/// Eight numbers that are computed at once, in whatever vectors the processor has.
+using Eight = float __attribute__((vector_size(32)));
+
+SEAMOUNT_INLINE void load(const float* from, Eight& to) { std::memcpy(&to, from, sizeof to); }
+
+/// The products of a cell and its eight neighbours, by plane.
+SEAMOUNT_INLINE void sum_taps(const float* const in[3], const float* weight, size_t cell, Eight& sum) {
+  sum = Eight{};
+  for (int dy = 0; dy < 3; ++dy) {
+    for (int dx = 0; dx < 3; ++dx) {
+      Eight factors, values;
+      load(weight + (3 * dy + dx) * 8, factors);
+      load(in[dy] + (cell + dx - 1) * 8, values);
+      sum += factors * values;
+    }
+  }
+}
+
+/// Sums of the planes of eight cells: pairs, pairs of pairs, halves.
+SEAMOUNT_INLINE void add_planes(const Eight v[8], float bias, float* out) {
+  Eight two[4], four[2];
+  for (int i = 0; i < 4; ++i)
+    two[i] = __builtin_shufflevector(v[2 * i], v[2 * i + 1], 0, 8, 2, 10, 4, 12, 6, 14) +
+             __builtin_shufflevector(v[2 * i], v[2 * i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  for (int i = 0; i < 2; ++i)
+    four[i] = __builtin_shufflevector(two[2 * i], two[2 * i + 1], 0, 1, 8, 9, 4, 5, 12, 13) +
+              __builtin_shufflevector(two[2 * i], two[2 * i + 1], 2, 3, 10, 11, 6, 7, 14, 15);
+  const Eight sums = bias + (__builtin_shufflevector(four[0], four[1], 0, 1, 2, 3, 8, 9, 10, 11) +
+                             __builtin_shufflevector(four[0], four[1], 4, 5, 6, 7, 12, 13, 14, 15));
+  std::memcpy(out, &sums, sizeof sums);
+}
+
+/// A cell at any place, those at the edges too; in the same order.
+SEAMOUNT_INLINE float outer_cell(const float* const in[3], const float* weight, float bias, int width, int x) {
+  float v[8] = {};
+  for (int dy = 0; dy < 3; ++dy) {
+    for (int dx = 0; dx < 3; ++dx) {
+      if (x + dx < 1 || x + dx > width) continue;
+      for (int c = 0; c < 8; ++c)
+        v[c] += weight[(3 * dy + dx) * 8 + c] * in[dy][static_cast<size_t>(x + dx - 1) * 8 + c];
+    }
+  }
+  return bias + (((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])));
 }
 
 }  // namespace
@@ -95,18 +150,14 @@ void halve(const float* upper, const float* lower, int width, int planes, Bf16* 
 
 SEAMOUNT_VECTORISED
 void outer_row(const float* const in[3], const float* weight, float bias, int width, int count, float* out) {
-  for (int x = 0; x < count; ++x) {
-    float sums[kInnerWidth] = {};
-    for (int dy = 0; dy < 3; ++dy) {
-      const float* w = weight + dy * 3 * kInnerWidth;
-      for (int dx = 0; dx < 3; ++dx) {
-        if (x + dx == 0 || x + dx > width) continue;
-        const float* cell = in[dy] + static_cast<size_t>(x + dx - 1) * kInnerWidth;
-        for (int c = 0; c < kInnerWidth; ++c) sums[c] += w[dx * kInnerWidth + c] * cell[c];
-      }
-    }
-    out[x] = bias + (((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7])));
+  int x = 0;
+  for (; x < std::min(1, count); ++x) out[x] = outer_cell(in, weight, bias, width, x);
+  for (; x + 8 <= std::min(count, width - 1); x += 8) {
+    Eight sums[8];
+    for (int i = 0; i < 8; ++i) sum_taps(in, weight, static_cast<size_t>(x + i), sums[i]);
+    add_planes(sums, bias, out + x);
   }
+  for (; x < count; ++x) out[x] = outer_cell(in, weight, bias, width, x);
 }
 
 }  // namespace seamount::learned
