@@ -18,9 +18,11 @@ constexpr int kAround = 32;
 /// Levels that are evaluated tile by tile: strides 2 and 4.
 constexpr int kFineLevels = 2;
 /// Memory that these levels may take before a map is cut.
-constexpr int64_t kMostBytes = int64_t{1} << 30;
+constexpr int64_t kMostBytes = int64_t{3} << 28;
 /// Multiplications of a block: long enough to pay for its scheduling.
 constexpr double kBlockWork = 4e6;
+/// Scratch memory that a block should keep to: what is in the cache is not fetched again.
+constexpr size_t kScratchBytes = size_t{1} << 20;
 
 /// Some rows of a level. `first`: which of the level's rows is the first.
 template <class T>
@@ -85,7 +87,7 @@ class Evaluation {
     width_ = (planes.width + stride - 1) / stride * stride;
     height_ = (planes.height + stride - 1) / stride * stride;
     fine_ = std::min(kFineLevels, levels_ - 1);
-    tile_ = std::min(tile > 0 ? tile : rows_that_fit(stride), height_);
+    tile_ = std::min(tile > 0 ? tile : fitting_tile(stride), height_);
     parts_.resize(levels_);
   }
 
@@ -98,11 +100,12 @@ class Evaluation {
       down(fine_, tile.begin >> (fine_ + 1), tile.end >> (fine_ + 1));
     }
     const Part<T> coarse = decode_coarse();
-    for (const Tile& tile : tiles) {
-      if (tiles.size() > 1) encode(tile);
+    // The last tile comes first: its levels are still there.
+    for (size_t t = tiles.size(); t-- > 0;) {
+      if (t + 1 < tiles.size()) encode(tiles[t]);
       Part<T> low;
       for (int level = fine_ - 1; level >= 0; --level) low = merge(level, level == fine_ - 1 ? coarse : low);
-      head(tile, low);
+      head(tiles[t], low);
     }
     run_.report(1.0);
     return std::move(result_);
@@ -113,9 +116,12 @@ class Evaluation {
   int channels_of(int level) const { return layers_.architecture.widths[level]; }
   FeatureMap<T> map(int level, int rows) const { return {rows, width_of(level), channels_of(level)}; }
 
-  int rows_that_fit(int stride) const {
-    const int64_t row = static_cast<int64_t>(sizeof(T)) * (width_ / 4) * (channels_of(0) + channels_of(1) / 2);
-    return static_cast<int>(std::max<int64_t>(kMostBytes / row / stride, 8) * stride);
+  /// As few tiles as memory allows, all of about the same size.
+  int fitting_tile(int stride) const {
+    const int64_t cell = channels_of(0) / 4 + (fine_ > 1 ? channels_of(1) / 16 : 0) + 2 * kThinWidth / 4;
+    const int64_t bytes = static_cast<int64_t>(sizeof(T)) * width_ * height_ * cell;
+    const auto tiles = static_cast<int>(std::min<int64_t>((bytes + kMostBytes - 1) / kMostBytes, height_ / stride));
+    return (height_ / stride + tiles - 1) / tiles * stride;
   }
 
   std::vector<Tile> cut() const {
@@ -131,7 +137,7 @@ class Evaluation {
     total_ = 0.0;
     const auto cells = [this](int level) { return static_cast<double>(height_ >> (level + 1)) * width_of(level); };
     for (int k = 0; k < levels_; ++k) {
-      const double again = tiles > 1 && k < fine_ ? 2.0 : 1.0;
+      const double again = k < fine_ ? 2.0 - 1.0 / tiles : 1.0;
       total_ += again * cells(k) * (k == 0 ? layers_["input"] : layers_("down", k)).work();
       if (k < levels_ - 1) total_ += cells(k) * layers_("join", k).work() * (layers_.has_deep(k) ? 2.0 : 1.0);
     }
@@ -139,15 +145,17 @@ class Evaluation {
   }
 
   /// The loop of a layer over rows [begin, end): bands(scratch, begin, end), `row_work` multiplications a row; `least`
-  /// rows a band where there are enough, since bands compute some rows around them twice.
+  /// rows a band where there are enough, since bands compute some rows around them twice, but not many more than fit a
+  /// cache at `row_numbers` a row.
   template <class Band>
-  void bands(int begin, int end, double row_work, int least, const Band& band) {
+  void bands(int begin, int end, double row_work, int least, size_t row_numbers, const Band& band) {
     const RunContext part =
         run_.part(std::min(1.0, done_ / total_), std::min(1.0, (done_ + row_work * (end - begin)) / total_));
     done_ += row_work * (end - begin);
     const int rows = std::max(1, static_cast<int>(kBlockWork / row_work));
     const int most = std::max(1, (end - begin + 1) / 2);
-    const int enough = std::clamp((end - begin) / 16, least, 2 * least);
+    const int fitting = std::max(4, static_cast<int>(kScratchBytes / (row_numbers * sizeof(T))));
+    const int enough = std::min(std::clamp((end - begin) / 16, least, 2 * least), fitting);
     parallel_blocks(part, end - begin, std::min(std::max(rows, enough), most), [&](int64_t from, int64_t to) {
       std::unique_ptr<Scratch<T>> scratch = pool_.take();
       band(*scratch, begin + static_cast<int>(from), begin + static_cast<int>(to));
@@ -157,6 +165,7 @@ class Evaluation {
 
   /// The fine levels of a tile.
   void encode(const Tile& tile) {
+    for (int k = 0; k < fine_; ++k) parts_[k] = {};
     input(tile);
     for (int k = 1; k < fine_; ++k) {
       const int rows = (tile.last - tile.first) >> (k + 1);
@@ -171,7 +180,7 @@ class Evaluation {
     const size_t stride = static_cast<size_t>(width) * channels;
     parts_[0] = {map(0, rows), tile.first / 2};
     Part<T>& out = parts_[0];
-    bands(out.first, out.first + rows, conv.work() * width, 8, [&](Scratch<T>& scratch, int begin, int end) {
+    bands(out.first, out.first + rows, conv.work() * width, 8, stride, [&](Scratch<T>& scratch, int begin, int end) {
       T* in = sized(scratch.in, stride * (end - begin + 2));
       const int from = std::max(begin - 1, 0), to = std::min(end + 1, height_ / 2);
       scratch.planes.fetch(planes_, width_, 2 * from, 2 * to);
@@ -192,7 +201,7 @@ class Evaluation {
     const Convolver& conv = layers_("down", level);
     const Part<T>& in = parts_[level - 1];
     Part<T>& out = parts_[level];
-    bands(begin, end, conv.work() * width_of(level), 1, [&](Scratch<T>&, int from, int to) {
+    bands(begin, end, conv.work() * width_of(level), 1, 1, [&](Scratch<T>&, int from, int to) {
       conv.run(in.cells.row(2 * from - 1 - in.first), in.cells.width(), to - from, out.cells.row(from - out.first));
     });
   }
@@ -217,7 +226,7 @@ class Evaluation {
     const Convolver& after = narrow(level);
     const FeatureMap<T>& cells = in.cells;
     Part<T> out{{cells.rows(), cells.width(), after.out_channels()}, in.first};
-    bands(0, cells.rows(), conv.work() * cells.width(), 1, [&](Scratch<T>& scratch, int begin, int end) {
+    bands(0, cells.rows(), conv.work() * cells.width(), 1, 1, [&](Scratch<T>& scratch, int begin, int end) {
       T* sum = sized(scratch.out, cells.row_size() * (end - begin));
       std::copy(cells.row(begin), cells.row(end), sum);
       conv.run(cells.row(begin - 1), cells.width(), end - begin, sum);
@@ -235,7 +244,7 @@ class Evaluation {
     const size_t stride = skip.cells.row_size();
     const bool deep = layers_.has_deep(level);
     Part<T> out{{rows, width, deep ? channels_of(level) : after.out_channels()}, skip.first};
-    bands(0, rows, join.work() * width, 8, [&](Scratch<T>& scratch, int begin, int end) {
+    bands(0, rows, join.work() * width, 8, stride, [&](Scratch<T>& scratch, int begin, int end) {
       T* sum = sized(scratch.in, stride * (end - begin + 2));
       for (int y = begin - 1; y <= end; ++y) merge_row(low, skip, y, scratch, sum + stride * (y - begin + 1));
       T* joined = deep ? out.cells.row(begin) : sized(scratch.out, stride * (end - begin));
@@ -271,7 +280,7 @@ class Evaluation {
     const size_t inner_stride = static_cast<size_t>(width_) * kInnerWidth;
     const int end_row = std::min(tile.end, planes_.height);
     if (tile.begin >= end_row) return;
-    bands(tile.begin, end_row, inner.work() * width_ / 2, 16, [&](Scratch<T>& scratch, int begin, int end) {
+    bands(tile.begin, end_row, inner.work() * width_ / 2, 16, in_stride, [&](Scratch<T>& scratch, int begin, int end) {
       T* in = sized(scratch.in, in_stride * (end - begin + 4));
       float* middle = sized(scratch.inner, inner_stride * (end - begin + 2));
       const int from = std::max(begin - 2, 0), to = std::min(end + 2, height_);
