@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "seamount/base/error.h"
@@ -10,6 +11,9 @@ namespace seamount {
 
 std::optional<std::string> find_part(const std::string& file) {
   std::error_code error;
+  if (const char* const folder = std::getenv("SEAMOUNT_PARTS");
+      folder != nullptr && std::filesystem::exists(std::filesystem::path(folder) / file, error))
+    return (std::filesystem::path(folder) / file).string();
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return std::nullopt;
   for (const std::filesystem::path& folder :

@@ -6,7 +6,8 @@
 
 namespace seamount {
 
-/// A file beside the running program, or in ../lib/seamount of it; nullopt where neither is there.
+/// A file in the folder that the environment variable SEAMOUNT_PARTS names, beside the running program, or in
+/// ../lib/seamount of it; nullopt where it is in none.
 std::optional<std::string> find_part(const std::string& file);
 
 /// The address of a function of a shared library, which stays loaded. Throws Error with the loader's words.

@@ -34,4 +34,11 @@ void write_checkpoint(const TrainingState& state, const std::string& path);
 /// Into a state that has every tensor already: all must be in the file with the same shape. Throws IoError.
 void read_checkpoint(const std::string& path, TrainingState& state);
 
+/// The critic that belongs to weights, in a file of its own beside them, so that a training can go on from shipped
+/// weights.
+std::string critic_file(const std::string& weights_file);
+Weights critic_weights(const Critic& critic);
+/// Into a critic that has every tensor already. Throws IoError.
+void read_critic(const std::string& path, Critic& critic);
+
 }  // namespace seamount::train

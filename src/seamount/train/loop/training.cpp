@@ -43,6 +43,8 @@ class Trainer {
                                            : from_weights(architecture_, io::read_weights(files.start));
     state_.average = copy_of(state_.generator);
     state_.critic = Critic::random(kHeightPlanes + static_cast<int>(drawn_.size()), seed.derive("critic"));
+    if (!files.start.empty() && std::filesystem::exists(critic_file(files.start)))
+      read_critic(critic_file(files.start), state_.critic);
     for (const auto& [name, tensor] : state_.generator) state_.moments.emplace(name, Moments::zeros(tensor));
     for (const auto& [name, tensor] : state_.critic.tensors) state_.moments.emplace(name, Moments::zeros(tensor));
     if (!files.checkpoint.empty() && std::filesystem::exists(files.checkpoint))
@@ -142,6 +144,8 @@ class Trainer {
       weights.about["network"] = task_.name();
       weights.about["samples"] = std::to_string(state_.samples);
       io::write_weights(weights, files_.weights, io::WeightType::f16);
+      if (critic_strength() > 0)
+        io::write_weights(critic_weights(state_.critic), critic_file(files_.weights), io::WeightType::f16);
     }
     if (!files_.checkpoint.empty()) write_checkpoint(state_, files_.checkpoint);
   }

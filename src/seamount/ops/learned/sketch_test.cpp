@@ -1,0 +1,154 @@
+#include "seamount/ops/learned/sketch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "seamount/base/error.h"
+#include "seamount/ops/learned/island.h"
+#include "seamount/ops/learned/sketch_map.h"
+#include "seamount/ops/learned/sketch_planes.h"
+#include "seamount/ops/learned/test_network.h"
+
+namespace seamount::learned {
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
+/// Small, and its plane about a tenth of the relief.
+Network network_of(int planes, uint64_t seed = 1) {
+  const Architecture architecture{planes, {8, 16, 24}};
+  Weights weights = random_weights(architecture, seed);
+  for (float& w : weights.tensors["outer.weight"].values) w *= 0.1F;
+  return Network(weights, Precision::f32);
+}
+
+HeightField hills(const GridFrame& frame) {
+  HeightField z(frame);
+  for (int y = 0; y < z.height(); ++y) {
+    for (int x = 0; x < z.width(); ++x)
+      z(x, y) = 900 + 200 * std::sin(0.11F * static_cast<float>(x)) * std::cos(0.07F * static_cast<float>(y));
+  }
+  return z;
+}
+
+TEST(LearnedSketch, MeetsDrawnHeightsAndKeepsKnownGround) {
+  const Network network = network_of(kSketchPlanes);
+  for (const auto& [width, height] : {std::pair{100, 70}, {64, 64}, {33, 150}}) {
+    const GridFrame frame = GridFrame::centred(width, height, 60);
+    SketchParams params;
+    params.heights = {{60, -120, 1800}, {-900, 600, 700}};
+    params.ridges = {{{{-1800, 0}, {1500, 900}}}};
+    params.low_m = 300;
+    params.relief_m = 1500;
+    const HeightField drawn = sketch({}, params, network, frame, Seed{4}, {});
+    for (const SketchedHeight& h : params.heights) {
+      const int x = static_cast<int>(std::lround(frame.column(h.x_m))),
+                y = static_cast<int>(std::lround(frame.row(h.y_m)));
+      EXPECT_NEAR(drawn(x, y), h.height_m, 0.01);
+    }
+    params.adherence = 0;
+    const HeightField free = sketch({}, params, network, frame, Seed{4}, {});
+    EXPECT_GT(std::abs(free(width / 2 + 1, height / 2 + 2) - 1800), 1);
+
+    HeightField known = hills(frame);
+    ScalarField erase(frame, 0.0F);
+    for (int y = height / 4; y < height / 2; ++y) {
+      for (int x = width / 4; x < width / 2; ++x) erase(x, y) = 1;
+    }
+    known(1, 1) = kNone;
+    SketchInputs inputs;
+    inputs.terrain = &known;
+    inputs.erase = &erase;
+    const HeightField filled = sketch(inputs, {}, network, frame, Seed{4}, {});
+    for (size_t i = 0; i < filled.size(); ++i) {
+      ASSERT_TRUE(std::isfinite(filled.data()[i]));
+      const bool stays = erase.data()[i] == 0 && !std::isnan(known.data()[i]);
+      if (stays) {
+        EXPECT_EQ(filled.data()[i], known.data()[i]);
+      }
+    }
+  }
+}
+
+TEST(LearnedSketch, ASeedIsAVariationAndThreadsDoNotCount) {
+  const Network network = network_of(kSketchPlanes);
+  const GridFrame frame = GridFrame::centred(90, 80, 30);
+  RunContext one;
+  one.threads = 1;
+  const HeightField a = sketch({}, {}, network, frame, Seed{1}, one);
+  EXPECT_EQ(a, sketch({}, {}, network, frame, Seed{1}, {}));
+  EXPECT_NE(a, sketch({}, {}, network, frame, Seed{2}, {}));
+}
+
+TEST(LearnedSketch, ReadsLinesPicturesAndAreas) {
+  const GridFrame frame = GridFrame::centred(40, 30, 10);
+  Drawing lines;
+  lines.lines = {{{{-150, 0}, {150, 0}}, 0}, {{{0, -100}, {0, 100}}, 1}};
+  lines.points = {{{55, 45}, 812}};
+  lines.areas = {{"high", {{{{20, 20}, {120, 20}, {120, 120}, {20, 120}}, {}}}}};
+  Image image(80, 60);
+  image.pixel(20, 10)[0] = 255;
+  image.pixel(60, 50)[2] = 255;
+  SketchInputs inputs;
+  inputs.lines = &lines;
+  inputs.image = &image;
+  const SketchMap map = map_of(inputs, {}, frame, {});
+  EXPECT_EQ(map.river(10, 15) + map.river(10, 14), 1);
+  EXPECT_EQ(map.ridge(20, 5) + map.ridge(19, 5), 1);
+  EXPECT_EQ(map.ridge(10, 5), 1);
+  EXPECT_EQ(map.river(30, 25), 1);
+  EXPECT_EQ(map.cue_m(25, 10), 812);
+  EXPECT_EQ(map.level(25, 10), 1);
+  EXPECT_EQ(map.level(5, 25), -1);
+  lines.lines[0].value = 7;
+  EXPECT_THROW(map_of(inputs, {}, frame, {}), InvalidArgument);
+}
+
+TEST(LearnedSketch, RefusesWhatDoesNotFit) {
+  const GridFrame frame = GridFrame::centred(40, 30, 10);
+  EXPECT_THROW(sketch({}, {}, network_of(kSketchPlanes - 1), frame, Seed{1}, {}), InvalidArgument);
+  const ScalarField other(GridFrame::centred(10, 30, 10), 0.0F);
+  SketchInputs inputs;
+  inputs.river = &other;
+  EXPECT_THROW(sketch(inputs, {}, network_of(kSketchPlanes), frame, Seed{1}, {}), IncompatibleInputs);
+}
+
+TEST(LearnedSketch, AnAbsentKindIsAnEmptyPlane) {
+  SketchMap map;
+  map.frame = GridFrame::centred(20, 20, 60);
+  const SketchPlanes planes(map, Seed{3}, {});
+  std::vector<float> values(400 * kSketchPlanes);
+  planes.planes().fill(0, 20, values);
+  for (size_t cell = 0; cell < 400; ++cell) {
+    for (size_t p = 0; p < 9; ++p) EXPECT_EQ(values[cell * kSketchPlanes + p], 0);
+    EXPECT_FLOAT_EQ(values[cell * kSketchPlanes + 9], 0.35F);
+    EXPECT_EQ(values[cell * kSketchPlanes + 14], 0);
+    EXPECT_EQ(values[cell * kSketchPlanes + 15], 0);
+  }
+}
+
+TEST(LearnedIsland, SharesSumToOneAndCodesComeBack) {
+  LabelMap labels(GridFrame::centred(50, 41, 80), Region::abyss);
+  for (int y = 10; y < 30; ++y) {
+    for (int x = 12; x < 33; ++x) labels(x, y) = x < 20 ? Region::mountain : Region::reef;
+  }
+  IslandMap map;
+  map.frame = labels.frame();
+  map.shares = shares_of(labels, {});
+  for (size_t i = 0; i < labels.size(); ++i) {
+    float sum = 0;
+    for (const Mask& share : map.shares) sum += share.data()[i];
+    EXPECT_NEAR(sum, 1, 1e-6F);
+  }
+  for (const double z : {-1500.0, -20.0, 0.0, 3.0, 2400.0})
+    EXPECT_NEAR(island_height_m(island_code(z, 0.4), 0.4), z, 1e-3 * std::abs(z) + 1e-9);
+  const HeightField a = island(map, network_of(kIslandPlanes), Seed{1}, {});
+  for (const float z : a.cells()) EXPECT_TRUE(std::isfinite(z));
+  EXPECT_NE(a, island(map, network_of(kIslandPlanes), Seed{2}, {}));
+  EXPECT_THROW(island(map, network_of(kIslandPlanes + 1), Seed{1}, {}), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace seamount::learned
