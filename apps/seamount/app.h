@@ -68,6 +68,5 @@ void add_operator_commands(Command program, const recipe::Registry& registry);
 void add_discover_commands(Command program, const recipe::Registry& registry);
 void add_chore_commands(Command program, const recipe::Registry& registry);
 void add_dataset_command(Command program);
-void add_train_command(Command program);
 
 }  // namespace seamount::app

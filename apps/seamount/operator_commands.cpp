@@ -5,6 +5,7 @@
 
 #include "app.h"
 #include "seamount/base/text.h"
+#include "seamount/model/model_file.h"
 #include "seamount/recipe/recipe.h"
 
 namespace seamount::app {
@@ -69,6 +70,8 @@ void set_param(Json& params, const std::string& name, const recipe::ParamInfo& i
   recipe::ParamInfo shown = info;
   shown.name = given->first;
   if (info.kind == "file")
+    params[name] = absolute_file("--" + given->first, given->second);
+  else if (info.kind == "model" && !ModelFile{given->second}.is_word())
     params[name] = absolute_file("--" + given->first, given->second);
   else if (info.kind == "files")
     params[name] = absolute_files("--" + given->first, given->second);

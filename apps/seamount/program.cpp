@@ -13,6 +13,7 @@
 #include "app.h"
 #include "seamount/base/large_block.h"
 #include "seamount/base/printable.h"
+#include "train_command.h"
 
 namespace seamount::app {
 namespace {

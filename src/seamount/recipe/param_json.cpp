@@ -58,6 +58,11 @@ void read_json(const Json& json, FilePath& value, const ReadPlace& place) {
   value.path = json.get<std::string>();
 }
 
+void read_json(const Json& json, ModelFile& value, const ReadPlace& place) {
+  if (!json.is_string()) return place.expected("the name of a model or a file", json);
+  value.name = json.get<std::string>();
+}
+
 void read_json(const Json& json, Colour& value, const ReadPlace& place) {
   const std::string text = json.is_string() ? json.get<std::string>() : "";
   std::array<int, 6> digit{};
@@ -183,6 +188,7 @@ Json write_json(int value) { return value; }
 Json write_json(bool value) { return value; }
 Json write_json(const std::string& value) { return value; }
 Json write_json(const FilePath& value) { return value.path; }
+Json write_json(const ModelFile& value) { return value.name; }
 Json write_json(const Colour& value) { return fmt::format("#{:02x}{:02x}{:02x}", value.r, value.g, value.b); }
 Json write_json(const std::optional<double>& value) { return value ? write_json(*value) : Json(nullptr); }
 Json write_json(const Vec2& value) { return {write_json(value.x), write_json(value.y)}; }
@@ -257,26 +263,45 @@ std::string read_tool_name(const Json& json, const std::vector<std::string>& nam
   return "";
 }
 
-void for_each_file(const std::vector<ParamInfo>& infos, const Json& params,
-                   const std::function<void(const std::string&)>& visit) {
+namespace {
+
+/// Calls visit(kind, name) for each file and model.
+void visit_names(const std::vector<ParamInfo>& infos, const Json& params,
+                 const std::function<void(const std::string& kind, const std::string& name)>& visit) {
   for (const ParamInfo& info : infos) {
     const Json& value = params.at(info.name);
-    if (info.kind == "file") {
-      if (const auto name = value.get<std::string>(); !name.empty()) visit(name);
+    if (info.kind == "file" || info.kind == "model") {
+      if (const auto name = value.get<std::string>(); !name.empty()) visit(info.kind, name);
     } else if (info.kind == "files") {
-      for (const Json& name : value) visit(name.get<std::string>());
+      for (const Json& name : value) visit("file", name.get<std::string>());
     } else if (info.kind == "group") {
-      for_each_file(info.tools[0].params, value, visit);
+      visit_names(info.tools[0].params, value, visit);
     } else if (info.kind == "groups") {
-      for (const Json& item : value) for_each_file(info.tools[0].params, item, visit);
+      for (const Json& item : value) visit_names(info.tools[0].params, item, visit);
     } else if (info.kind == "tools") {
       for (const Json& item : value) {
         for (const ToolInfo& tool : info.tools) {
-          if (item.at("tool") == tool.name) for_each_file(tool.params, item, visit);
+          if (item.at("tool") == tool.name) visit_names(tool.params, item, visit);
         }
       }
     }
   }
+}
+
+}  // namespace
+
+void for_each_file(const std::vector<ParamInfo>& infos, const Json& params,
+                   const std::function<void(const std::string&)>& visit) {
+  visit_names(infos, params, [&](const std::string& kind, const std::string& name) {
+    if (kind == "file" || !ModelFile{name}.is_word()) visit(name);
+  });
+}
+
+void for_each_model(const std::vector<ParamInfo>& infos, const Json& params,
+                    const std::function<void(const std::string&)>& visit) {
+  visit_names(infos, params, [&](const std::string& kind, const std::string& name) {
+    if (kind == "model" && ModelFile{name}.is_word()) visit(name);
+  });
 }
 
 namespace {
@@ -326,7 +351,7 @@ Json param_schema(const ParamInfo& info) {
       {"additionalProperties", false}};
   static const std::map<std::string, std::string> kScalars = {
       {"number", "number"}, {"integer", "integer"}, {"switch", "boolean"}, {"choice", "string"},
-      {"text", "string"},   {"file", "string"},     {"colour", "string"}};
+      {"text", "string"},   {"file", "string"},     {"model", "string"},   {"colour", "string"}};
   Json schema;
   if (const auto scalar = kScalars.find(info.kind); scalar != kScalars.end()) {
     schema["type"] =
@@ -373,7 +398,9 @@ Json param_schema(const ParamInfo& info) {
 }
 
 Json parse_flag(const ParamInfo& info, const std::string& text) {
-  if (info.kind == "text" || info.kind == "file" || info.kind == "choice" || info.kind == "colour") return text;
+  if (info.kind == "text" || info.kind == "file" || info.kind == "model" || info.kind == "choice" ||
+      info.kind == "colour")
+    return text;
   if (!text.empty() && text[0] == '@') {
     const std::string file = text.substr(1);
     try {

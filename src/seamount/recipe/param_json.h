@@ -13,6 +13,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/model/drawn.h"
+#include "seamount/model/model_file.h"
 #include "seamount/recipe/diagnostics.h"
 #include "seamount/recipe/former_names.h"
 #include "seamount/recipe/json_document.h"
@@ -25,6 +26,7 @@ void read_json(const Json& json, int& value, const ReadPlace& place);
 void read_json(const Json& json, bool& value, const ReadPlace& place);
 void read_json(const Json& json, std::string& value, const ReadPlace& place);
 void read_json(const Json& json, FilePath& value, const ReadPlace& place);
+void read_json(const Json& json, ModelFile& value, const ReadPlace& place);
 void read_json(const Json& json, Colour& value, const ReadPlace& place);
 void read_json(const Json& json, std::optional<double>& value, const ReadPlace& place);
 void read_json(const Json& json, Vec2& value, const ReadPlace& place);
@@ -41,6 +43,7 @@ Json write_json(int value);
 Json write_json(bool value);
 Json write_json(const std::string& value);
 Json write_json(const FilePath& value);
+Json write_json(const ModelFile& value);
 Json write_json(const Colour& value);
 Json write_json(const std::optional<double>& value);
 Json write_json(const Vec2& value);
@@ -125,6 +128,8 @@ constexpr std::string_view param_kind() {
     return "text";
   else if constexpr (std::is_same_v<T, FilePath>)
     return "file";
+  else if constexpr (std::is_same_v<T, ModelFile>)
+    return "model";
   else if constexpr (std::is_same_v<T, std::vector<FilePath>>)
     return "files";
   else if constexpr (std::is_same_v<T, Colour>)
@@ -303,6 +308,9 @@ Json write_json(const std::variant<Tools...>& value) {
 /// Calls visit(name) for each file that complete parameters name, those of groups and tools too; empty names are none.
 void for_each_file(const std::vector<ParamInfo>& infos, const Json& params,
                    const std::function<void(const std::string&)>& visit);
+/// The same for each model that is named by its word; those named by their file are files.
+void for_each_model(const std::vector<ParamInfo>& infos, const Json& params,
+                    const std::function<void(const std::string&)>& visit);
 
 /// JSON Schema (2020-12) of one parameter.
 Json param_schema(const ParamInfo& info);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "seamount/base/version.h"
+#include "seamount/io/find_model.h"
 
 namespace seamount::recipe {
 namespace {
@@ -27,6 +28,8 @@ Digest key_of(const Plan& plan, const Step& step, PlannedStep& planned, FileSnap
   if (step.op->stochastic) hasher.number(step.seed.value);
   hash_domain(recipe, hasher);
   for_each_file(step.op->params, step.params, [&](const std::string& name) { hasher.text(file_hex(name)); });
+  for_each_model(step.op->params, step.params,
+                 [&](const std::string& word) { hasher.text(file_hex(io::find_model(word))); });
   for (const auto& [port, source] : step.in) {
     hasher.text(port);
     if (source.from_file()) {

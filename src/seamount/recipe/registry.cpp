@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "seamount/io/find_model.h"
 #include "seamount/recipe/kinds.h"
 
 namespace seamount::recipe {
@@ -33,6 +34,10 @@ void add_kinds(Registry& registry, std::type_identity<std::tuple<Kinds...>>) {
 std::string Call::resolve(const FilePath& file) const {
   const std::filesystem::path path(file.path);
   return path.is_absolute() ? path.string() : (std::filesystem::path(folder) / path).string();
+}
+
+std::string Call::resolve(const ModelFile& model) const {
+  return model.is_word() ? io::find_model(model.name) : resolve(FilePath{model.name});
 }
 
 const Port* Operator::find_in(std::string_view port) const { return find_port(in, port); }
@@ -83,6 +88,7 @@ const Registry& standard_registry() {
     add_sketch_operators(all);
     add_learned_operators(all);
     add_ecosystem_operators(all);
+    add_amplify_operators(all);
     add_classify_operators(all);
     add_thing_operators(all);
     add_render_operators(all);

@@ -45,6 +45,7 @@ struct Call {
 
   /// A file parameter as a path that can be opened.
   std::string resolve(const FilePath& file) const;
+  std::string resolve(const ModelFile& model) const;
 };
 
 /// One operator.
@@ -157,5 +158,6 @@ void add_classify_operators(Registry& registry);
 void add_thing_operators(Registry& registry);
 void add_render_operators(Registry& registry);
 void add_ecosystem_operators(Registry& registry);
+void add_amplify_operators(Registry& registry);
 
 }  // namespace seamount::recipe

@@ -15,6 +15,7 @@
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
+#include "seamount/model/model_file.h"
 #include "seamount/ops/learned/island_planes.h"
 #include "seamount/ops/learned/network.h"
 #include "seamount/ops/learned/precision.h"
@@ -25,22 +26,23 @@ struct IslandParams {
   FilePath painting;
   double subsidence = 0.0;
   std::optional<double> scale;
-  FilePath model;
+  ModelFile model = {"island"};
   Precision precision = Precision::automatic;
 
   static constexpr auto fields() {
     using P = IslandParams;
-    return std::tuple(field(&P::painting, "painting",
-                            "picture over the domain in the colours of regions: mountain yellow, beach green, lagoon "
-                            "cyan, reef blue, abyss red; the "
-                            "darker, the more it has sunk"),
-                      field(&P::subsidence, "subsidence", "", between(0, 1),
-                            "how far the island has sunk, where no painting and no field says"),
-                      field(&P::scale, "scale", "", between(0.02, 4),
-                            "size of everything, heights too, against islands shown on 20 km; if absent, the domain's "
-                            "longer side over 20 km, at most 1"),
-                      field(&P::model, "model", "weights (safetensors); the shipped ones if absent"),
-                      field(&P::precision, "precision", "of the network's sums"));
+    return std::tuple(
+        field(&P::painting, "painting",
+              "picture over the domain in the colours of regions: mountain yellow, beach green, lagoon "
+              "cyan, reef blue, abyss red; the "
+              "darker, the more it has sunk"),
+        field(&P::subsidence, "subsidence", "", between(0, 1),
+              "how far the island has sunk, where no painting and no field says"),
+        field(&P::scale, "scale", "", between(0.02, 4),
+              "size of everything, heights too, against islands shown on 20 km; if absent, the domain's "
+              "longer side over 20 km, at most 1"),
+        field(&P::model, "model", "network: a shipped one by its word, or a file of weights (safetensors)"),
+        field(&P::precision, "precision", "of the network's sums"));
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/model/drawn.h"
+#include "seamount/model/model_file.h"
 #include "seamount/ops/learned/precision.h"
 
 namespace seamount::learned {
@@ -32,7 +33,7 @@ struct SketchParams {
   std::optional<double> low_m;
   std::optional<double> relief_m;
   double adherence = 1.0;
-  FilePath model;
+  ModelFile model = {"sketch"};
   Precision precision = Precision::automatic;
 
   static constexpr auto fields() {
@@ -47,7 +48,7 @@ struct SketchParams {
               "mountains of the domain's width"),
         field(&P::adherence, "adherence", "", between(0, 1),
               "how closely drawn heights are met: 1 exactly, 0 as the network sees fit"),
-        field(&P::model, "model", "weights (safetensors); the shipped ones if absent"),
+        field(&P::model, "model", "network: a shipped one by its word, or a file of weights (safetensors)"),
         field(&P::precision, "precision", "of the network's sums"));
   }
 };

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "seamount/geom/grid/painted_labels.h"
-#include "seamount/io/find_model.h"
 #include "seamount/io/image_file.h"
 #include "seamount/io/weights.h"
 #include "seamount/ops/learned/island.h"
@@ -14,11 +13,9 @@ namespace {
 
 using kinds::Drawing, kinds::Field, kinds::Terrain;
 
-/// The network of a file, or the shipped one of that name. Says in what numbers it is evaluated.
-learned::Network network_of(const FilePath& model, const char* shipped, learned::Precision precision,
-                            const Call& call) {
-  const std::string path = model.path.empty() ? io::find_model(shipped) : call.resolve(model);
-  learned::Network network(io::read_weights(path), precision);
+/// The network of a model. Says in what numbers it is evaluated where that is slower than need be.
+learned::Network network_of(const ModelFile& model, learned::Precision precision, const Call& call) {
+  learned::Network network(io::read_weights(call.resolve(model)), precision);
   if (network.precision() == learned::Precision::f32 && precision == learned::Precision::automatic)
     call.run.say("this processor has no bf16: the network is evaluated in f32, which takes twice as long");
   return network;
@@ -33,7 +30,7 @@ HeightField sketch(const learned::SketchParams& params, const Call& call, const 
     frame = grid->frame();
     break;
   }
-  const learned::Network network = network_of(params.model, "sketch", params.precision, call);
+  const learned::Network network = network_of(params.model, params.precision, call);
   return learned::sketch({lines, image, river, ridge, levelset, terrain, erase}, params, network, frame, call.seed,
                          call.run);
 }
@@ -57,7 +54,7 @@ HeightField island(const learned::IslandParams& params, const Call& call, const 
   if (subsidence != nullptr) map.subsidence = *subsidence;
   const double width_m = std::max(map.frame.width_m(), map.frame.height_m());
   map.scale = params.scale.value_or(std::clamp(width_m / learned::kIslandWidth_m, 0.02, 1.0));
-  return learned::island(map, network_of(params.model, "island", params.precision, call), call.seed, call.run);
+  return learned::island(map, network_of(params.model, params.precision, call), call.seed, call.run);
 }
 
 }  // namespace
