@@ -16,6 +16,7 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
+#include "seamount/geom/grid/closing.h"
 #include "seamount/geom/scalar/quantile.h"
 
 namespace seamount::geom {
@@ -27,6 +28,7 @@ constexpr float kColoured = 0.3F;      ///< saturation from which hue can be tru
 constexpr float kFull = 0.8F;          ///< saturation of a colour that is meant as painted, not washed out or blended
 constexpr float kDark = 0.08F;         ///< value below which it cannot
 constexpr int kReach = 5;              ///< pixels over which a blurred seam may run
+constexpr int kSeam = 4;               ///< pixels to either side of a seam that its blur may darken
 
 struct Vec3 {
   float r = 0, g = 0, b = 0;
@@ -358,6 +360,9 @@ PaintedLabels decode_labels(const Image& image, const GridFrame& frame, const Ru
     throw InvalidArgument("image", "has too many pixels");
   Painting painting(image, run);
   const std::vector<Mix> mixes = painting.read();
+  ScalarField values(GridFrame::centred(image.width, image.height, 1.0));  // V of pure colours at each pixel
+  for (size_t i = 0; i < values.cells().size(); ++i) values.cells()[i] = painting.value_near(i);
+  values = closing(values, kSeam, run);
   PaintedLabels result;
   result.labels = LabelMap(frame);
   result.subsidence_per_cell = ScalarField(frame);
@@ -379,7 +384,7 @@ PaintedLabels decode_labels(const Image& image, const GridFrame& frame, const Ru
             const Mix& mix = mixes[pixel];
             shares[mix.a] += weight * (1 - mix.t);
             shares[mix.b] += weight * mix.t;
-            subsidence += weight * subsidence_of(painting.value_near(pixel));
+            subsidence += weight * subsidence_of(values.cells()[pixel]);
           }
         }
         for (size_t region = 0; region < kRegionCount; ++region) result.shares[region](x, y) = shares[region];

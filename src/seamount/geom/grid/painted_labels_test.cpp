@@ -112,6 +112,20 @@ TEST(PaintedLabels, SubsidenceMayDifferFromPlaceToPlace) {
   EXPECT_EQ(painted.labels, LabelMap(GridFrame::centred(40, 10, 1), Region::reef));
 }
 
+TEST(PaintedLabels, DarkSeamsHaveNotSunk) {
+  // As JPEG leaves them: two pixels between yellow and red at three quarters of their brightness.
+  LabelMap labels(GridFrame::centred(60, 20, 1), Region::abyss);
+  for (int y = 0; y < 20; ++y)
+    for (int x = 20; x < 40; ++x) labels(x, y) = Region::mountain;
+  Image image = encode_labels(labels);
+  for (int y = 0; y < 20; ++y)
+    for (const int x : {17, 18, 19, 20, 21, 22, 39, 40})
+      for (int k = 0; k < 3; ++k) image.pixel(x, y)[k] = static_cast<uint8_t>(0.75 * image.pixel(x, y)[k]);
+  const PaintedLabels painted = decode_labels(image, labels.frame(), {});
+  EXPECT_EQ(painted.labels, labels);
+  for (const float sunk : painted.subsidence_per_cell.cells()) EXPECT_LT(sunk, 0.02F);
+}
+
 TEST(PaintedLabels, OtherSizesKeepShares) {
   const LabelMap truth = island(120, kInOrder);
   const Image image = encode_labels(truth);

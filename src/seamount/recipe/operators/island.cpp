@@ -80,7 +80,7 @@ std::tuple<HeightField, LabelMap> archipelago(const island::ArchipelagoParams& p
 void add_island_operators(Registry& registry) {
   registry.add(make_operator<island::BuildParams>(
       {.name = "island.build",
-       .revision = 4,
+       .revision = 5,
        .summary = "An island from its outlines (drawn, polar, a real coastline, painted labels, or a random one) and "
                   "its profile",
        .source = "P0 sec. 1.4.1, eq. 1.1-1.2, 1.16",
