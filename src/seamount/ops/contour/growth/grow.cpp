@@ -27,6 +27,7 @@ namespace {
 
 constexpr double kBytesPerNode = 200.0;
 constexpr double kMostChosen = 500'000.0;  ///< nodes in regions that are chosen because smaller ones have none
+constexpr double kTiny = 1.0 / 32.0;       ///< of the ground that a node has: no region is worth more nodes for it
 constexpr double kBeyond = 2.0;            ///< spacings by which ground goes on beyond the domain's edge
 
 geom::Box box_of(const GridFrame& frame, double margin_m) {
@@ -228,13 +229,21 @@ void grow_nodes(Tin& tin, const ScalarField* probability, const GrowParams& para
 
 namespace {
 
-/// As many nodes more as regions need that have none, up to a bound; what is too small for that is left out.
+/// As many nodes more as regions need that have none, up to a bound; what is too small for that, or tiny beside the
+/// ground of a node that was asked for, is left out.
 void scatter_enough(Tin& tin, const RegionTree& tree, const GridFrame& domain, const std::vector<RiverLine>& rivers,
                     GrowParams params, Seed seed, const RunContext& run) {
   const double asked = node_spacing(tree, domain, params);
   const double least = asked * std::sqrt(std::min(1.0, static_cast<double>(params.particles) / kMostChosen));
   double spacing = asked;
-  for (std::vector<size_t> empty = empty_regions(tin); !empty.empty() && spacing > least; empty = empty_regions(tin)) {
+  const auto worth_nodes = [&] {
+    std::vector<size_t> empty = empty_regions(tin);
+    std::erase_if(empty, [&](size_t region) {
+      return std::abs(geom::signed_area(tree.regions[region].outline)) < kTiny * asked * asked / geom::kDiscDensity;
+    });
+    return empty;
+  };
+  for (std::vector<size_t> empty = worth_nodes(); !empty.empty() && spacing > least; empty = worth_nodes()) {
     double needed = spacing;
     for (const size_t region : empty) {
       const double disc = needed_spacing(tree, region, domain, spacing, run);

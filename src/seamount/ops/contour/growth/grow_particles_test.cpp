@@ -80,8 +80,22 @@ TEST(GrowParticles, RegionsSmallerThanAnyNodesAreLeftOutAndSaid) {
   const Tin tin = grow(tree, kDomain, nullptr, {}, particles(200000), Seed{1}, run);
   ASSERT_EQ(tin.regions.size(), 2U);
   EXPECT_EQ(tin.regions[1].name, "hill");
-  ASSERT_EQ(notes.size(), 2U);
-  EXPECT_THAT(notes[1], AllOf(HasSubstr("the region 'speck' is smaller than nodes"), HasSubstr("left out")));
+  ASSERT_EQ(notes.size(), 1U);  // no node more for a speck
+  EXPECT_THAT(notes[0], AllOf(HasSubstr("the region 'speck' is smaller than nodes"), HasSubstr("left out")));
+}
+
+TEST(GrowParticles, ATinyRegionDoesNotMultiplyTheNodes) {
+  for (const double half : {0.4, 1.5, 3.0}) {
+    const RegionTree tree{{square("land", {0, 0}, 400, -1), square("speck", {50, 0}, half, 0)}};
+    std::vector<std::string> notes;
+    RunContext run;
+    run.note = [&](const std::string& line) { notes.push_back(line); };
+    const Tin tin = grow(tree, kDomain, nullptr, {}, particles(500), Seed{1}, run);
+    const auto land = tin.region.size() - static_cast<size_t>(std::count(tin.region.begin(), tin.region.end(), -1));
+    EXPECT_LT(land, 1000U) << half;
+    ASSERT_EQ(notes.size(), 1U) << half;
+    EXPECT_THAT(notes[0], HasSubstr("'speck' is smaller than nodes")) << half;
+  }
 }
 
 }  // namespace
