@@ -120,7 +120,8 @@ float free_way(const Ground& ground, Vec3 eye, float azimuth, float most) {
   return most;
 }
 
-/// From within the deepest valley, along it: where the ground around stands highest over a place.
+/// From within the deepest valley, along it, a quarter of its depth over its floor, times params.distance: where the
+/// ground around stands highest over a place.
 Camera canyon_camera(const CameraParams& params, const Stage& stage, const View& view, const Ground& ground) {
   const float size = 2.0F * std::min(ground.half_width_m(), ground.half_height_m()), around = 0.05F * size;
   Vec3 best{};
@@ -149,7 +150,8 @@ Camera canyon_camera(const CameraParams& params, const Stage& stage, const View&
     }
   }
   Vec3 eye = best;
-  eye.z = std::max(eye.z, ground_at(ground, eye)) + std::max(2.0F, 0.25F * std::max(0.0F, deepest));
+  eye.z = std::max(eye.z, ground_at(ground, eye)) +
+          std::max(2.0F, 0.25F * static_cast<float>(params.distance) * std::max(0.0F, deepest));
   float azimuth = 0.0F, farthest = -1.0F;
   constexpr int kViews = 48;
   for (int k = 0; k < kViews; ++k) {

@@ -105,6 +105,14 @@ TEST(PlaceCamera, InACanyonTheEyeIsBelowTheGroundAround) {
                     : 0;
     }
     EXPECT_GE(higher, 6);
+    // Twice as high over the floor, and half.
+    for (const double distance : {0.5, 2.0}) {
+      const Camera other =
+          place_camera({.view = CameraView::canyon, .distance = distance}, {}, terrain.frame(), ground);
+      EXPECT_EQ(other.position.x, camera.position.x);
+      EXPECT_EQ(other.position.z > camera.position.z, distance > 1.0);
+      EXPECT_GT(other.position.z, here);
+    }
   }
 }
 

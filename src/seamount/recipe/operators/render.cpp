@@ -61,7 +61,7 @@ void add_views(Registry& registry) {
       }));
   registry.add(make_operator<render::PerspectiveParams>(
       {.name = "render.perspective",
-       .revision = 3,
+       .revision = 4,
        .summary = "A picture from a point of view, with sun, shadows, sky and water"},
       inputs(terrain_in(), labels_in(),
              optional_in<kinds::Things>("things", "what stands on it, drawn from its models"), lake_in(), rivers_in()),
