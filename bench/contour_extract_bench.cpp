@@ -18,6 +18,7 @@ using namespace seamount;
 
 HeightField mountains(int size) {
   terrain::NoiseParams params;
+  params.kind = terrain::NoiseKind::smooth;
   return terrain::noise(params, GridFrame::centred(size, size, 10240.0 / size), Seed{7}, {});
 }
 

@@ -20,6 +20,7 @@ constexpr double kWidth_m = 40960;
 
 HeightField mountains(int size) {
   terrain::NoiseParams params;
+  params.kind = terrain::NoiseKind::smooth;
   params.height_m = 1500;
   params.wavelength_m = 12000;
   params.octaves = 10;
@@ -55,8 +56,9 @@ BENCHMARK(fill)->Name("hydrology/fill")->Arg(4096)->Unit(benchmark::kMillisecond
 /// A plain of flats: whole metres of 10 m of relief.
 void breach(benchmark::State& state) {
   const int size = static_cast<int>(state.range(0));
-  HeightField plain = terrain::noise({.height_m = 10, .wavelength_m = 6000, .octaves = 10, .base_m = 200},
-                                     GridFrame::centred(size, size, 30), Seed{7}, {});
+  HeightField plain = terrain::noise(
+      {.kind = terrain::NoiseKind::smooth, .height_m = 10, .wavelength_m = 6000, .octaves = 10, .base_m = 200},
+      GridFrame::centred(size, size, 30), Seed{7}, {});
   for (float& z : plain.cells()) z = std::round(z);
   for (auto _ : state)
     benchmark::DoNotOptimize(hydrology::fill(plain, {.depressions = hydrology::Depressions::breach}, {}));

@@ -11,7 +11,7 @@ int main() {
   RunContext run;
   run.note = [](const std::string& line) { std::printf("note: %s\n", line.c_str()); };
 
-  const HeightField hills = terrain::noise({}, frame, Seed{5}, run);
+  const HeightField hills = terrain::noise({.kind = terrain::NoiseKind::smooth}, frame, Seed{5}, run);
   // No rock or sediment lies there yet; hardness, mask, uplift and rain are the same everywhere.
   const erosion::Eroded worn = erosion::run({hills, ScalarField(frame, 0.0F), ScalarField(frame, 0.0F)}, {},
                                             {.years = 20000, .sea_m = -10000}, Seed{5}, run);

@@ -11,7 +11,7 @@ int main() {
   const GridFrame frame = GridFrame::centred(200, 200, 20.0);
   const RunContext run;
 
-  HeightField shelf = terrain::noise({}, frame, Seed{1}, run);
+  HeightField shelf = terrain::noise({.kind = terrain::NoiseKind::smooth}, frame, Seed{1}, run);
   for (float& z : shelf.cells()) z = -15.0F + 0.01F * z;  // a sea floor 15 m down, hardly uneven
 
   const reef::Grown grown = reef::grow({.terrain = shelf}, {}, Seed{2}, run);

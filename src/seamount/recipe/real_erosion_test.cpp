@@ -36,7 +36,8 @@ TEST(RealErosion, BringsNoiseNearerToTheSanGabrielMountains) {
                                         "ridges", "prominence", "roughness"};
   for (const uint64_t seed : {1, 2}) {
     const HeightField noise =
-        terrain::noise({.height_m = 1172, .wavelength_m = 12000, .base_m = 1080}, frame, Seed{seed}, {});
+        terrain::noise({.kind = terrain::NoiseKind::smooth, .height_m = 1172, .wavelength_m = 12000, .base_m = 1080},
+                       frame, Seed{seed}, {});
     const erosion::Eroded worn = erosion::run({noise, {}, {}}, {}, params, Seed{seed}, {});
     const Report before = hydrology::describe(noise, &real, {}, {}).report,
                  after = hydrology::describe(worn.terrain, &real, {}, {}).report;

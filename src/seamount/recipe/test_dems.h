@@ -35,8 +35,9 @@ inline std::optional<std::string> find_dem(const std::string& name) {
 /// A range worn by some hundred thousand years of rain, as a radar of 90 m cells sees it: without what is finer than
 /// two.
 inline HeightField made_range(int cells, uint64_t seed) {
-  const HeightField noise = terrain::noise({.height_m = 1400, .wavelength_m = 14000, .base_m = 1500},
-                                           GridFrame::centred(cells, cells, 90), Seed{seed}, {});
+  const HeightField noise =
+      terrain::noise({.kind = terrain::NoiseKind::smooth, .height_m = 1400, .wavelength_m = 14000, .base_m = 1500},
+                     GridFrame::centred(cells, cells, 90), Seed{seed}, {});
   HeightField worn =
       erosion::run({noise, {}, {}}, {}, {.years = 200000, .slopes = {.creep_m2_yr = 0.03}}, Seed{seed}, {}).terrain;
   geom::gaussian_blur(worn, 150, {});

@@ -157,7 +157,7 @@ void add_sources(Registry& registry) {
       {.name = "terrain.join", .summary = "Neighbouring files of elevation as one terrain, cell by cell"}, inputs(),
       outputs(out<Terrain>("terrain", kHeights)), join));
   registry.add(make_operator<terrain::NoiseParams>({.name = "terrain.noise",
-                                                    .summary = "Fractal noise, smooth or ridged",
+                                                    .summary = "Fractal noise: mountains with valleys, smooth or ridged",
                                                     .source = "Perlin 2002, Musgrave 1994",
                                                     .stochastic = true},
                                                    inputs(), outputs(out<Terrain>("terrain", kHeights)),
