@@ -269,6 +269,7 @@ namespace {
 void visit_names(const std::vector<ParamInfo>& infos, const Json& params,
                  const std::function<void(const std::string& kind, const std::string& name)>& visit) {
   for (const ParamInfo& info : infos) {
+    if (info.kind == "preset") continue;  // chooses values, has none itself
     const Json& value = params.at(info.name);
     if (info.kind == "file" || info.kind == "model") {
       if (const auto name = value.get<std::string>(); !name.empty()) visit(info.kind, name);
@@ -321,6 +322,16 @@ Json tool_schema(const ToolInfo& tool) {
 
 }  // namespace
 
+ParamInfo preset_param(std::vector<PresetInfo> presets) {
+  ParamInfo info;
+  info.name = kPresetKey;
+  info.kind = "preset";
+  info.help = "values that belong together, by a word; what is stated besides wins";
+  for (const PresetInfo& preset : presets) info.choices.push_back(preset.name);
+  info.presets = std::move(presets);
+  return info;
+}
+
 Json param_schema(const ParamInfo& info) {
   const Json number = {{"type", "number"}};
   const Json pair = {{"type", "array"}, {"items", number}, {"minItems", 2}, {"maxItems", 2}};
@@ -350,7 +361,7 @@ Json param_schema(const ParamInfo& info) {
       {"required", {"points"}},
       {"additionalProperties", false}};
   static const std::map<std::string, std::string> kScalars = {
-      {"number", "number"}, {"integer", "integer"}, {"switch", "boolean"}, {"choice", "string"},
+      {"number", "number"}, {"integer", "integer"}, {"switch", "boolean"}, {"choice", "string"}, {"preset", "string"},
       {"text", "string"},   {"file", "string"},     {"model", "string"},   {"colour", "string"}};
   Json schema;
   if (const auto scalar = kScalars.find(info.kind); scalar != kScalars.end()) {
@@ -391,7 +402,7 @@ Json param_schema(const ParamInfo& info) {
     schema = {{"type", "array"}, {"items", {{"oneOf", tools}}}};
   }
   schema["description"] = info.help + (info.unit.empty() ? "" : " [" + info.unit + "]");
-  schema["default"] = info.default_value;
+  if (info.kind != "preset") schema["default"] = info.default_value;
   schema["x-kind"] = info.kind;
   if (!info.unit.empty()) schema["x-unit"] = info.unit;
   return schema;
@@ -399,7 +410,7 @@ Json param_schema(const ParamInfo& info) {
 
 Json parse_flag(const ParamInfo& info, const std::string& text) {
   if (info.kind == "text" || info.kind == "file" || info.kind == "model" || info.kind == "choice" ||
-      info.kind == "colour")
+      info.kind == "preset" || info.kind == "colour")
     return text;
   if (!text.empty() && text[0] == '@') {
     const std::string file = text.substr(1);

@@ -12,11 +12,13 @@
 #include <vector>
 
 #include "seamount/base/fields.h"
+#include "seamount/base/presets.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/model_file.h"
 #include "seamount/recipe/diagnostics.h"
 #include "seamount/recipe/former_names.h"
 #include "seamount/recipe/json_document.h"
+#include "seamount/recipe/preset_json.h"
 
 namespace seamount::recipe {
 
@@ -99,13 +101,15 @@ struct ToolInfo;
 /// What a row of a field table says, without its C++ types.
 struct ParamInfo {
   std::string name;
-  std::string kind;  ///< "number", "integer", "switch", "choice", "text", "file", "colour", "numbers", "curve", ...
+  /// "number", "integer", "switch", "choice", "preset", "text", "file", "colour", "numbers", "curve", ...
+  std::string kind;
   std::string unit;
   Range range;
   std::vector<std::string> choices;
   std::string help;
   Json default_value;
-  std::vector<ToolInfo> tools;  ///< of the kind "tools": each of them; of "group" and "groups": one without a name
+  std::vector<ToolInfo> tools;      ///< of the kind "tools": each of them; of "group" and "groups": one without a name
+  std::vector<PresetInfo> presets;  ///< of the kind "preset", which is no parameter but chooses values for some
 };
 
 /// A struct with a field table within a parameter.
@@ -169,6 +173,24 @@ constexpr std::string_view param_kind() {
 }
 
 template <class Params>
+Json write_params(const Params& params);
+
+/// The row by which one of these presets is chosen.
+ParamInfo preset_param(std::vector<PresetInfo> presets);
+
+template <class Params>
+std::vector<PresetInfo> describe_presets() {
+  std::vector<PresetInfo> infos;
+  for (const auto& row : Params::presets()) {
+    Params params;
+    row.set(params);
+    infos.push_back(
+        {std::string(row.name), std::string(row.about), changed_members(write_params(Params{}), write_params(params))});
+  }
+  return infos;
+}
+
+template <class Params>
 std::vector<ParamInfo> describe_params();
 
 template <class Choice>
@@ -183,6 +205,7 @@ struct ToolsOf<std::variant<Tools...>> {
 template <class Params>
 std::vector<ParamInfo> describe_params() {
   std::vector<ParamInfo> infos;
+  if constexpr (HasPresets<Params>) infos.push_back(preset_param(describe_presets<Params>()));
   const Params defaults;
   for_each_field<Params>([&](const auto& row) {
     using T = typename std::decay_t<decltype(row)>::Type;
@@ -193,6 +216,7 @@ std::vector<ParamInfo> describe_params() {
                    {},
                    std::string(row.help),
                    write_json(defaults.*row.member),
+                   {},
                    {}};
     if constexpr (Choice<T>) info.choices.assign(Choices<T>::names.begin(), Choices<T>::names.end());
     if constexpr (HasFields<T>) info.tools = {{"", "", describe_params<T>()}};
@@ -232,10 +256,20 @@ std::vector<FormerParam> describe_former_names() {
 void refuse_unknown_keys(const Json& object, const std::vector<std::string>& names, const std::string& what,
                          const ReadPlace& place);
 
+/// Gives params the values of the preset that an object names; reports one that there is not.
+template <HasPresets Params>
+void apply_preset(const Json& object, Params& params, const ReadPlace& place) {
+  const auto presets = Params::presets();
+  std::vector<std::string> names;
+  for (const auto& row : presets) names.emplace_back(row.name);
+  const std::optional<size_t> chosen = read_preset(object, names, place);
+  if (chosen) presets[*chosen].set(params);
+}
+
 /// Reads a whole Params: unknown keys, wrong types and values out of range are all reported, former names are noted.
+/// What is not stated has the value of the preset that is named, else that of `params`.
 template <class Params>
-Params read_params(const Json& given, const ReadPlace& place) {
-  Params params;
+Params read_params(const Json& given, const ReadPlace& place, Params params = {}) {
   if (!given.is_object()) {
     place.expected("an object of parameters", given);
     return params;
@@ -243,6 +277,10 @@ Params read_params(const Json& given, const ReadPlace& place) {
   PresentNames present(given, former_names<Params>(), place);
   const Json& object = present.object();
   std::vector<std::string> names;
+  if constexpr (HasPresets<Params>) {
+    names.emplace_back(kPresetKey);
+    apply_preset(object, params, place);
+  }
   for_each_field<Params>([&](const auto& row) {
     names.emplace_back(row.name);
     const auto member = object.find(std::string(row.name));
@@ -271,7 +309,7 @@ Json write_params(const Params& params) {
 
 template <HasFields T>
 void read_json(const Json& json, T& value, const ReadPlace& place) {
-  value = read_params<T>(json, place);
+  value = read_params<T>(json, place, value);
 }
 
 template <HasFields T>

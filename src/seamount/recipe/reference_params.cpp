@@ -13,6 +13,7 @@ std::string range_text(const ParamInfo& info) {
 }
 
 std::string default_text(const ParamInfo& info) {
+  if (info.kind == "preset") return "none";
   if (info.default_value.is_null()) return "derived";
   if (info.default_value.is_string() && info.default_value.get<std::string>().empty()) return "none";
   if (info.default_value.is_array() && info.default_value.empty()) return "none";
@@ -32,6 +33,18 @@ std::string params_rows(const std::vector<ParamInfo>& params, const std::string&
   return text;
 }
 
+/// A paragraph for each preset, those of groups too.
+std::string preset_paragraphs(const std::vector<ParamInfo>& params, const std::string& prefix) {
+  std::string text;
+  for (const ParamInfo& info : params) {
+    for (const PresetInfo& preset : info.presets)
+      text += fmt::format("`{}{}` `{}`: {} ({}).\n\n", prefix, info.name, preset.name, preset.about,
+                          sets_text(preset.sets));
+    if (info.kind == "group") text += preset_paragraphs(info.tools[0].params, prefix + info.name + ".");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string param_text(const ParamInfo& info, const std::string& indent, const std::string& prefix) {
@@ -41,6 +54,10 @@ std::string param_text(const ParamInfo& info, const std::string& indent, const s
     const std::string range = range_text(info);
     text += fmt::format("{}    default {}{}\n", indent, default_text(info),
                         range.empty() ? "" : (info.choices.empty() ? "; range " : "; one of ") + range);
+  }
+  for (const PresetInfo& preset : info.presets) {
+    text += fmt::format("{}    {}  {}\n", indent, preset.name, preset.about);
+    text += fmt::format("{}        {}\n", indent, sets_text(preset.sets));
   }
   for (const ToolInfo& tool : info.tools) {
     if (!tool.name.empty()) text += fmt::format("{}    \"tool\": \"{}\"  {}\n", indent, tool.name, tool.about);
@@ -59,7 +76,7 @@ std::string cell(std::string text) {
 std::string params_table(const std::vector<ParamInfo>& params) {
   if (params.empty()) return "";
   const std::string head = "| parameter | type | unit | default | range | |\n|---|---|---|---|---|---|\n";
-  std::string text = head + params_rows(params, "") + "\n";
+  std::string text = head + params_rows(params, "") + "\n" + preset_paragraphs(params, "");
   for (const ParamInfo& info : params) {
     if (info.kind != "tools") continue;
     for (const ToolInfo& tool : info.tools) {

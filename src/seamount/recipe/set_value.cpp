@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "seamount/base/presets.h"
 #include "seamount/base/text.h"
 #include "seamount/recipe/domain.h"
 #include "seamount/recipe/variables.h"
@@ -118,6 +119,18 @@ std::vector<std::string> paths_ending_so(const std::vector<std::string>& tokens,
                                              : ", did you mean " + meant + "?"));
 }
 
+/// "preset" alone is that of the only step that has presets; other paths, and with several such steps, as they are.
+std::string full_path(const Json& root, const std::string& path, const Registry& registry) {
+  if (path != kPresetKey) return path;
+  std::string found;
+  for (const std::string& candidate : settable_paths(root, registry)) {
+    if (!candidate.starts_with("steps.") || !candidate.ends_with(".params." + path)) continue;
+    if (!found.empty()) return path;
+    found = candidate;
+  }
+  return found.empty() ? path : found;
+}
+
 /// The member that a path token names: a key, an index, or the id of a step.
 Json* descend(Json& json, const std::string& token, bool create) {
   if (json.is_array()) {
@@ -160,7 +173,7 @@ void set_value(Json& root, const std::string& assignment, const Registry& regist
   const size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     refuse(root, assignment.substr(0, equals), "expected PATH=VALUE, found '" + assignment + "'", registry);
-  const std::string path = assignment.substr(0, equals);
+  const std::string path = full_path(root, assignment.substr(0, equals), registry);
   const std::string text = assignment.substr(equals + 1);
   const auto tokens = split(path, '.');
   if (root.is_object() && unknown_member(root, tokens))

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "seamount/base/fields.h"
+#include "seamount/base/presets.h"
 #include "seamount/ops/erosion/lithology_params.h"
 
 namespace seamount::erosion {
@@ -113,6 +114,35 @@ struct RunParams {
         field(&P::slopes, "slopes", "what slopes can stand and how they wear"),
         field(&P::coast, "coast", "what waves do to the coast"),
         field(&P::lithology, "lithology", "beds of harder and softer rock in three dimensions"));
+  }
+
+  static constexpr auto presets() {
+    using P = RunParams;
+    return std::array{
+        preset<P>("young", "steep land that the first gullies and gorges cut",
+                  [](P& p) {
+                    p.years = 30000;
+                    p.slopes.creep_m2_yr = 0.002;
+                  }),
+        preset<P>("mature", "sharp ridges between branching valleys, with floors where rivers are large",
+                  [](P& p) { p.years = 250000; }),
+        preset<P>("old", "the low rest of hills, rounded, over wide plains of their debris",
+                  [](P& p) {
+                    p.years = 700000;
+                    p.slopes.creep_m2_yr = 0.04;
+                    p.slopes.bedrock_angle_deg = 28;
+                  }),
+        preset<P>("desert", "bare steep ranges cut by many gullies, over aprons of debris and dry basins", [](P& p) {
+          p.years = 120000;
+          p.runoff_mm_yr = 100;
+          p.erodibility = 3e-5;
+          p.slopes.bedrock_angle_deg = 60;
+          p.slopes.creep_m2_yr = 0.001;
+          p.slopes.weathering_mm_yr = 0.3;
+          p.rivers.evaporation_per_km = 0.08;
+          p.rivers.fan_m = 1000;
+          p.rivers.deposition = 2;
+        })};
   }
 
   static constexpr std::array kFormerNames = {FormerName{"uplift_mm", "uplift_mm_yr"},

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "seamount/base/fields.h"
+#include "seamount/base/presets.h"
 #include "seamount/model/drawn.h"
 #include "seamount/ops/island/summit_params.h"
 #include "seamount/ops/island/width_params.h"
@@ -94,6 +95,33 @@ struct BuildParams {
         field(&P::interpolation, "interpolation", "how the profile runs between its knots"),
         field(&P::widths, "widths", "widths of the regions around the mountains, where the plan is one coast"),
         field(&P::detail, "detail", "forms smaller than the plan and the profile say"));
+  }
+
+  static constexpr auto presets() {
+    using P = BuildParams;
+    return std::array{
+        preset<P>("hotspot", "a young shield of lava: smooth, round, with a narrow fringing reef",
+                  [](P& p) {
+                    p.irregularity = 0.2;
+                    p.massif = 0.1;
+                    p.relief = 0.35;
+                    p.widths.lagoon_m = 80;
+                    p.widths.reef_m = 120;
+                  }),
+        preset<P>("high", "jagged peaks over deep valleys in green slopes, and a lagoon",
+                  [](P& p) {
+                    p.massif = 1;
+                    p.relief = 1.8;
+                    p.peak_m = 1100;
+                  }),
+        preset<P>("old", "the low rest of a sunken island in a wide lagoon behind a barrier reef", [](P& p) {
+          p.irregularity = 0.5;
+          p.massif = 1;
+          p.relief = 1.4;
+          p.peak_m = 300;
+          p.widths.lagoon_m = 1300;
+          p.widths.reef_m = 400;
+        })};
   }
 
   static constexpr std::array kFormerNames = {FormerName{"beach_m", "widths.beach_m"},

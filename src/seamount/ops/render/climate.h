@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "seamount/base/fields.h"
+#include "seamount/base/presets.h"
 
 namespace seamount::render {
 
@@ -31,6 +32,29 @@ struct ClimateParams {
         field(&P::wind_from_deg, "wind_from_deg", "deg", between(-360, 360),
               "bearing that the wind brings rain from: windward slopes are wet, leeward ones dry; by default trade "
               "winds or westerlies by the latitude"));
+  }
+
+  static constexpr auto presets() {
+    using P = ClimateParams;
+    return std::array{preset<P>("tropical", "rain forest up to the clouds",
+                                [](P& p) {
+                                  p.latitude_deg = 8;
+                                  p.rain_mm_yr = 3200;
+                                }),
+                      preset<P>("temperate", "meadows and woods, rock and snow on the heights",
+                                [](P& p) {
+                                  p.latitude_deg = 46;
+                                  p.rain_mm_yr = 1100;
+                                }),
+                      preset<P>("arid", "bare rock and sand, hardly any green",
+                                [](P& p) {
+                                  p.latitude_deg = 27;
+                                  p.rain_mm_yr = 90;
+                                }),
+                      preset<P>("polar", "tundra along the coast under ice and snow", [](P& p) {
+                        p.latitude_deg = 76;
+                        p.rain_mm_yr = 350;
+                      })};
   }
 };
 

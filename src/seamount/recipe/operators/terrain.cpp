@@ -156,14 +156,14 @@ void add_sources(Registry& registry) {
   registry.add(make_operator<JoinParams>(
       {.name = "terrain.join", .summary = "Neighbouring files of elevation as one terrain, cell by cell"}, inputs(),
       outputs(out<Terrain>("terrain", kHeights)), join));
-  registry.add(make_operator<terrain::NoiseParams>({.name = "terrain.noise",
-                                                    .summary = "Fractal noise: mountains with valleys, smooth or ridged",
-                                                    .source = "Perlin 2002, Musgrave 1994",
-                                                    .stochastic = true},
-                                                   inputs(), outputs(out<Terrain>("terrain", kHeights)),
-                                                   [](const terrain::NoiseParams& params, const Call& call) {
-                                                     return terrain::noise(params, call.domain, call.seed, call.run);
-                                                   }));
+  registry.add(make_operator<terrain::NoiseParams>(
+      {.name = "terrain.noise",
+       .summary = "Fractal noise: mountains with valleys, smooth or ridged",
+       .source = "Perlin 2002, Musgrave 1994",
+       .stochastic = true},
+      inputs(), outputs(out<Terrain>("terrain", kHeights)), [](const terrain::NoiseParams& params, const Call& call) {
+        return terrain::noise(params, call.domain, call.seed, call.run);
+      }));
 }
 
 void add_sampling(Registry& registry) {
