@@ -114,7 +114,7 @@ struct BuildParams {
                     p.relief = 1.8;
                     p.peak_m = 1100;
                   }),
-        preset<P>("old", "the low rest of a sunken island in a wide lagoon behind a barrier reef", [](P& p) {
+        preset<P>("old", "the low rest of a sunken island in a wide shallow lagoon inside its reef", [](P& p) {
           p.irregularity = 0.5;
           p.massif = 1;
           p.relief = 1.4;

@@ -39,9 +39,9 @@ struct ClimateParams {
     return std::array{preset<P>("tropical", "rain forest up to the clouds",
                                 [](P& p) {
                                   p.latitude_deg = 8;
-                                  p.rain_mm_yr = 3200;
+                                  p.rain_mm_yr = 5000;
                                 }),
-                      preset<P>("temperate", "meadows and woods, rock and snow on the heights",
+                      preset<P>("temperate", "meadows and woods, bare rock above, snow on high mountains",
                                 [](P& p) {
                                   p.latitude_deg = 46;
                                   p.rain_mm_yr = 1100;
@@ -52,7 +52,7 @@ struct ClimateParams {
                                   p.rain_mm_yr = 90;
                                 }),
                       preset<P>("polar", "tundra along the coast under ice and snow", [](P& p) {
-                        p.latitude_deg = 76;
+                        p.latitude_deg = 82;
                         p.rain_mm_yr = 350;
                       })};
   }

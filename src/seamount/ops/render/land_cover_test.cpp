@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string_view>
+
 namespace seamount::render {
 namespace {
 
@@ -45,6 +47,29 @@ TEST(Climate, WhatIsStatedHolds) {
   EXPECT_EQ(climate.snow_line, 2600.0F);
   EXPECT_EQ(climate.rock, Rock::sandstone);
   EXPECT_NEAR(climate.wind_from, 1.5708F, 1e-4F);
+}
+
+Climate preset_climate(std::string_view name) {
+  ClimateParams params;
+  for (const auto& row : ClimateParams::presets())
+    if (row.name == name) row.set(params);
+  return climate_of(params, {}, {}, Rock::granite, {.in_sea = true});
+}
+
+TEST(ClimatePresets, LookLikeTheirWords) {
+  const auto ground = [](std::string_view name, float z) { return mean_albedo(hillside(z), preset_climate(name)); };
+  for (const float z : {100.0F, 400.0F}) {
+    const Rgb tropical = ground("tropical", z), temperate = ground("temperate", z), arid = ground("arid", z);
+    EXPECT_GT(tropical.g, tropical.r) << z;
+    EXPECT_GT(temperate.g, temperate.r) << z;
+    EXPECT_GT(arid.r, arid.g) << z;
+    EXPECT_LT(luminance(tropical), luminance(temperate)) << z;
+    EXPECT_LT(luminance(temperate), luminance(arid)) << z;
+  }
+  EXPECT_GT(luminance(ground("polar", 900.0F)), 0.55F) << "snow";
+  EXPECT_LT(luminance(ground("polar", 30.0F)), 0.35F) << "tundra";
+  EXPECT_LT(luminance(ground("temperate", 900.0F)), 0.3F) << "no snow";
+  EXPECT_GT(luminance(ground("temperate", 4200.0F)), 0.55F) << "snow on high mountains";
 }
 
 TEST(LandCover, SnowLiesAboveTheSnowLineOfTheLatitude) {
