@@ -111,7 +111,8 @@ inline const Values& example_values(const Extent& extent) {
 
 /// Optional inputs of which an operator needs one.
 inline const std::map<std::string, std::string>& needed_inputs() {
-  static const std::map<std::string, std::string> needed = {{"learned.island", "labels"}, {"contour.extract", "terrain"},
+  static const std::map<std::string, std::string> needed = {{"learned.island", "labels"},
+                                                            {"contour.extract", "terrain"},
                                                             {"contour.refine", "tin"},
                                                             {"contour.reconstruct", "contours"},
                                                             {"ecosystem.grow", "catalogue"}};
