@@ -208,13 +208,16 @@ TEST_P(GoldenRecipe, GivesTheSameBytesOnOneThread) {
   EXPECT_EQ(compute(GetParam(), 1).expected, compute(GetParam(), 0).expected);
 }
 
+/// Networks give the same bytes on one machine only: their sums are in whatever numbers the processor has (ADR 2).
+bool is_same_everywhere(const std::string& name) { return name.rfind("learned.", 0) != 0; }
+
 TEST(GoldenRecipes, HoldEveryOperator) {
   std::set<std::string> held;
   for (const std::string& name : golden_names()) {
     for (const Step& step : read_recipe((golden_folder() / name / "recipe.json").string()).steps)
       held.insert(step.op->name);
   }
-  for (const std::string& name : standard_registry().operator_names()) EXPECT_TRUE(held.contains(name)) << name;
+  for (const std::string& name : standard_registry().operator_names()) EXPECT_TRUE(held.contains(name) || !is_same_everywhere(name)) << name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Recipes, GoldenRecipe, testing::ValuesIn(golden_names()),

@@ -59,7 +59,7 @@ class Training : public testing::Test {
     params.samples = samples;
     params.batch = 2;
     params.rate = 2e-3;
-    params.check_every = 100;
+    params.check_every = 20;
     params.checks = 4;
     params.critic_from = critic_from;
     RunContext run;
@@ -73,7 +73,7 @@ class Training : public testing::Test {
 };
 
 TEST_F(Training, LearnsAndGoesOnAfterAStop) {
-  const Check first = train("a", 100);
+  const Check first = train("a", 40);
   const Check later = train("a", 600);
   EXPECT_EQ(later.samples, 600);
   EXPECT_LT(later.error, 0.6 * first.error);
