@@ -217,7 +217,8 @@ TEST(GoldenRecipes, HoldEveryOperator) {
     for (const Step& step : read_recipe((golden_folder() / name / "recipe.json").string()).steps)
       held.insert(step.op->name);
   }
-  for (const std::string& name : standard_registry().operator_names()) EXPECT_TRUE(held.contains(name) || !is_same_everywhere(name)) << name;
+  for (const std::string& name : standard_registry().operator_names())
+    EXPECT_TRUE(held.contains(name) || !is_same_everywhere(name)) << name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Recipes, GoldenRecipe, testing::ValuesIn(golden_names()),

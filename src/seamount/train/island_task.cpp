@@ -10,7 +10,8 @@
 namespace seamount::train {
 namespace {
 
-constexpr int kGroup = 6;  ///< samples of one made island
+constexpr int kGroup = 6;              ///< samples of one made island
+constexpr float kAbyssWeight = 0.15F;  ///< of the deep sea floor, whose depth no map tells
 
 RunContext alone() {
   RunContext run;
@@ -27,7 +28,7 @@ std::pair<int, int> corner_of(const LabelMap& labels, int size, Rng& rng) {
     for (int y = 0; y < size; y += 8) {
       for (int x = 0; x < size; x += 8) seen += labels(corner.first + x, corner.second + y) != Region::abyss;
     }
-    if (seen > 20) break;
+    if (seen > 60) break;
   }
   return corner;
 }
@@ -75,9 +76,12 @@ std::shared_ptr<const IslandTask::Made> IslandTask::island(uint64_t group, Seed 
   made->seed = seed;
   Rng rng(seed.derive("group", group));
   IslandSetParams params;
-  params.size = learned::kIslandCells * (rng.chance(0.6) ? 1 : rng.chance(0.7) ? 2 : 4);
+  params.size = learned::kIslandCells * (rng.chance(0.4) ? 1 : rng.chance(0.7) ? 2 : 4);
   params.width_m = learned::kIslandWidth_m;
-  IslandSample drawn = draw_island_sample(params, group, seed);
+  // The levels of an island follow each other and all but the first are nearly drowned: half of the samples show land.
+  const auto levels = static_cast<uint64_t>(params.levels);
+  const uint64_t level = rng.chance(0.5) ? 0 : static_cast<uint64_t>(rng.integer(1, params.levels - 1));
+  IslandSample drawn = draw_island_sample(params, group * levels + level, seed);
   made->pair = make_island_pair(params, drawn, seed, alone());
   made->subsidence = drawn.subsidence;
   const std::lock_guard lock(mutex_);
@@ -119,7 +123,7 @@ Sample IslandTask::sample(uint64_t n, Seed seed) const {
   sample.planes.resize(heights.size() * learned::kIslandPlanes);
   planes.planes().fill(0, size, sample.planes);
   sample.base.assign(heights.size(), 0.0F);
-  sample.weight.assign(heights.size(), 1.0F);
+  for (const Region region : labels.cells()) sample.weight.push_back(region == Region::abyss ? kAbyssWeight : 1.0F);
   for (const float z : heights.cells()) sample.target.push_back(learned::island_code(z, 1));
   return sample;
 }

@@ -62,8 +62,8 @@ HeightField island(const learned::IslandParams& params, const Call& call, const 
 void add_learned_operators(Registry& registry) {
   registry.add(make_operator<learned::SketchParams>(
       {.name = "learned.sketch",
-       .summary =
-           "Terrain from a sketch of ridges, rivers, heights, high ground and known ground in any mix, by a network",
+       .summary = "Terrain from a sketch of ridges, rivers, heights, high ground and known ground in any mix, by a "
+                  "network (early weights)",
        .source = "P1 sec. 4 to 6.1",
        .stochastic = true},
       inputs(optional_in<Drawing>("lines",
@@ -76,7 +76,7 @@ void add_learned_operators(Registry& registry) {
       outputs(out<Terrain>("terrain", "heights in metres")), sketch));
   registry.add(make_operator<learned::IslandParams>(
       {.name = "learned.island",
-       .summary = "Island terrain from a map of its regions, painted or made, by a network",
+       .summary = "Island terrain from a map of its regions, painted or made, by a network (early weights)",
        .source = "P0 sec. 1.5 to 1.7",
        .stochastic = true},
       inputs(optional_in<kinds::Labels>("labels", "regions"),
