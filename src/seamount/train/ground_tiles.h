@@ -22,7 +22,8 @@ bool is_held_out(const std::string& name);
 
 /// Every GeoTIFF of land in a folder, in the order of names, warped to metres (io/raster.h) and once more at half of
 /// the resolution; those with "bathy", "reef_", "gebco" or "etopo" in their name, which show the sea, are left out.
-/// Cells in level water (more than 64 cells of one height side by side in rows) become unknown. `held_out` says which
+/// Water becomes unknown: cells that are level (within 5 cm)
+/// over 24 cells and more both along their row and their column, and those below -5 m. `held_out` says which
 /// side. Throws InvalidArgument{"--dem"} where nothing is found, IoError. Parallel over files.
 std::vector<GroundTile> read_ground(const std::string& folder, bool held_out, const RunContext& run);
 

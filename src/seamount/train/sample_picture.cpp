@@ -31,8 +31,8 @@ void shade(const std::vector<float>& z, int size, int left, int top, Image& imag
 
 }  // namespace
 
-void write_sample_picture(const std::vector<Sample>& samples, const std::vector<std::vector<float>>& made,
-                          const std::string& path) {
+void write_sample_picture(const std::vector<Sample>& samples, bool sketched,
+                          const std::vector<std::vector<float>>& made, const std::string& path) {
   if (samples.empty()) return;
   const int size = samples[0].size, columns = 4, rows = (static_cast<int>(samples.size()) + columns - 1) / columns;
   Image image(columns * (size + kGap), rows * 3 * (size + kGap), Colour{255, 255, 255});
@@ -42,7 +42,7 @@ void write_sample_picture(const std::vector<Sample>& samples, const std::vector<
               top = static_cast<int>(i) / columns * 3 * (size + kGap);
     shade(sample.base, size, left, top, image);
     const size_t planes = sample.planes.size() / sample.base.size();
-    for (size_t cell = 0; cell < sample.base.size() && planes >= 9; ++cell) {
+    for (size_t cell = 0; cell < sample.base.size() && sketched; ++cell) {
       const float* const p = sample.planes.data() + cell * planes;
       uint8_t* const pixel = image.pixel(left + static_cast<int>(cell) % size, top + static_cast<int>(cell) / size);
       Colour colour = {pixel[0], pixel[1], pixel[2]};

@@ -9,9 +9,10 @@
 namespace seamount::train {
 
 /// One row of relief shadings: what was drawn (rivers blue, ridges red, the base behind), what the network made, what
-/// is real; four samples beside each other. Planes as of the sketch task; other tasks show their base. Throws
+/// is real; four samples beside each other. `sketched`: planes are as of learned::SketchPlanes;
+/// else nothing is drawn over the base. Throws
 /// WriteError.
-void write_sample_picture(const std::vector<Sample>& samples, const std::vector<std::vector<float>>& made,
-                          const std::string& path);
+void write_sample_picture(const std::vector<Sample>& samples, bool sketched,
+                          const std::vector<std::vector<float>>& made, const std::string& path);
 
 }  // namespace seamount::train

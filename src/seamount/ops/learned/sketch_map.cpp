@@ -17,7 +17,9 @@ void check_size(const Grid<float>* grid, const GridFrame& frame, const char* nam
     throw IncompatibleInputs(std::string(name) + " has another size than the domain");
 }
 
-void draw(const Polyline& line, Grid<uint8_t>& cells) {
+/// Returns whether any of it lies inside.
+bool draw(const Polyline& line, Grid<uint8_t>& cells) {
+  bool inside = false;
   const GridFrame& frame = cells.frame();
   for (size_t i = 0; i + 1 < std::max<size_t>(line.size(), 2) && i < line.size(); ++i) {
     const Vec2 from = line[i], to = line[std::min(i + 1, line.size() - 1)];
@@ -30,8 +32,10 @@ void draw(const Polyline& line, Grid<uint8_t>& cells) {
       const double column = frame.column(from.x) + t * columns, row = frame.row(from.y) + t * rows;
       if (column < -0.5 || row < -0.5 || column >= frame.width - 0.5 || row >= frame.height - 0.5) continue;
       cells(static_cast<int>(std::lround(column)), static_cast<int>(std::lround(row))) = 1;
+      inside = true;
     }
   }
+  return inside;
 }
 
 Grid<uint8_t>& begun(Grid<uint8_t>& grid, const GridFrame& frame) {
@@ -39,15 +43,35 @@ Grid<uint8_t>& begun(Grid<uint8_t>& grid, const GridFrame& frame) {
   return grid;
 }
 
-void put_height(Vec2 place, double height_m, SketchMap& map) {
+/// Returns whether it lies inside.
+bool put_height(Vec2 place, double height_m, SketchMap& map) {
   const double column = map.frame.column(place.x), row = map.frame.row(place.y);
-  if (!(column > -0.5 && row > -0.5 && column < map.frame.width - 0.5 && row < map.frame.height - 0.5)) return;
+  if (!(column > -0.5 && row > -0.5 && column < map.frame.width - 0.5 && row < map.frame.height - 0.5)) return false;
   begun(map.cue, map.frame);
   if (map.cue_m.empty()) map.cue_m = ScalarField(map.frame, 0.0F);
   const int x = static_cast<int>(std::lround(column)), y = static_cast<int>(std::lround(row));
   map.cue(x, y) = 1;
   map.cue_m(x, y) = static_cast<float>(height_m);
+  return true;
 }
+
+/// Counts what is drawn beside the domain: all of it is an error, a part of it is said.
+class Beside {
+ public:
+  void count(bool inside) {
+    ++drawn_;
+    beside_ += !inside;
+  }
+  void tell(const RunContext& run) const {
+    if (beside_ == 0) return;
+    if (beside_ == drawn_) throw InvalidArgument("lines", "nothing that is drawn lies in the domain");
+    run.say(std::to_string(beside_) + " of " + std::to_string(drawn_) +
+            " lines and heights lie beside the domain and are left out");
+  }
+
+ private:
+  int drawn_ = 0, beside_ = 0;
+};
 
 void add_cells(const Grid<float>* field, Grid<uint8_t>& cells, const GridFrame& frame) {
   if (field == nullptr) return;
@@ -96,6 +120,8 @@ void add_levelset(const SketchInputs& inputs, SketchMap& map) {
 }
 
 void add_known(const SketchInputs& inputs, SketchMap& map) {
+  if (inputs.terrain == nullptr && inputs.erase != nullptr)
+    throw InvalidArgument("erase", "there is no terrain from which it could erase");
   if (inputs.terrain == nullptr) return;
   map.known_m = *inputs.terrain;
   map.known_m.set_frame(map.frame);
@@ -115,12 +141,21 @@ void settle_scale(const SketchParams& params, SketchMap& map, const RunContext& 
   for (size_t i = 0; i < map.cue.size(); ++i) {
     if (map.cue.data()[i] != 0) see(map.cue_m.data()[i]);
   }
+  size_t known = 0;
   for (const float z : map.known_m.cells()) {
-    if (!std::isnan(z)) see(z);
+    if (std::isnan(z)) continue;
+    see(z);
+    ++known;
   }
   const double width = std::max(map.frame.width_m(), map.frame.height_m());
   const double usual = std::clamp(22 * std::pow(width, 0.45), 30.0, 4500.0);  // 1.4 km over 10 km, 2.3 km over 30 km
   const bool given = high >= low;
+  if (known * 10 >
+      static_cast<size_t>(map.frame.cells())) {  // a tenth and more of the ground is known: the rest is like it
+    map.low_m = params.low_m.value_or(low);
+    map.relief_m = params.relief_m.value_or(std::max(1.05 * (high - map.low_m), 1.0));
+    return;
+  }
   map.low_m = params.low_m.value_or(given ? std::min(low, high - 0.4 * std::min(usual, std::abs(high))) : 0.0);
   if (params.relief_m) {
     map.relief_m = *params.relief_m;
@@ -145,18 +180,20 @@ SketchMap map_of(const SketchInputs& inputs, const SketchParams& params, const G
     check_size(grid, frame, name);
   SketchMap map;
   map.frame = frame;
-  for (const SketchedLine& line : params.rivers) draw(line.points, begun(map.river, frame));
-  for (const SketchedLine& line : params.ridges) draw(line.points, begun(map.ridge, frame));
-  for (const SketchedHeight& h : params.heights) put_height({h.x_m, h.y_m}, h.height_m, map);
+  Beside beside;
+  for (const SketchedLine& line : params.rivers) beside.count(draw(line.points, begun(map.river, frame)));
+  for (const SketchedLine& line : params.ridges) beside.count(draw(line.points, begun(map.ridge, frame)));
+  for (const SketchedHeight& h : params.heights) beside.count(put_height({h.x_m, h.y_m}, h.height_m, map));
   if (inputs.lines != nullptr) {
     for (const ValuedLine& line : inputs.lines->lines) {
       if (line.value != 0 && line.value != 1)
         throw InvalidArgument("lines",
                               "a line has the value " + std::to_string(line.value) + ": 0 is a river, 1 a ridge");
-      draw(line.points, begun(line.value == 0 ? map.river : map.ridge, frame));
+      beside.count(draw(line.points, begun(line.value == 0 ? map.river : map.ridge, frame)));
     }
-    for (const ValuedPoint& point : inputs.lines->points) put_height(point.place, point.value, map);
+    for (const ValuedPoint& point : inputs.lines->points) beside.count(put_height(point.place, point.value, map));
   }
+  beside.tell(run);
   if (inputs.image != nullptr) add_picture(*inputs.image, map);
   add_cells(inputs.river, map.river, frame);
   add_cells(inputs.ridge, map.ridge, frame);

@@ -42,7 +42,9 @@ struct SketchParams {
         field(&P::ridges, "ridges", "crest lines"), field(&P::rivers, "rivers", "rivers, in any direction"),
         field(&P::heights, "heights", "places whose height is given: summits, basins, passes"),
         field(&P::low_m, "low_m", "m", between(-12000, 9000),
-              "height of the low ground; if absent, that of the lowest height or known ground drawn, 0 without any"),
+              "height of the low ground; if absent, the lowest that is drawn or known, or, where that is near the "
+              "highest, two fifths of a usual relief below it (of the highest itself if less); 0 where nothing has a "
+              "height"),
         field(&P::relief_m, "relief_m", "m", between(1, 12000),
               "how far high ground rises above it; if absent, as heights and known ground say, else what is usual for "
               "mountains of the domain's width"),

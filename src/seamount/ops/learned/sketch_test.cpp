@@ -115,6 +115,39 @@ TEST(LearnedSketch, RefusesWhatDoesNotFit) {
   EXPECT_THROW(sketch(inputs, {}, network_of(kSketchPlanes), frame, Seed{1}, {}), IncompatibleInputs);
 }
 
+TEST(LearnedSketch, SaysWhatLiesBesideTheDomain) {
+  const GridFrame frame = GridFrame::centred(40, 30, 10);
+  SketchParams params;
+  params.heights = {{0, 0, 500}, {5000, 0, 500}};
+  std::string said;
+  RunContext run;
+  run.note = [&](const std::string& line) { said += line + "\n"; };
+  map_of({}, params, frame, run);
+  EXPECT_NE(said.find("1 of 2 lines and heights"), std::string::npos) << said;
+  params.heights.erase(params.heights.begin());
+  EXPECT_THROW(map_of({}, params, frame, run), InvalidArgument);
+  const ScalarField erase(frame, 1.0F);
+  SketchInputs inputs;
+  inputs.erase = &erase;
+  EXPECT_THROW(map_of(inputs, {}, frame, run), InvalidArgument);
+}
+
+TEST(LearnedSketch, AHoleInAPlainIsFilledAtThePlainsScale) {
+  HeightField plain(GridFrame::centred(80, 60, 90), 200.0F);
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 0; x < 80; ++x) plain(x, y) += 3 * std::sin(0.2F * static_cast<float>(x)) + static_cast<float>(y) / 20;
+  }
+  for (int y = 20; y < 40; ++y) {
+    for (int x = 20; x < 50; ++x) plain(x, y) = kNone;
+  }
+  SketchInputs inputs;
+  inputs.terrain = &plain;
+  const SketchMap map = map_of(inputs, {}, plain.frame(), {});
+  EXPECT_LT(map.relief_m, 15);
+  const HeightField filled = sketch(inputs, {}, network_of(kSketchPlanes), plain.frame(), Seed{1}, {});
+  for (const float z : filled.cells()) EXPECT_NEAR(z, 202, 25);
+}
+
 TEST(LearnedSketch, AnAbsentKindIsAnEmptyPlane) {
   SketchMap map;
   map.frame = GridFrame::centred(20, 20, 60);

@@ -19,6 +19,7 @@
 namespace seamount::train {
 namespace {
 
+constexpr int kMostLost = 20;       ///< steps without finite gradients
 constexpr double kAverage = 0.998;  ///< of the moving average, a step
 
 /// What one thread computes of a step: samples of its own, with libtorch serial, so that threads meet twice a step
@@ -128,7 +129,7 @@ class Trainer {
     out.roughness = spectrum.distance();
     out.score = out.coarse_error + 0.02 * out.roughness;
     if (!files_.pictures.empty())
-      write_sample_picture(shown, results,
+      write_sample_picture(shown, task_.name() == "sketch", results,
                            files_.pictures + "/" + task_.name() + "_" + std::to_string(state_.samples) + ".jpg");
     const bool better = state_.best.samples == 0 || out.score < state_.best.score ||
                         (critic_strength() > 0 && state_.best.samples <= params_.critic_from);
@@ -222,7 +223,11 @@ class Trainer {
       gradients.push_back(sum);
     }
     norm = std::sqrt(norm);
-    if (!std::isfinite(norm)) return;
+    if (!std::isfinite(norm)) {
+      if (++lost_ == kMostLost) throw Error("the training diverged: gradients are not finite; a lower rate may help");
+      return;
+    }
+    lost_ = 0;
     const double shrink = std::min(1.0, 1.0 / (norm + 1e-12));
     size_t i = 0;
     for (auto& [name, tensor] : tensors) {
@@ -248,6 +253,7 @@ class Trainer {
   torch::Device device_;
   torch::ScalarType type_ = torch::kFloat32;
   TrainingState state_;
+  int lost_ = 0;  ///< steps in a row without finite gradients
 };
 
 std::string line_of(const Check& c) {
