@@ -7,6 +7,7 @@ A source that passed is not looked at again until it, a header of ours that it i
 import argparse
 import concurrent.futures
 import hashlib
+import json
 import os
 import pathlib
 import re
@@ -40,6 +41,11 @@ def git(*arguments):
     return done.stdout.split() if done.returncode == 0 else []
 
 
+def compiled():
+    """Sources that build/sanitize compiles: not those that need libtorch."""
+    return {pathlib.Path(entry["file"]) for entry in json.loads((ROOT / "build/sanitize/compile_commands.json").read_text())}
+
+
 def changed():
     """Sources that the last commit changed, and what is not committed; a header stands for its source."""
     names = git("diff", "--name-only", "HEAD~1", "--", "src") + git("ls-files", "-o", "--exclude-standard", "--", "src")
@@ -60,7 +66,7 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--changed", action="store_true", help="only sources that differ from the commit before the last")
     only_changed = options.parse_args().changed
-    sources = {path for path in SOURCE.rglob("*.cpp") if not path.stem.endswith("_test")}
+    sources = {path for path in SOURCE.rglob("*.cpp") if not path.stem.endswith("_test")} & compiled()
     if only_changed:
         sources &= changed()
     PASSED.mkdir(parents=True, exist_ok=True)

@@ -31,10 +31,10 @@ Mix draw_mix(Rng& rng) {
   Mix mix;
   const double kind = rng.uniform();
   if (kind < 0.05) return mix;
-  if (kind < 0.20) {
+  if (kind < 0.28) {
     mix.known = Mix::mostly;
     if (rng.chance(0.6)) return mix;
-  } else if (kind < 0.30) {
+  } else if (kind < 0.40) {
     mix.known = Mix::patches;
   }
   mix.river = rng.chance(0.6);
