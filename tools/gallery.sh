@@ -43,14 +43,13 @@ cp "$made/guide/view.png" docs/gallery/guide_canyon.png
 cp "$made/guide/inside.png" docs/gallery/guide_canyon_inside.png
 cp "$made/guide/chain.png" docs/gallery/guide_chain.png
 ./run run recipes/guide/dem.json --out "$made/dem" --no-cache
-./run run recipes/contours/volcano.json --out "$made/dem/volcano" --size 200 --no-cache
-./run contour.pattern --contours "$made/dem/volcano/contours.gpkg" --within '[[[-1500,-1500],[1500,-1500],[1500,1500],[-1500,1500]]]' --out "$made/dem"
 ./run new guide/crater --out "$made/dem"
 ./run run "$made/dem/crater.json" --out "$made/dem" --no-cache
 cp "$made/dem/view.png" docs/gallery/guide_crater.png
-./run island.build --coast data/painted_island.png --domain 30000 --size 1000 --peak_m 900 --out "$made/painted"
-./run island.coral --terrain "$made/painted/terrain.tif" --labels "$made/painted/labels.png" --coordinate "$made/painted/coordinate.tif" --out "$made/painted/reef"
-./run render "$made/painted/reef/terrain.tif" --labels "$made/painted/reef/labels.png" --out docs/gallery/guide_painted.png
+for recipe in painted first; do
+  ./run run "recipes/guide/$recipe.json" --out "$made/guide/$recipe" --no-cache
+  cp "$made/guide/$recipe/view.png" "docs/gallery/guide_$recipe.png"
+done
 mv docs/gallery/erosion_worn_island.png docs/gallery/worn_island.png
 cp "$made"/{stone,desert,volcano}.png docs/gallery/
 cp "$made"/view.png docs/gallery/kauai.png

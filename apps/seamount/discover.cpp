@@ -130,9 +130,10 @@ void make_new(const std::string& name, const std::string& folder) {
   const std::string up = recipe->file.find('/') == std::string_view::npos ? "../" : "../../";
   for (const Example& data : example_files()) {
     const std::string reference = up + "data/" + std::string(data.file);
-    const size_t at = text.find(reference);
+    size_t at = text.find(reference);
     if (at == std::string::npos) continue;
-    text.replace(at, reference.size(), data.file);
+    for (; at != std::string::npos; at = text.find(reference, at + data.file.size()))
+      text.replace(at, reference.size(), data.file);
     if (!fs::exists(fs::path(folder) / data.file)) write_new_file(fs::path(folder) / data.file, data.content);
   }
   write_new_file(fs::path(folder) / fs::path(recipe->file).filename(), text);

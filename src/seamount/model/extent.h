@@ -6,6 +6,7 @@
 #include <string>
 
 #include "seamount/base/text.h"
+#include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 
 namespace seamount {
@@ -18,6 +19,8 @@ struct Extent {
     return {frame.crs, frame.west_m, frame.south_m(), frame.east_m(), frame.north_m};
   }
 
+  Vec2 middle() const { return {0.5 * (west + east), 0.5 * (south + north)}; }
+  bool contains(Vec2 place) const { return place.x >= west && place.x <= east && place.y >= south && place.y <= north; }
   /// REQUIRES: the same system.
   bool overlaps(const Extent& other) const {
     return west <= other.east && east >= other.west && south <= other.north && north >= other.south;
@@ -29,6 +32,15 @@ struct Extent {
     north = std::max(north, other.north);
   }
 };
+
+/// "x 500000 m, y 3100000 m", to the metre; near the origin to the centimetre.
+inline std::string metres_text(Vec2 place) {
+  const auto metres = [](double value) {
+    const double unit = std::abs(value) < 1000 ? 100 : 1;
+    return format_number(std::round(value * unit) / unit + 0.0);
+  };
+  return "x " + metres(place.x) + " m, y " + metres(place.y) + " m";
+}
 
 /// "x 500000 to 510240 m, y 3100000 to 3110240 m in EPSG:32627", to the metre.
 inline std::string extent_text(const Extent& extent) {

@@ -72,7 +72,7 @@ TEST(Bypass, OptionalInputsAreLeftOpenAndRequiredOnesAreMissed) {
       R"({"id": "worn", "op": "island.wind", "bypass": true, "in": {"terrain": "isle.terrain", "labels": "isle.labels"}}, )"
       R"({"id": "reef", "op": "island.coral", "in": {"terrain": "worn.terrain", "labels": "worn.labels", "coordinate": "worn.coordinate"}})";
   EXPECT_EQ(parse(kIsle + open).steps[1].in.count("coordinate"), 0U);
-  const std::string bare = R"({"id": "worn", "op": "island.wind", "bypass": true})";
+  const std::string bare = R"({"id": "worn", "op": "island.wind", "bypass": true, "in": {}})";
   EXPECT_EQ(defect(kIsle + bare + ", " + kReef),
             "/steps/2/in/labels: island.coral needs the input 'labels': 'worn.labels' is bypassed, and its input "
             "'labels' is open");

@@ -259,7 +259,7 @@ class Editor {
   /// Writes out "in": "isle" of a step.
   void write_out_inputs(const std::string& step_pointer) {
     const OrderedJson& step = *reach(root_, step_pointer).value;
-    if (step.contains("in") && step["in"].is_string())
+    if (step.contains("in") && (step["in"].is_string() || step["in"].is_array()))
       change_value(step_pointer + "/in", written_out_inputs(root_, step, registry_));
   }
 
@@ -267,8 +267,10 @@ class Editor {
   void write_out_shorthand(const std::string& id) {
     write_out_inputs(step_pointer(id));
     for_each_reference(id, [&](const std::string& place, const std::string&) {
-      if (place.ends_with("/in") && std::count(place.begin(), place.end(), '/') == 3)
-        write_out_inputs(place.substr(0, place.rfind('/')));
+      const std::vector<std::string> tokens = tokens_of(place);
+      if (tokens[0] != "steps" || tokens[2] != "in") return;
+      const std::string step = "/steps/" + tokens[1];
+      if (tokens.size() == 3 || reach(root_, step).value->at("in").is_array()) write_out_inputs(step);
     });
     for_each_reference(id, [&](const std::string& place, const std::string& port) {
       if (!port.empty()) return;
@@ -308,11 +310,13 @@ class Editor {
       for (size_t i = 0; items != root_.end() && i < items->size(); ++i) {
         const OrderedJson& item = (*items)[i];
         const std::string place = fmt::format("/{}/{}", list, i);
-        for (const char* key : {"labels", "from"}) {
+        for (const char* key : {"labels", "from", "rivers", "lake"}) {
           if (item.is_object() && item.contains(key)) look(item[key], place + "/" + key);
         }
         if (!item.is_object() || !item.contains("in")) continue;
         look(item["in"], place + "/in");
+        for (size_t k = 0; item["in"].is_array() && k < item["in"].size(); ++k)
+          look(item["in"][k], fmt::format("{}/in/{}", place, k));
         if (!item["in"].is_object()) continue;
         for (const auto& [port, source] : item["in"].items()) look(source, place + "/in/" + pointer_token(port));
       }

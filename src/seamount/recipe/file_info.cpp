@@ -15,8 +15,8 @@ io::FileInfo describe_file(const std::string& path, const Registry& registry) {
     if (!kind->info) continue;
     if (auto told = kind->info(path)) {
       told->insert(told->begin(), {"file", path});
-      const io::FileInfo peaks = describe_peaks(path);
-      told->insert(told->end(), peaks.begin(), peaks.end());
+      const io::FileInfo more = describe_terrain(path);
+      told->insert(told->end(), more.begin(), more.end());
       return *told;
     }
     known.insert(known.end(), kind->reads.begin(), kind->reads.end());

@@ -1,8 +1,10 @@
 #include "seamount/recipe/file_values.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
+#include "seamount/base/text.h"
 #include "seamount/geom/grid/painted_labels.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
@@ -24,6 +26,19 @@ PaintedPicture decode_picture(const std::string& path, const io::PlacedImage& pi
   }
 }
 
+/// A picture lies over all of the domain, whatever its shape.
+void say_stretched(const std::string& path, const io::PlacedImage& picture, const RunContext& run) {
+  const GridFrame& frame = picture.frame;
+  const double stretch = static_cast<double>(picture.image.width) / std::max(1, picture.image.height) *
+                         static_cast<double>(frame.height) / frame.width;
+  constexpr double kSameShape = 0.01;
+  if (std::abs(stretch - 1.0) <= kSameShape) return;
+  run.say(path + ": its " + std::to_string(picture.image.width) + " x " + std::to_string(picture.image.height) +
+          " pixels lie over all of the domain, which is of another shape: what is painted is drawn out by " +
+          format_number(std::round(100 * (std::max(stretch, 1 / stretch) - 1))) + " % " +
+          (stretch < 1 ? "from west to east" : "from south to north"));
+}
+
 }  // namespace
 
 bool is_picture(const std::string& path) {
@@ -33,7 +48,9 @@ bool is_picture(const std::string& path) {
 
 PaintedPicture read_painted_picture(const std::string& path, const GridFrame& domain, const RunContext& run) {
   if (std::filesystem::exists(io::sidecar_path(path))) return decode_picture(path, io::read_placed_image(path), run);
-  return decode_picture(path, {io::read_image(path), domain}, run);
+  io::PlacedImage picture{io::read_image(path), domain};
+  say_stretched(path, picture, run);
+  return decode_picture(path, picture, run);
 }
 
 LabelMap read_label_picture(const std::string& path, const GridFrame& domain, const RunContext& run) {

@@ -87,6 +87,12 @@ void read_json(const Json& json, Vec2& value, const ReadPlace& place) {
   read_pair(json, value.x, value.y, "a point [x, y] in metres", place);
 }
 
+void read_json(const Json& json, std::optional<Vec2>& value, const ReadPlace& place) {
+  if (json.is_null()) return value.reset();
+  Vec2 given;
+  if (read_pair(json, given.x, given.y, "a point [x, y] in metres (or null: derived)", place)) value = given;
+}
+
 void read_json(const Json& json, Knot& value, const ReadPlace& place) {
   read_pair(json, value.x, value.y, "a knot [x, y]", place);
 }
@@ -192,6 +198,7 @@ Json write_json(const ModelFile& value) { return value.name; }
 Json write_json(const Colour& value) { return fmt::format("#{:02x}{:02x}{:02x}", value.r, value.g, value.b); }
 Json write_json(const std::optional<double>& value) { return value ? write_json(*value) : Json(nullptr); }
 Json write_json(const Vec2& value) { return {write_json(value.x), write_json(value.y)}; }
+Json write_json(const std::optional<Vec2>& value) { return value ? write_json(*value) : Json(nullptr); }
 Json write_json(const Knot& value) { return {write_json(value.x), write_json(value.y)}; }
 Json write_json(const Curve& value) { return write_json(value.knots); }
 

@@ -32,6 +32,7 @@ void read_json(const Json& json, ModelFile& value, const ReadPlace& place);
 void read_json(const Json& json, Colour& value, const ReadPlace& place);
 void read_json(const Json& json, std::optional<double>& value, const ReadPlace& place);
 void read_json(const Json& json, Vec2& value, const ReadPlace& place);
+void read_json(const Json& json, std::optional<Vec2>& value, const ReadPlace& place);
 void read_json(const Json& json, Knot& value, const ReadPlace& place);
 void read_json(const Json& json, Curve& value, const ReadPlace& place);
 void read_json(const Json& json, Stroke& value, const ReadPlace& place);
@@ -49,6 +50,7 @@ Json write_json(const ModelFile& value);
 Json write_json(const Colour& value);
 Json write_json(const std::optional<double>& value);
 Json write_json(const Vec2& value);
+Json write_json(const std::optional<Vec2>& value);
 Json write_json(const Knot& value);
 Json write_json(const Curve& value);
 Json write_json(const Stroke& value);
@@ -138,7 +140,7 @@ constexpr std::string_view param_kind() {
     return "files";
   else if constexpr (std::is_same_v<T, Colour>)
     return "colour";
-  else if constexpr (std::is_same_v<T, Vec2>)
+  else if constexpr (std::is_same_v<T, Vec2> || std::is_same_v<T, std::optional<Vec2>>)
     return "point";
   else if constexpr (std::is_same_v<T, Curve>)
     return "curve";

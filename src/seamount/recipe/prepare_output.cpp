@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "seamount/recipe/kinds.h"
+#include "seamount/recipe/shorthand.h"
 
 namespace seamount::recipe {
 namespace {
@@ -31,6 +32,10 @@ void report_no_format(const Registry& registry, const Kind& kind, const std::opt
   }
   if (as) {
     place.at("as").fail(fmt::format("'{}' is no way to write {}{}", *as, kind.name, suggestion(*as, names)));
+  } else if (const auto ways = ways_by_name(registry, path, kind);
+             !ways.empty() && std::filesystem::path(path).has_extension()) {
+    place.at("path").fail(fmt::format("'{}' does not say how to write {}: add \"as\": \"{}\"", path, kind.name,
+                                      fmt::join(ways, "\", or \"")));
   } else if (names.size() == 1) {
     place.at("path").fail(fmt::format("'{}' is written to {}, not to '{}'", names.front(),
                                       written_to(*registry.find_format(names.front())), path));
@@ -56,7 +61,8 @@ Step preparing_step(const Recipe& recipe, const Output& output, const Preparatio
   return step;
 }
 
-/// The id of the step that does what `step` does: one that is there already, or `step`, added.
+}  // namespace
+
 std::string add_once(std::vector<Step>& steps, Step step) {
   const auto same = std::find_if(steps.begin(), steps.end(), [&](const Step& other) {
     return other.op == step.op && !step.op->stochastic && other.in == step.in && other.params == step.params;
@@ -65,8 +71,6 @@ std::string add_once(std::vector<Step>& steps, Step step) {
   steps.push_back(std::move(step));
   return steps.back().id;
 }
-
-}  // namespace
 
 std::string written_to(const OutputFormat& format) {
   const std::string list = fmt::format("{}", fmt::join(format.extensions, ", "));
@@ -89,13 +93,16 @@ bool choose_format(const Registry& registry, const Kind& kind, const std::option
 }
 
 void prepare_output(Recipe& recipe, Output& output, const Kind& kind, const std::optional<Source>& labels,
-                    const ReadPlace& place) {
+                    const std::map<std::string, Source>& drawn, const ReadPlace& place) {
   const OutputFormat& format = *output.format;
   output.files = format.files ? format.files(output.params, kind, output.path) : std::vector{output.path};
   if (!format.prepare) return;
   const Output written = output;
   for (const Preparation& wanted : format.prepare(output.params, kind, output.path)) {
-    const std::string id = add_once(recipe.steps, preparing_step(recipe, written, wanted, kind, labels, place));
+    Step step = preparing_step(recipe, written, wanted, kind, labels, place);
+    for (const auto& [input, source] : drawn)
+      if (wanted.name.empty()) step.in[input] = source;
+    const std::string id = add_once(recipe.steps, std::move(step));
     (wanted.name.empty() ? output.from : output.prepared[wanted.name]) = Source{id, wanted.port, ""};
   }
 }

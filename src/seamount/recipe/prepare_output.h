@@ -1,6 +1,7 @@
 // What an output of a recipe is written as, and what must be made first. Not part of the public interface.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -16,10 +17,14 @@ std::string written_to(const OutputFormat& format);
 bool choose_format(const Registry& registry, const Kind& kind, const std::optional<std::string>& as, Output& output,
                    const ReadPlace& place);
 
+/// The id of the step that does what `step` does: one that is there already, or `step`, added.
+std::string add_once(std::vector<Step>& steps, Step step);
+
 /// Fills in output.files, and adds the steps that make of the value what is written, unless the recipe has some already
-/// that make the same; output.from and output.prepared are then theirs. `labels` go with a terrain. REQUIRES: format,
+/// that make the same; output.from and output.prepared are then theirs. `labels` go with a terrain, `drawn` to
+/// the inputs of these names. REQUIRES: format,
 /// params and from are known.
 void prepare_output(Recipe& recipe, Output& output, const Kind& kind, const std::optional<Source>& labels,
-                    const ReadPlace& place);
+                    const std::map<std::string, Source>& drawn, const ReadPlace& place);
 
 }  // namespace seamount::recipe

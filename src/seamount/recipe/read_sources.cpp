@@ -69,6 +69,13 @@ std::string outputs_text(const Step& step) {
 const Port* read_meant_output(const DraftStep& draft, const ReadPlace& place, const SourceUse& use) {
   const Port* port = meant_output(*draft.step.op, use.input, use.kinds);
   if (port != nullptr) return port;
+  if (use.input.empty() && !use.kinds.empty()) port = meant_written(*draft.step.op, use.kinds);
+  if (port != nullptr) {
+    if (use.said)
+      place.note(fmt::format("'{0}' means {0}.{1}, its first; it has {2}", draft.step.id, port->name,
+                             outputs_text(draft.step)));
+    return port;
+  }
   place.fail(fmt::format("which output of '{}'?{} {}", draft.step.id,
                          use.kinds.empty() || use.kinds.size() > 4 ? "" : " " + kinds_text(use.kinds) + " is needed;",
                          "it has " + outputs_text(draft.step)));
@@ -99,6 +106,46 @@ void connect_whole(DraftStep& draft, const std::string& text, const ReadPlace& p
     return place.fail(
         fmt::format("for which input of {} is '{}'? They are {}", op.name, text, fmt::join(inputs, ", ")));
   draft.step.in[input->name] = *source;
+}
+
+/// "in": ["step", "step"]: one row of inputs each.
+void connect_rows(DraftStep& draft, const Json& in, const ReadPlace& place, const std::vector<DraftStep>& drafts) {
+  const Operator& op = *draft.step.op;
+  const int rows = count_rows(op);
+  if (rows == 0) return place.fail(op.name + " takes no list of steps: name its inputs, or one step");
+  if (static_cast<int>(in.size()) > rows)
+    return place.fail(fmt::format("{} steps; {} takes {} at most", in.size(), op.name, rows));
+  for (size_t i = 0; i < in.size(); ++i) {
+    if (!in[i].is_string()) {
+      place.at(i).expected("a step", in[i]);
+      continue;
+    }
+    const DraftStep* producer = read_step_id(in[i].get<std::string>(), drafts, place.at(i));
+    if (producer == nullptr) continue;
+    const auto pairs = row_connections(op, *producer->step.op, static_cast<int>(i));
+    for (const auto& [input, output] : pairs) draft.step.in[input->name] = {producer->step.id, output->name, ""};
+    if (pairs.empty())
+      place.at(i).fail(fmt::format("no output of '{}' has the name and kind of an input of {}: it has {}",
+                                   producer->step.id, op.name, outputs_text(producer->step)));
+  }
+}
+
+/// The step before `draft`, which an operator that needs an input takes where no "in" is written.
+const DraftStep* step_before(const DraftStep& draft, const std::vector<DraftStep>& drafts) {
+  const std::vector<Port>& in = draft.step.op->in;
+  const bool required = std::any_of(in.begin(), in.end(), [](const Port& port) { return port.required; });
+  if (!required && !draft.step.op->needs_one) return nullptr;
+  const auto at = std::find_if(drafts.begin(), drafts.end(), [&](const DraftStep& other) { return &other == &draft; });
+  if (at == drafts.begin() || at == drafts.end()) return nullptr;
+  const DraftStep& before = *std::prev(at);
+  return before.step.op == nullptr || meant_connections(*draft.step.op, *before.step.op).empty() ? nullptr : &before;
+}
+
+void connect_before(DraftStep& draft, const DraftStep& before) {
+  for (const auto& [input, output] : meant_connections(*draft.step.op, *before.step.op)) {
+    if (draft.step.op->needs_one && !draft.step.in.empty()) break;
+    draft.step.in[input->name] = {before.step.id, output->name, ""};
+  }
 }
 
 }  // namespace
@@ -167,12 +214,16 @@ void connect_inputs(DraftStep& draft, const std::vector<DraftStep>& drafts, Diag
   const Operator* op = draft.step.op;
   if (op == nullptr) return;
   static const Json kNothing = Json::object();
-  const bool whole = draft.in != nullptr && draft.in->is_string();
+  const bool whole = draft.in != nullptr && (draft.in->is_string() || draft.in->is_array());
+  if (draft.in == nullptr) {
+    if (const DraftStep* before = step_before(draft, drafts)) connect_before(draft, *before);
+  }
   const Json& in = draft.in == nullptr || whole ? kNothing : *draft.in;
   const ReadPlace place = draft.place.at("in");
-  if (!in.is_object()) return place.expected("an object of inputs, or a step", in);
+  if (!in.is_object()) return place.expected("an object of inputs, a step, or a list of steps", in);
   const size_t before = place.diagnostics.items().size();
-  if (whole) connect_whole(draft, draft.in->get<std::string>(), place, drafts);
+  if (whole && draft.in->is_array()) connect_rows(draft, *draft.in, place, drafts);
+  if (whole && draft.in->is_string()) connect_whole(draft, draft.in->get<std::string>(), place, drafts);
   if (whole && place.diagnostics.items().size() > before) return;
   std::vector<std::string> names;
   for (const Port& port : op->in) {

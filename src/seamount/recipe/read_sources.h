@@ -26,6 +26,7 @@ std::optional<std::string> text_member(const Json& object, const std::string& ke
 struct SourceUse {
   std::vector<const Kind*> kinds;  ///< those that fit; none: any
   std::string input;               ///< of an input: its name
+  bool said = true;                ///< false: the recipe does not state the source, and no note explains it
 };
 
 /// Reads "step.port", "step" or {"file": name}, checks that it exists and fits.

@@ -10,6 +10,7 @@
 #include "seamount/recipe/domain.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/output_files.h"
+#include "seamount/recipe/output_water.h"
 #include "seamount/recipe/prepare_output.h"
 #include "seamount/recipe/read_sources.h"
 #include "seamount/recipe/shorthand.h"
@@ -175,6 +176,20 @@ class RecipeReader {
     if (recipe_.outputs.size() == outputs->size()) check_outputs_apart(recipe_.outputs, top_.at("outputs"));
   }
 
+  /// Kinds that an output may be; where its step has none that the file's ending asks for, those that "as" would name.
+  std::vector<const Kind*> wanted_kinds(const Json& from, const std::string& path,
+                                        const std::optional<std::string>& as) const {
+    std::vector<const Kind*> kinds = written_kinds(registry_, path, as);
+    const DraftStep* draft = as || !from.is_string() ? nullptr : find_draft(from.get<std::string>());
+    if (draft == nullptr || draft->step.op == nullptr) return kinds;
+    const std::vector<Port>& ports = draft->step.op->out;
+    const bool fits = std::any_of(ports.begin(), ports.end(), [&](const Port& port) {
+      return std::find(kinds.begin(), kinds.end(), port.kind) != kinds.end();
+    });
+    const std::vector<const Kind*> named = fits ? std::vector<const Kind*>{} : kinds_by_name(registry_, path);
+    return named.empty() ? kinds : named;
+  }
+
   bool read_output(const Json& json, const ReadPlace& place, Output& output) {
     if (!json.is_object()) {
       place.expected("an output {\"from\", \"path\"}", json);
@@ -182,13 +197,14 @@ class RecipeReader {
     }
     const auto path = text_member(json, "path", place, true);
     const auto as = text_member(json, "as", place, false);
-    const auto from = json.find("from");
-    if (from == json.end()) {
+    const auto written = json.find("from");
+    if (written == json.end() && drafts_.empty()) {
       place.fail("\"from\" is missing");
       return false;
     }
-    const auto source =
-        read_source(*from, place.at("from"), {written_kinds(registry_, path.value_or(""), as), ""}, drafts_);
+    const Json from = written == json.end() ? Json(drafts_.back().step.id) : *written;
+    const auto source = read_source(from, place.at("from"),
+                                    {wanted_kinds(from, path.value_or(""), as), "", written != json.end()}, drafts_);
     if (!path || !source || (json.contains("as") && !as)) return false;
     const std::filesystem::path relative = std::filesystem::path(*path).lexically_normal();
     if (relative.is_absolute() || relative.string().starts_with("..")) {
@@ -206,12 +222,16 @@ class RecipeReader {
     const Kind& kind = *find_draft(source->step)->step.op->find_out(source->port)->kind;
     if (!choose_format(registry_, kind, as, output, place)) return false;
     const std::optional<Source> labels = labels_for(json, *followed, place);
+    const std::vector<std::string> waters = waters_of(registry_, *output.format);
+    OutputWater water = read_water(json, waters, place, drafts_);
+    for (auto& [input, given] : water.given) given = follow_for_output(given, place.at(input)).value_or(given);
     Json params = json;
     for (const char* key : {"from", "path", "as", "labels", "about"}) params.erase(key);
+    for (const std::string& key : waters) params.erase(key);
     const size_t before = place.diagnostics.items().size();
     output.params = output.format->complete(params, place);
     if (place.diagnostics.items().size() > before) return true;
-    prepare_output(recipe_, output, kind, labels, place);
+    prepare_output(recipe_, output, kind, labels, add_water(recipe_, output, water, place), place);
     return true;
   }
 

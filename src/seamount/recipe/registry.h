@@ -55,7 +55,8 @@ struct Operator {
   std::string summary;  ///< one line: what it makes
   std::string source;   ///< paper and section
   bool stochastic = false;
-  bool cached = true;  ///< false: made faster than read back
+  bool cached = true;      ///< false: made faster than read back
+  bool needs_one = false;  ///< one of its inputs is needed, whichever, though none is required alone
 
   // Filled in by Registry::add from the typed ports and the field table.
   std::vector<Port> in;

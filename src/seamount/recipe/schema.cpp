@@ -1,4 +1,5 @@
 #include "seamount/recipe/domain.h"
+#include "seamount/recipe/output_water.h"
 #include "seamount/recipe/recipe.h"
 
 namespace seamount::recipe {
@@ -60,28 +61,33 @@ Json step_schema(const Operator& op) {
         {"seed", {{"type", "integer"}, {"minimum", 0}}},
         {"bypass", {{"type", "boolean"}, {"description", "leave the step out: what it would be given is passed on"}}},
         {"in",
-         {{"type", {"object", "string"}},
+         {{"type", {"object", "string", "array"}},
+          {"items", {{"type", "string"}}},
           {"pattern", kSource},
-          {"description", "inputs, or a step whose outputs go to the inputs of the same names"},
+          {"description",
+           "inputs, or a step whose outputs go to the inputs of the same names; left out: the step before"},
           {"properties", in},
           {"required", required},
           {"additionalProperties", false}}},
         {"params", params_schema(op.params)}}},
       {"required", {"id", "op"}},
       {"additionalProperties", false}};
-  if (!required.empty()) schema["required"].push_back("in");
   return schema;
 }
 
-Json output_schema(const OutputFormat& format) {
+Json output_schema(const Registry& registry, const OutputFormat& format) {
   Json schema = params_schema(format.params);
   schema["description"] = format.summary;
   schema["properties"]["from"] = source_schema();
   schema["properties"]["labels"] = source_schema();
+  for (const std::string& water : waters_of(registry, format))
+    schema["properties"][water] = {
+        {"type", {"string", "object", "boolean"}},
+        {"description", "drawn in the picture: a step's, or true or parameters: found in the terrain"}};
   schema["properties"]["about"] = {{"type", "string"}};
   schema["properties"]["path"] = {{"type", "string"}};
   schema["properties"]["as"] = {{"const", format.name}};
-  schema["required"] = {"from", "path"};
+  schema["required"] = {"path"};
   if (format.claims.empty()) schema["required"].push_back("as");
   return schema;
 }
@@ -92,7 +98,7 @@ Json recipe_schema(const Registry& registry) {
   Json steps = Json::array();
   for (const auto& op : registry.operators()) steps.push_back(step_schema(*op));
   Json outputs = Json::array();
-  for (const auto& format : registry.formats()) outputs.push_back(output_schema(*format));
+  for (const auto& format : registry.formats()) outputs.push_back(output_schema(registry, *format));
   return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
           {"title", "Seamount recipe"},
           {"type", "object"},

@@ -11,6 +11,7 @@
 #include "seamount/io/projection.h"
 #include "seamount/io/raster.h"
 #include "seamount/ops/hydrology/peaks.h"
+#include "seamount/recipe/degrees.h"
 #include "seamount/recipe/file_values.h"
 
 namespace seamount::recipe {
@@ -59,14 +60,16 @@ std::string region_at(const std::string& file, const GridFrame& frame, Vec2 plac
   return std::string(region_name(cell_at(labels, place)));
 }
 
-}  // namespace
+/// Where a frame lies: its sides in metres, and in degrees.
+io::FileInfo sides_of(const GridFrame& frame) {
+  io::FileInfo info;
+  info.emplace_back("covers", fmt::format("x {} to {} m, y {} to {} m", tenths(frame.west_m), tenths(frame.east_m()),
+                                          tenths(frame.south_m()), tenths(frame.north_m)));
+  if (!frame.crs.empty()) info.emplace_back("on the globe", degrees_text(frame));
+  return info;
+}
 
-io::FileInfo describe_peaks(const std::string& path) {
-  if (!io::holds_heights(path)) return {};
-  if (const io::RasterInfo raster = io::raster_info(path);
-      static_cast<size_t>(raster.width) * static_cast<size_t>(raster.height) > kMostCells)
-    return {};
-  HeightField terrain = io::read_heights(path);
+io::FileInfo peaks_of(HeightField terrain) {
   float lowest = INFINITY, highest = -INFINITY;
   for (const float height : terrain.cells())
     if (std::isfinite(height)) lowest = std::min(lowest, height), highest = std::max(highest, height);
@@ -84,6 +87,20 @@ io::FileInfo describe_peaks(const std::string& path) {
     if (!frame.crs.empty()) line += " (" + lonlat_text(place, frame.crs) + ")";
     info.emplace_back(fmt::format("peak {}", i + 1), line + ", prominence " + tenths(peaks[i].prominence_m) + " m");
   }
+  return info;
+}
+
+}  // namespace
+
+io::FileInfo describe_terrain(const std::string& path) {
+  if (!io::holds_heights(path)) return {};
+  if (const io::RasterInfo raster = io::raster_info(path);
+      static_cast<size_t>(raster.width) * static_cast<size_t>(raster.height) > kMostCells)
+    return {};
+  HeightField terrain = io::read_heights(path);
+  io::FileInfo info = sides_of(terrain.frame());
+  const io::FileInfo peaks = peaks_of(std::move(terrain));
+  info.insert(info.end(), peaks.begin(), peaks.end());
   return info;
 }
 

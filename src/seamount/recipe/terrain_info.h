@@ -1,4 +1,4 @@
-// What a terrain file is like at places: its highest peaks, and what lies at one that is asked for.
+// What a terrain file is like at places: where it lies, its highest peaks, and what lies at one that is asked for.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace seamount::recipe {
 
-/// Up to five peaks of a file of heights, the highest first: height, place, and by how much it rises over the highest
-/// pass to higher ground (at least a fiftieth of the relief). Nothing for other files, those of over 25 million cells,
-/// and without a peak over the sea. Throws IoError. Linear, and n log n in the passes.
-io::FileInfo describe_peaks(const std::string& path);
+/// What a file of heights covers, in metres of its system and in degrees where it has one; and up to five peaks, the
+/// highest first: height, place, and by how much it rises over the highest pass to higher ground (at least a fiftieth
+/// of the relief); none without a peak over the sea. Nothing for other files and those of over 25 million cells. Throws
+/// IoError. Linear, and n log n in the passes.
+io::FileInfo describe_terrain(const std::string& path);
 
 /// A place of a raster, in metres as its frame, or in degrees on WGS 84.
 struct Asked {

@@ -188,6 +188,7 @@ Rgb Scene::river_light(Vec3 place, Vec3 direction, float footprint, const Ground
   water.footprint = footprint;
   water.depth = kRiverDepth_m;
   water.shelter = 1.0F;
+  water.glint = 0.2F;
   water.sun = ground.form.sun;
   water.sky = ground.cover.sky;
   water.floor = river_bed();

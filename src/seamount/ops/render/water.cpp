@@ -93,7 +93,7 @@ Rgb water_light(const WaterPoint& p, const Sky& sky, float clarity) {
   reflected.z = std::max(0.06F, reflected.z + 0.10F);  // the mean over waves looks higher
   Rgb light = (1.0F - mirror) * (body(p.floor, path, clarity) * down) +
               (mirror * (0.4F + 0.6F * p.sky)) * sky.radiance(normalised(reflected));
-  light += (p.sun * sun_glint(p.to_eye, normal, sun, variance)) * sky.sun_light();
+  light += (p.glint * p.sun * sun_glint(p.to_eye, normal, sun, variance)) * sky.sun_light();
   return mix(light, kFoam * down, p.foam);
 }
 

@@ -21,6 +21,7 @@ struct WaterPoint {
   float sun = 1.0F, sky = 1.0F;
   float foam = 0.0F;     ///< share of the surface that is foam
   float shelter = 0.0F;  ///< 1 where neither swell nor long waves come
+  float glint = 1.0F;    ///< share of the sun's road: running water mirrors banks and breaks it up
 };
 
 /// Share of light that survives a path of that many metres in clear tropical water; clarity 2 doubles how far one sees.

@@ -64,8 +64,8 @@ HeightField crop(const HeightField& terrain, const CropParams& params, const Run
              y0 = static_cast<int>(std::max<int64_t>(0, rows.first)),
              y1 = static_cast<int>(std::min<int64_t>(frame.height - 1, rows.last));
   if (x1 < x0 || y1 < y0)
-    throw InvalidArgument("x_m", "the rectangle around (" + format_number(middle.x) + ", " + format_number(middle.y) +
-                                     ") lies beside the terrain, which covers " + extent_text(Extent::of(frame)));
+    throw InvalidArgument("x_m", "the rectangle around " + metres_text(middle) +
+                                     " lies beside the terrain, which covers " + extent_text(Extent::of(frame)));
   GridFrame part = frame;
   part.width = x1 - x0 + 1;
   part.height = y1 - y0 + 1;

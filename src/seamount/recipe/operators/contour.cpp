@@ -3,12 +3,14 @@
 
 #include "seamount/io/image_file.h"
 #include "seamount/io/vector.h"
+#include "seamount/model/extent.h"
 #include "seamount/ops/contour/edit/edit.h"
 #include "seamount/ops/contour/edit/pattern.h"
 #include "seamount/ops/contour/growth/choose_regions.h"
 #include "seamount/ops/contour/growth/rivers.h"
 #include "seamount/ops/contour/heights/heights.h"
 #include "seamount/ops/contour/refine/refine.h"
+#include "seamount/recipe/degrees.h"
 #include "seamount/recipe/file_values.h"
 #include "seamount/recipe/one_frame.h"
 #include "seamount/recipe/ports.h"
@@ -55,7 +57,21 @@ Tin refine(const contour::RefineParams& params, const Call& call, const Tin* tin
 ContourSet edit(const contour::EditParams& params, const Call& call, const ContourSet& contours,
                 const Drawing* pattern) {
   const auto read_file = [&call](const FilePath& file) { return io::read_drawing(call.resolve(file), {}, call.run); };
-  return contour::edit(contours, params, {pattern, read_file}, call.seed, call.run);
+  contour::EditParams placed = params;
+  for (size_t i = 0; i < placed.edits.size(); ++i) {
+    auto* paste = std::get_if<contour::PasteTool>(&placed.edits[i]);
+    if (paste == nullptr) continue;
+    const std::string name = "edits[" + std::to_string(i) + "].";
+    if (const auto place = place_in_metres({paste->longitude_deg, paste->latitude_deg}, paste->at.has_value(),
+                                           contours.frame, name, "at")) {
+      if (!Extent::of(contours.frame).contains(*place))
+        throw InvalidArgument(name + "longitude_deg", degrees_text(Vec2{*paste->longitude_deg, *paste->latitude_deg}) +
+                                                          " lies outside the domain, which covers " +
+                                                          degrees_text(contours.frame));
+      paste->at = place;
+    }
+  }
+  return contour::edit(contours, placed, {pattern, read_file}, call.seed, call.run);
 }
 
 void add_growth(Registry& registry) {
@@ -86,7 +102,8 @@ void add_growth(Registry& registry) {
        .revision = 3,
        .summary = "Makes a network finer pass by pass, between its own contours, which keep their places and heights",
        .source = "P2 sec. 6.6",
-       .stochastic = true},
+       .stochastic = true,
+       .needs_one = true},
       inputs(optional_in<kinds::Tin>("tin", "a network with heights"),
              optional_in<Contours>("contours", "or nested closed contours"),
              optional_in<Field>("probability", kProbability), optional_in<kinds::Drawing>("rivers", kRivers)),
@@ -100,12 +117,13 @@ void add_contour_operators(Registry& registry) {
   add_growth(registry);
   registry.add(make_operator<contour::EditParams>(
       {.name = "contour.edit",
-       .revision = 2,
+       .revision = 3,
        .summary = "Edits contours by a list of tools that can be replayed; they never come to cross",
        .source = "P2 sec. 5 and 6.6",
        .stochastic = true},
       inputs(in<Contours>("contours", kNested),
-             optional_in<kinds::Drawing>("pattern", "pasted where nothing was copied and no file is named")),
+             placed(Placing::anywhere,
+                    optional_in<kinds::Drawing>("pattern", "pasted where nothing was copied and no file is named"))),
       outputs(out<Contours>("contours", kNested)), edit));
   registry.add(make_operator<contour::PatternParams>(
       {.name = "contour.pattern",

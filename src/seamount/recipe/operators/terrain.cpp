@@ -1,8 +1,8 @@
 // Registration of the terrain family.
 #include "seamount/geom/solve/fill_voids.h"
 #include "seamount/io/join.h"
-#include "seamount/io/projection.h"
 #include "seamount/io/raster.h"
+#include "seamount/model/extent.h"
 #include "seamount/ops/terrain/blend.h"
 #include "seamount/ops/terrain/compose.h"
 #include "seamount/ops/terrain/crop.h"
@@ -14,6 +14,7 @@
 #include "seamount/ops/terrain/sea_floor.h"
 #include "seamount/ops/terrain/smooth.h"
 #include "seamount/ops/terrain/terrace.h"
+#include "seamount/recipe/degrees.h"
 #include "seamount/recipe/ports.h"
 
 namespace seamount::recipe {
@@ -196,15 +197,18 @@ void add_sampling(Registry& registry) {
 
 HeightField crop(const terrain::CropParams& params, const Call& call, const HeightField& terrain) {
   terrain::CropParams placed = params;
-  if (params.longitude_deg.has_value() != params.latitude_deg.has_value())
-    throw InvalidArgument(params.longitude_deg ? "latitude_deg" : "longitude_deg", "is missing: a place has both");
-  if (params.longitude_deg) {
-    if (params.x_m || params.y_m) throw InvalidArgument("longitude_deg", "contradicts x_m and y_m: give one place");
-    if (terrain.frame().crs.empty())
-      throw InvalidArgument("longitude_deg", "the terrain has no coordinate system; give x_m and y_m");
-    const Vec2 place = io::from_lonlat({{*params.longitude_deg, *params.latitude_deg}}, terrain.frame().crs).front();
-    placed.x_m = place.x;
-    placed.y_m = place.y;
+  const GridFrame& frame = terrain.frame();
+  const Degrees degrees{params.longitude_deg, params.latitude_deg};
+  const auto place = place_in_metres(degrees, params.x_m || params.y_m, frame, "", "x_m and y_m");
+  if (place) {
+    const double east = 0.5 * params.width_m, north = 0.5 * params.height_m.value_or(params.width_m);
+    if (!Extent{frame.crs, place->x - east, place->y - north, place->x + east, place->y + north}.overlaps(
+            Extent::of(frame)))
+      throw InvalidArgument("longitude_deg", "the rectangle around " +
+                                                 degrees_text(Vec2{*degrees.longitude, *degrees.latitude}) +
+                                                 " lies beside the terrain, which covers " + degrees_text(frame));
+    placed.x_m = place->x;
+    placed.y_m = place->y;
   }
   return terrain::crop(terrain, placed, call.run);
 }

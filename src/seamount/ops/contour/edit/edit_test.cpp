@@ -233,7 +233,7 @@ TEST(Edit, PastesAnywhereAtAnyTurnAndScale) {
   Rng rng(Seed{9});
   const Drawing pattern = make_pattern(noise_contours(12, 150, 45), {disc({0, 0}, 3000), -1});
   for (int trial = 0; trial < 10; ++trial) {
-    const PasteTool paste{.at = {rng.uniform(-5000, 5000), rng.uniform(-5000, 5000)},
+    const PasteTool paste{.at = Vec2{rng.uniform(-5000, 5000), rng.uniform(-5000, 5000)},
                           .rotation_deg = rng.uniform(-180, 180),
                           .scale = rng.uniform(0.3, 1.2),
                           .height_scale = rng.uniform(-1.5, 2.5),

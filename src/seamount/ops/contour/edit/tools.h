@@ -1,6 +1,7 @@
 // The tools of contour.edit and their parameters (P2 sec. 5 and 6.6). An editing session is a list of them.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -128,11 +129,17 @@ struct CutTool : CopyTool {
   static constexpr std::string_view kAbout = "copies, then removes what lies inside and closes the ground over it";
 };
 
+/// What a pattern is laid on where no place is given.
+enum class PasteOn { middle, highest };
+
 struct PasteTool {
   static constexpr std::string_view kTool = "paste";
   static constexpr std::string_view kAbout = "lays a pattern over the contours and blends it in";
   FilePath file;
-  Vec2 at;
+  std::optional<Vec2> at;
+  PasteOn on = PasteOn::middle;
+  std::optional<double> longitude_deg;
+  std::optional<double> latitude_deg;
   double rotation_deg = 0.0;
   double scale = 1.0;
   double height_scale = 1.0;
@@ -143,7 +150,11 @@ struct PasteTool {
     using P = PasteTool;
     return std::tuple(
         field(&P::file, "file", "pattern to paste, as contour.pattern makes it; else what was copied, else the input"),
-        field(&P::at, "at", "where the middle of the pattern comes to lie"),
+        field(&P::at, "at", "where the middle of the pattern comes to lie, in metres; the other ways to say it follow"),
+        field(&P::on, "on", "without a place: the middle of the domain, or within the highest contour"),
+        field(&P::longitude_deg, "longitude_deg", "deg", between(-540, 540),
+              "with latitude_deg: where, on WGS 84; the contours must have a coordinate system"),
+        field(&P::latitude_deg, "latitude_deg", "deg", between(-90, 90), "with longitude_deg: where"),
         field(&P::rotation_deg, "rotation_deg", "deg", between(-360, 360), "turn, counter-clockwise"),
         field(&P::scale, "scale", "", between(0.001, 1000), "horizontal scale"),
         field(&P::height_scale, "height_scale", "", between(-1000, 1000), "vertical scale; below 0: hollows for hills"),
@@ -178,3 +189,8 @@ using Edit =
     std::variant<WarpTool, SlopeTool, SmoothTool, FractalizeTool, DeleteTool, CopyTool, CutTool, PasteTool, FillTool>;
 
 }  // namespace seamount::contour
+
+template <>
+struct seamount::Choices<seamount::contour::PasteOn> {
+  static constexpr std::array<std::string_view, 2> names = {"middle", "highest"};
+};
