@@ -1,10 +1,12 @@
 #include "seamount/ops/erosion/coast.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/water/flow.h"
 #include "seamount/ops/erosion/beds.h"
 
@@ -18,6 +20,7 @@ constexpr float kMostPlaned = 0.25F;    // of the way to the waves' base, per st
 constexpr float kSettledAtOnce = 0.5F;  // of the water's depth, per step
 constexpr float kStirred_m = 1.0F;      // depth that counts for a shoal in which sediment still settles
 constexpr float kShoal_m = 0.1F;        // by which what settles may rise over the sea
+constexpr float kProfile = 0.1F;        // depth of a shore of fine sand at 1 m from it, growing by the power 2/3
 constexpr float kMinReach = 1e-3F;      // share of calm water around a place that can take a load
 constexpr double kNear = 0.1;           // of settling_m: where the coarser part of a load settles
 constexpr float kNearShare = 0.3F;
@@ -29,6 +32,17 @@ float exposure_of(float open_sea) { return std::clamp(2.0F * open_sea - 0.5F, 0.
 void find_open_sea(const Layers& ground, const Sea& sea, ScalarField& open, const RunContext& run) {
   for (size_t i = 0; i < open.size(); ++i) open.data()[i] = sea.covers(i, ground.surface.data()[i]) ? 1.0F : 0.0F;
   geom::gaussian_blur(open, kFetch_m, run);
+}
+
+/// Depth that waves keep free of sediment: Dean's profile, 0 where the coast is sheltered. `open` becomes it.
+void find_kept_depth(const Layers& ground, const Sea& sea, ScalarField& open, const RunContext& run) {
+  Grid<uint8_t> land(ground.frame(), 0);
+  for (size_t i = 0; i < land.size(); ++i) land.data()[i] = sea.covers(i, ground.surface.data()[i]) ? 0 : 1;
+  const ScalarField from_shore = geom::distance_to(land, run);
+  for (size_t i = 0; i < open.size(); ++i) {
+    const float profile = kProfile * std::cbrt(from_shore.data()[i] * from_shore.data()[i]);
+    open.data()[i] = exposure_of(open.data()[i]) * profile;
+  }
 }
 
 /// A cell of land that waves reach, the sea cell before it, and the height of the land there.
@@ -93,19 +107,22 @@ void cut(Layers& ground, const Maps& site, const Coast& coast, const ScalarField
   ledger.eroded += eroded * ground.surface.cell_m() * ground.surface.cell_m();
 }
 
-/// How willingly a load settles on a cell: not on land, little where waves stir the water.
-float calm_of(const Layers& ground, const Maps& site, const Coast& coast, size_t cell) {
+float kept_at(const ScalarField& kept, size_t cell) { return kept.empty() ? 0.0F : kept.data()[cell]; }
+
+/// How willingly a load settles on a cell: not on land, little where waves stir the water, not where they keep it free.
+float calm_of(const Layers& ground, const Maps& site, const Coast& coast, const ScalarField& kept, size_t cell) {
   const float depth = coast.sea.depth(cell, ground.surface.data()[cell]);
-  if (depth <= 0.0F) return 0.0F;
+  if (depth <= kept_at(kept, cell)) return 0.0F;
   return value_or_one(site.mask, cell) *
          std::min(1.0F, (depth + kStirred_m) / (static_cast<float>(coast.wave_base_m) + kStirred_m));
 }
 
-/// Spreads `share` of the load over `sigma_m` and lays down what finds room; the rest stays in the load where it is.
-/// With a(x) how willingly a place takes it and G the blur, a G(load / G(a)) has the same sum as the load.
-double settle(Layers& ground, const Maps& site, const Coast& coast, double sigma_m, float share, ScalarField& load,
-              ScalarField& room, const RunContext& run) {
-  for (size_t i = 0; i < room.size(); ++i) room.data()[i] = calm_of(ground, site, coast, i);
+/// Spreads `share` of the load over `sigma_m` and lays down what finds room below the depth that waves keep free, if
+/// there is one; the rest stays in the load where it is. With a(x) how willingly a place takes it and G the blur, a
+/// G(load / G(a)) has the same sum as the load.
+double settle(Layers& ground, const Maps& site, const Coast& coast, double sigma_m, float share,
+              const ScalarField& kept, ScalarField& load, ScalarField& room, const RunContext& run) {
+  for (size_t i = 0; i < room.size(); ++i) room.data()[i] = calm_of(ground, site, coast, kept, i);
   geom::gaussian_blur(room, sigma_m, run);
   for (size_t i = 0; i < room.size(); ++i) {
     float& reach = room.data()[i];
@@ -116,10 +133,10 @@ double settle(Layers& ground, const Maps& site, const Coast& coast, double sigma
   geom::gaussian_blur(room, sigma_m, run);
   double settled = 0;
   for (size_t i = 0; i < room.size(); ++i) {
-    const float arrived = calm_of(ground, site, coast, i) * std::max(0.0F, room.data()[i]);
+    const float arrived = calm_of(ground, site, coast, kept, i) * std::max(0.0F, room.data()[i]);
     if (arrived <= 0.0F) continue;
     const float depth = coast.sea.depth(i, ground.surface.data()[i]);
-    const float laid = std::min(arrived, kSettledAtOnce * (depth + kShoal_m));
+    const float laid = std::min(arrived, kSettledAtOnce * (depth - kept_at(kept, i) + kShoal_m));
     ground.bury(i, laid);
     load.data()[i] += arrived - laid;
     settled += laid;
@@ -127,9 +144,13 @@ double settle(Layers& ground, const Maps& site, const Coast& coast, double sigma
   return settled;
 }
 
-/// What is left settles everywhere by depth; what finds no room is carried away.
-void settle_rest(Layers& ground, const Maps& site, const Coast& coast, double left, Ledger& ledger) {
-  const auto room = [&](size_t i) { return coast.sea.depth(i, ground.surface.data()[i]) * value_or_one(site.mask, i); };
+/// What is left settles everywhere by the depth that there is room; what finds none is carried away.
+void settle_rest(Layers& ground, const Maps& site, const Coast& coast, const ScalarField& kept, double left,
+                 Ledger& ledger) {
+  const auto room = [&](size_t i) {
+    const float depth = coast.sea.depth(i, ground.surface.data()[i]) - kept_at(kept, i);
+    return std::max(0.0F, depth) * value_or_one(site.mask, i);
+  };
   double total = 0;
   for (size_t i = 0; i < ground.surface.size(); ++i) total += room(i);
   const auto share = static_cast<float>(total > 0 ? std::min<double>(kSettledAtOnce, left / total) : 0.0);
@@ -150,18 +171,18 @@ void run_coast(Layers& ground, const Maps& site, const Coast& coast, ScalarField
                Ledger& ledger, const RunContext& run) {
   run.check_cancelled();
   if (*std::min_element(ground.surface.cells().begin(), ground.surface.cells().end()) >= coast.sea.level_m) return;
-  if (coast.retreat_m_yr > 0) {
-    find_open_sea(ground, coast.sea, room, run);
-    cut(ground, site, coast, room, load, ledger);
-  }
+  find_open_sea(ground, coast.sea, room, run);
+  if (coast.retreat_m_yr > 0) cut(ground, site, coast, room, load, ledger);
   double brought = 0, settled = 0;
   for (const float here : load.cells()) brought += here;
   if (brought <= 0) return;
-  settled += settle(ground, site, coast, kNear * coast.settling_m, kNearShare, load, room, run);
-  settled += settle(ground, site, coast, coast.settling_m, 1.0F, load, room, run);
-  settled += settle(ground, site, coast, coast.settling_m, 1.0F, load, room, run);
+  ScalarField kept = room;
+  find_kept_depth(ground, coast.sea, kept, run);
+  settled += settle(ground, site, coast, kNear * coast.settling_m, kNearShare, {}, load, room, run);
+  settled += settle(ground, site, coast, coast.settling_m, 1.0F, kept, load, room, run);
+  settled += settle(ground, site, coast, coast.settling_m, 1.0F, kept, load, room, run);
   ledger.deposited += settled * ground.surface.cell_m() * ground.surface.cell_m();
-  settle_rest(ground, site, coast, brought - settled, ledger);
+  settle_rest(ground, site, coast, kept, brought - settled, ledger);
 }
 
 }  // namespace seamount::erosion

@@ -2,10 +2,12 @@
 //
 // Cliff retreat: waves move the shore inland at a rate in metres per year that grows with its exposure (the share of
 // open sea around it, a proxy of fetch) and falls with hardness; what stands there goes into the water (Sunamura 1992).
-// Below water, waves plane the floor down to their base. Loads spread over the sea around where they enter it, half of
-// them near, half far, and settle less where waves stir the water; what finds no room below sea level goes on, and the
-// last of it settles over the whole sea by depth. Spreading is a Gaussian, not a simulated plume: it knows no currents
-// and passes around headlands.
+// Below water, waves plane the floor down to their base. Loads spread over the sea around where they enter it, a third
+// of them near, as deltas, the rest far, and settle less where waves stir the water, nowhere above the profile that
+// waves keep: a depth of 0.1 m^(1/3) x^(2/3) at x metres from the shore (Dean 1991, fine sand), times the exposure, so
+// that bays fill and open coasts keep a shelf that falls seaward. What finds no room goes on, and the last of it
+// settles over the whole sea by room. Spreading is a Gaussian, not a simulated plume: it knows no currents and passes
+// around headlands.
 #pragma once
 
 #include "seamount/base/run_context.h"

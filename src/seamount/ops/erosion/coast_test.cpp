@@ -52,5 +52,29 @@ TEST(Coast, ARiverMouthGrowsASmoothDelta) {
   EXPECT_EQ(ground.sediment(20, 40), 0);
 }
 
+TEST(Coast, WhatSettlesLeavesAnOpenShelfThatFallsSeawardAndFillsBays) {
+  Layers ground = cliff(30);
+  for (int y = 30; y < 50; ++y) {
+    for (int x = 10; x < 40; ++x) ground.surface(x, y) = -20;  // a bay 400 m wide and 600 m long
+  }
+  ScalarField load(ground.frame(), 0.0F), room(ground.frame());
+  Ledger ledger;
+  for (int step = 0; step < 300; ++step) {
+    load = ScalarField(ground.frame(), 0.0F);
+    for (int y = 0; y < 80; ++y) load(41, y) = 2;
+    for (int y = 32; y < 48; ++y) load(12, y) = 4;
+    run_coast(ground, {}, {.settling_m = 300}, load, room, ledger, {});
+  }
+  int shore = 119;
+  while (ground.surface(shore, 10) < 0) --shore;
+  EXPECT_LE(shore, 45) << "deltas end where waves keep the floor free";
+  for (const int x : {60, 70, 80}) {
+    const float from_shore = 20.0F * static_cast<float>(x - shore);
+    EXPECT_LT(ground.surface(x, 10), 0.11F - 0.1F * std::cbrt(from_shore * from_shore)) << "Dean's profile, x " << x;
+  }
+  EXPECT_GT(ground.surface(60, 10), -10) << "22 m deep before";
+  EXPECT_GT(ground.surface(14, 40), -1.5F) << "the bay's head is filled";
+}
+
 }  // namespace
 }  // namespace seamount::erosion
