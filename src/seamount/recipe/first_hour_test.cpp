@@ -61,7 +61,7 @@ int written(const Json& recipe) {
   }
   for (const Json& output : recipe.at("outputs")) {
     for (const char* key : {"from", "labels", "rivers", "lake"})
-      count += output.contains(key) && !output.at(key).is_boolean() ? 1 : 0;
+      count += output.contains(key) && (output.at(key).is_string() || output.at(key).contains("file")) ? 1 : 0;
   }
   return count;
 }

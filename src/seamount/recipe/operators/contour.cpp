@@ -77,7 +77,7 @@ ContourSet edit(const contour::EditParams& params, const Call& call, const Conto
 void add_growth(Registry& registry) {
   registry.add(make_operator<contour::GrowParams>(
       {.name = "contour.grow",
-       .revision = 5,
+       .revision = 6,
        .summary = "Grows nested regions into a network whose nodes know in which order they rise, without basins",
        .source = "P2 sec. 4.2, 4.3, 4.5, Algorithm 1",
        .stochastic = true},

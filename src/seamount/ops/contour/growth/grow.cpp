@@ -29,6 +29,7 @@ constexpr double kBytesPerNode = 200.0;
 constexpr double kMostChosen = 500'000.0;  ///< nodes in regions that are chosen because smaller ones have none
 constexpr double kTiny = 1.0 / 32.0;       ///< of the ground that a node has: no region is worth more nodes for it
 constexpr double kBeyond = 2.0;            ///< spacings by which ground goes on beyond the domain's edge
+constexpr double kDrawnByHand = 0.4;       ///< irregularity of outlines that are given as a few points
 
 geom::Box box_of(const GridFrame& frame, double margin_m) {
   return {{frame.west_m - margin_m, frame.south_m() - margin_m}, {frame.east_m() + margin_m, frame.north_m + margin_m}};
@@ -270,11 +271,12 @@ void scatter_enough(Tin& tin, const RegionTree& tree, const GridFrame& domain, c
 Tin grow(RegionTree tree, const GridFrame& domain, const ScalarField* probability, std::vector<RiverLine> rivers,
          GrowParams params, Seed seed, const RunContext& run) {
   check_params(params);
-  if (params.irregularity > 0.0) {
+  const double irregularity = params.irregularity.value_or(params.outlines.empty() ? 0.0 : kDrawnByHand);
+  if (irregularity > 0.0) {
     check_size(measure(tree, domain), node_spacing(tree, domain, params));
     rivers.insert(rivers.end(), params.rivers.begin(), params.rivers.end());
     params.rivers.clear();
-    add_outline_detail(tree, rivers, params.irregularity, domain, seed.derive("outlines"), run);
+    add_outline_detail(tree, rivers, irregularity, domain, seed.derive("outlines"), run);
   }
   Tin tin = scatter_nodes(tree, domain, rivers, params, seed, run.part(0.0, 0.7));
   if (params.spacing_m) {

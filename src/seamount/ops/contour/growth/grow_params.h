@@ -24,7 +24,7 @@ struct GrowParams {
   std::string crs;
   std::vector<RiverLine> rivers;
   bool darkest_is_land = false;
-  double irregularity = 0.0;
+  std::optional<double> irregularity;
   std::optional<double> spacing_m;
   int particles = 50000;
   ProbabilityKind probability = ProbabilityKind::noise;
@@ -57,7 +57,7 @@ struct GrowParams {
               "the darkest grey of a picture is the lowest region instead of the world outside"),
         field(&P::irregularity, "irregularity", "", between(0, 1),
               "detail given to outlines drawn with few points: round corners, bays and headlands smaller than their "
-              "sides; 0 keeps every point"),
+              "sides; 0 keeps every point; absent: 0.4 where `outlines` are given, else 0"),
         field(&P::spacing_m, "spacing_m", "m", between(1e-3, 1e6),
               "least distance between nodes; absent: what gives `particles`"),
         field(&P::particles, "particles", "", between(1, 16e6),
