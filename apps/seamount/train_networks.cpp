@@ -1,12 +1,18 @@
-// train sketch, island: networks from data, in pieces that go on after a kill.
+// train sketch, island, measure: networks from data, in pieces that go on after a kill.
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
 #include <iostream>
 
 #include "seamount/base/printable.h"
+#include "seamount/io/find_model.h"
+#include "seamount/io/weights.h"
+#include "seamount/ops/learned/island_planes.h"
 #include "seamount/recipe/param_json.h"
+#include "seamount/train/island_measures.h"
 #include "seamount/train/island_task.h"
+#include "seamount/train/sketch_measures.h"
 #include "seamount/train/sketch_task.h"
 #include "seamount/train/training.h"
 #include "train_command.h"
@@ -64,6 +70,76 @@ Command add_kind(Command train, const std::shared_ptr<TrainFlags>& flags, const 
   return kind;
 }
 
+struct MeasureFlags : RunFlags {
+  std::string model = "sketch", dem;
+  int count = 24, size = 256;
+};
+
+void print_measures(const train::ComparedMeasures& all, bool json) {
+  const std::pair<const char*, const train::SketchMeasures*> columns[] = {
+      {"network", &all.made}, {"diffusion", &all.diffused}, {"real", &all.real}};
+  Json document = Json::object();
+  std::vector<std::pair<std::string, std::vector<double>>> rows;
+  const auto row = [&](const std::string& name, const std::function<double(const train::SketchMeasures&)>& value) {
+    rows.emplace_back(name, std::vector<double>{});
+    for (const auto& [column, measures] : columns) rows.back().second.push_back(value(*measures));
+    for (const auto& [column, measures] : columns) document[name][column] = value(*measures);
+  };
+  row("rivers met", [](const auto& m) { return m.rivers; });
+  row("ridges met", [](const auto& m) { return m.ridges; });
+  row("heights off", [](const auto& m) { return m.cues; });
+  row("pits per km2", [](const auto& m) { return m.pits_km2; });
+  row("grid", [](const auto& m) { return m.grid; });
+  for (const auto& [name, distance] : all.made.distances) {
+    row(name, [&](const auto& m) { return m.distances.contains(name) ? m.distances.at(name) : 0.0; });
+  }
+  if (json) {
+    fmt::print("{}\n", document.dump());
+    return;
+  }
+  fmt::print("{:<16} {:>10} {:>10} {:>10}\n", fmt::format("{} pieces", all.made.pieces), "network", "diffusion",
+             "real");
+  for (const auto& [name, values] : rows)
+    fmt::print("{:<16} {:>10.3f} {:>10.3f} {:>10.3f}\n", name, values[0], values[1], values[2]);
+}
+
+void print_measures(const train::IslandMeasures& measures, bool json) {
+  Json document = {{"maps", measures.maps}, {"coast_iou", measures.coast_iou}};
+  for (size_t i = 0; i < train::kMapDefects.size(); ++i) {
+    document["off"][train::kMapDefects[i]] = measures.off[i];
+    document["off_above"][train::kMapDefects[i]] = measures.off_above[i];
+  }
+  if (json) {
+    fmt::print("{}\n", document.dump());
+    return;
+  }
+  fmt::print("{} maps, coast IoU {:.4f}\n{:<10} {:>10} {:>14}\n", measures.maps, measures.coast_iou, "mean |dz|",
+             "of range", "above -60 m");
+  for (size_t i = 0; i < train::kMapDefects.size(); ++i)
+    fmt::print("{:<10} {:>9.2f}% {:>13.2f}%\n", train::kMapDefects[i], 100 * measures.off[i],
+               100 * measures.off_above[i]);
+}
+
+void add_measure(Command train) {
+  const auto flags = std::make_shared<MeasureFlags>();
+  Command measure = train.add_command("measure", "How good a network is on ground, or islands, held out of training");
+  measure.add("--model", &flags->model, "network: a shipped one by its word, or a file of weights (safetensors)");
+  measure.add("--dem", &flags->dem, "of a sketch network: folder of elevation models (GeoTIFF)");
+  measure.add("--count", &flags->count, "pieces of ground").between(1, 1000);
+  measure.add("--size", &flags->size, "cells a side, a power of two from 128 up").between(128, 1024);
+  add_run_flags(measure, *flags);
+  measure.does([flags] {
+    const Session session(*flags);
+    const learned::Network network(io::read_weights(io::find_model(flags->model)));
+    const Seed seed{flags->seed.value_or(0)};
+    if (network.architecture().planes == learned::kIslandPlanes)
+      return print_measures(train::measure_islands(network, flags->count, seed, session.run()), flags->json);
+    if (flags->dem.empty()) throw InvalidArgument("--dem", "is missing: the ground to measure on");
+    print_measures(train::measure_sketches(network, flags->dem, flags->count, flags->size, seed, session.run()),
+                   flags->json);
+  });
+}
+
 }  // namespace
 
 void add_train_networks(Command command) {
@@ -75,6 +151,7 @@ void add_train_networks(Command command) {
     const train::SketchTask task(flags->dem, 256, Seed{flags->seed.value_or(0)}, session.run());
     train_on(task, *flags, session);
   });
+  add_measure(command);
   Command island = add_kind(command, flags, "island", "Maps of regions to islands, learned from the island generator");
   island.does([flags] {
     const Session session(*flags);

@@ -11,7 +11,7 @@ namespace seamount::train {
 namespace {
 
 constexpr int kGroup = 6;              ///< samples of one made island
-constexpr float kAbyssWeight = 0.15F;  ///< of the deep sea floor, whose depth no map tells
+constexpr float kAbyssWeight = 0.15F;  ///< of the deep sea floor where its depth is not told
 
 RunContext alone() {
   RunContext run;
@@ -82,6 +82,7 @@ std::shared_ptr<const IslandTask::Made> IslandTask::island(uint64_t group, Seed 
   const auto levels = static_cast<uint64_t>(params.levels);
   const uint64_t level = rng.chance(0.5) ? 0 : static_cast<uint64_t>(rng.integer(1, params.levels - 1));
   IslandSample drawn = draw_island_sample(params, group * levels + level, seed);
+  if (level == 0 && rng.chance(0.5)) drawn.subsidence = 0;
   made->pair = make_island_pair(params, drawn, seed, alone());
   made->subsidence = drawn.subsidence;
   const std::lock_guard lock(mutex_);
@@ -117,13 +118,17 @@ Sample IslandTask::sample(uint64_t n, Seed seed) const {
     map.shares = learned::shares_of(labels, alone());
     map.subsidence = ScalarField(map.frame, static_cast<float>(subsidence));
   }
+  const auto [low, high] = std::minmax_element(made->pair.terrain.cells().begin(), made->pair.terrain.cells().end());
+  if (rng.chance(0.7) && *high > 0) map.peak_m = *high;
+  if (rng.chance(0.7)) map.floor_m = *low;
   const learned::IslandPlanes planes(map, seed.derive("noise", n), alone());
   Sample sample;
   sample.size = size;
   sample.planes.resize(heights.size() * learned::kIslandPlanes);
   planes.planes().fill(0, size, sample.planes);
   sample.base.assign(heights.size(), 0.0F);
-  for (const Region region : labels.cells()) sample.weight.push_back(region == Region::abyss ? kAbyssWeight : 1.0F);
+  for (const Region region : labels.cells())
+    sample.weight.push_back(region == Region::abyss && !map.floor_m ? kAbyssWeight : 1.0F);
   for (const float z : heights.cells()) sample.target.push_back(learned::island_code(z, 1));
   return sample;
 }

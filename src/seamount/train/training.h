@@ -3,7 +3,7 @@
 //
 // Losses on the sum z of base and network: L1 of means over 1, 2, 4 ... 32 cells, L1 of slopes, and a critic of patches
 // of about 46 cells (hinge loss, spectral norm; Miyato et al. 2018) that sees z, its slopes and what was drawn; the L1
-// of its features between real and made ground steadies it (Wang et al. 2018). As the critic sets in, L1 below 4 cells
+// of its features between real and made ground steadies it (Wang et al. 2018). As the critic sets in, L1 below 16 cells
 // is weakened, which else makes ground blunt and noise ignored. The network kept is the moving average of the one
 // trained.
 #pragma once
@@ -27,8 +27,8 @@ struct TrainingParams {
   double rate = 4e-4;
   double critic_rate = 4e-4;
   int critic_from = 20000;
-  double critic_weight = 0.02;
-  double feature_weight = 0.05;
+  double critic_weight = 0.05;
+  double feature_weight = 0.15;
   double fine_weight = 0.25;
   int check_every = 2500;
   int checks = 48;
@@ -47,7 +47,7 @@ struct TrainingParams {
               "weight of the critic's judgement; 0: no critic"),
         field(&P::feature_weight, "feature_weight", "", between(0, 100), "weight of the critic's features"),
         field(&P::fine_weight, "fine_weight", "", between(0, 10),
-              "what is left of L1 below 4 cells once the critic is there"),
+              "what is left of L1 below 16 cells once the critic is there"),
         field(&P::check_every, "check_every", "", between(1, 1e9),
               "samples between checks on held-out ground; each keeps a checkpoint"),
         field(&P::checks, "checks", "", between(1, 4096), "held-out samples of a check"),

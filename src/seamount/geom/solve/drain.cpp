@@ -26,8 +26,8 @@ using Queue = std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>>
 
 class Drainage {
  public:
-  Drainage(HeightField& heights, std::span<const int64_t> allowed, const RunContext& run)
-      : heights_(heights), allowed_(allowed.begin(), allowed.end()), run_(run) {
+  Drainage(HeightField& heights, std::span<const int64_t> allowed, float most_m, const RunContext& run)
+      : heights_(heights), allowed_(allowed.begin(), allowed.end()), most_m_(most_m), run_(run) {
     std::sort(allowed_.begin(), allowed_.end());
   }
 
@@ -114,6 +114,7 @@ class Drainage {
       if (seen.size() % 4096 == 0) run_.check_cancelled();
       const Waiting here = queue.top();
       queue.pop();
+      if (here.height > height(sink) + most_m_) break;
       const bool lower = here.height < height(sink);
       const bool stays = here.height <= height(sink) && is_allowed(here.cell);
       const bool leaves = on_border(here.cell) || stays;
@@ -156,6 +157,7 @@ class Drainage {
 
   HeightField& heights_;
   std::vector<int64_t> allowed_;
+  float most_m_;  ///< height over a sink to which a way out of it may climb
   const RunContext& run_;
   std::vector<int8_t> came_from_;  ///< per cell: the direction of the step to it
 };
@@ -181,12 +183,17 @@ std::vector<int64_t> find_sinks(const HeightField& heights, const RunContext& ru
 }
 
 void drain(HeightField& heights, std::span<const int64_t> allowed, const RunContext& run) {
-  Drainage drainage(heights, allowed, run);
+  Drainage drainage(heights, allowed, std::numeric_limits<float>::infinity(), run);
   const std::vector<int64_t> sinks = drainage.sinks();
   // Wide flats are not worth a search from each of their cells.
   const size_t few = 1000 + heights.size() / 200;
   if (!sinks.empty() && sinks.size() < few) drainage.cut(sinks);
   if (!sinks.empty() && !drainage.sinks().empty()) drainage.tilt();
+}
+
+void drain_shallow(HeightField& heights, std::span<const int64_t> allowed, float most_m, const RunContext& run) {
+  Drainage drainage(heights, allowed, most_m, run);
+  drainage.cut(drainage.sinks());
 }
 
 }  // namespace seamount::geom

@@ -45,5 +45,19 @@ TEST(Drain, ABasinThatMayNotStayIsCutOpen) {
   EXPECT_LT(cut, 100) << "one channel, and the floor";
 }
 
+TEST(DrainShallow, OpensHollowsUpToADepthAndLeavesDeeperOnes) {
+  HeightField heights(GridFrame::centred(41, 21, 10));
+  for (int y = 0; y < 21; ++y)
+    for (int x = 0; x < 41; ++x) heights(x, y) = static_cast<float>(100 + x);
+  heights(10, 10) -= 4;   // 3 m below its lowest neighbour
+  heights(30, 10) -= 20;  // 19 m
+  heights(20, 5) -= 4;
+  const HeightField before = heights;
+  const int64_t meant = 5 * 41 + 20;
+  drain_shallow(heights, {{meant}}, 10, {});
+  EXPECT_EQ(find_sinks(heights, {}), (std::vector<int64_t>{meant, 10 * 41 + 30}));
+  for (size_t i = 0; i < heights.size(); ++i) EXPECT_LE(heights.data()[i], before.data()[i]);
+}
+
 }  // namespace
 }  // namespace seamount::geom

@@ -2,8 +2,8 @@
 //
 // Source: P0 sec. 1.5 to 1.7, eq. 1.16 ff.: pix2pix of hue (region) and value (subsidence). Ours: shares of regions
 // instead of hues, so that blurred borders and mixed colours mean what they show; any size, since the network is
-// evaluated over the whole map (network.h); noise of a seed. Left out: the wind field and the reef's depth of P0's
-// future work.
+// evaluated over the whole map (network.h); noise of a seed; painted coasts are met. Of P0's future work the reef's
+// depth is an input; a wind field is one of island.wind, before its labels come here.
 #pragma once
 
 #include <optional>
@@ -26,6 +26,9 @@ struct IslandParams {
   FilePath painting;
   double subsidence = 0.0;
   std::optional<double> scale;
+  std::optional<double> peak_m;
+  std::optional<double> floor_m;
+  std::optional<double> reef_depth_m;
   ModelFile model = {"island"};
   Precision precision = Precision::automatic;
 
@@ -41,6 +44,12 @@ struct IslandParams {
         field(&P::scale, "scale", "", between(0.02, 4),
               "size of everything, heights too, against islands shown on 20 km; if absent, the domain's "
               "longer side over 20 km, at most 1"),
+        field(&P::peak_m, "peak_m", "m", between(1, 9000),
+              "height of the highest summit, met exactly; if absent, as the network sees fit"),
+        field(&P::floor_m, "floor_m", "m", between(-12000, -1),
+              "height of the deepest sea floor, a two hundredth of it aside; if absent, as the network sees fit"),
+        field(&P::reef_depth_m, "reef_depth_m", "m", between(0, 100),
+              "depth of the reef's crest where nothing has sunk; if absent, as the network sees fit"),
         field(&P::model, "model", "network: a shipped one by its word, or a file of weights (safetensors)"),
         field(&P::precision, "precision", "of the network's sums"));
   }

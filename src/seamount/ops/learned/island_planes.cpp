@@ -60,6 +60,14 @@ void IslandPlanes::fill_row(int y, float* values) const {
     p[10] = cell;
     const double inland = std::clamp<double>(water_(x, y) - land_(x, y), -1e9, 1e9);
     for (int k = 0; k < 2; ++k) p[11 + k] = static_cast<float>(std::tanh(inland / (kReaches_m[k] * map_.scale)));
+    if (map_.peak_m) {
+      p[13] = island_code(*map_.peak_m, map_.scale);
+      p[14] = 1;
+    }
+    if (map_.floor_m) {
+      p[15] = island_code(*map_.floor_m, map_.scale);
+      p[16] = 1;
+    }
   }
 }
 

@@ -1,16 +1,21 @@
 #include "seamount/ops/learned/sketch.h"
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/pyramid_fill.h"
+#include "seamount/geom/solve/drain.h"
 #include "seamount/ops/learned/sketch_map.h"
 #include "seamount/ops/learned/sketch_planes.h"
 
 namespace seamount::learned {
 namespace {
+
+constexpr float kHollow = 0.03F;  ///< of the relief: hollows no deeper are opened
 
 /// Takes the residual at known ground (all of it) and drawn heights (a share) away, spread over what is near.
 void meet_heights(const SketchMap& map, double adherence, HeightField& heights, const RunContext& run) {
@@ -43,6 +48,24 @@ void meet_heights(const SketchMap& map, double adherence, HeightField& heights, 
   });
 }
 
+/// Opens hollows that are shallow for the relief, but for those of known ground and of drawn heights: water runs off.
+void open_hollows(const SketchMap& map, HeightField& heights, const RunContext& run) {
+  const auto stays = [&](int x, int y) { return !map.known_m.empty() && !std::isnan(map.known_m(x, y)); };
+  std::vector<int64_t> allowed;
+  for (const int64_t sink : geom::find_sinks(heights, run)) {
+    const auto x = static_cast<int>(sink % map.frame.width), y = static_cast<int>(sink / map.frame.width);
+    bool meant = stays(x, y);
+    for (int v = y - 1; v <= y + 1 && !meant && !map.cue.empty(); ++v)
+      for (int u = x - 1; u <= x + 1 && !meant; ++u) meant = map.cue.contains(u, v) && map.cue(u, v) != 0;
+    if (meant) allowed.push_back(sink);
+  }
+  geom::drain_shallow(heights, allowed, kHollow * static_cast<float>(map.relief_m), run);
+  if (map.known_m.empty()) return;
+  for (size_t i = 0; i < heights.size(); ++i) {
+    if (!std::isnan(map.known_m.data()[i])) heights.data()[i] = map.known_m.data()[i];
+  }
+}
+
 }  // namespace
 
 HeightField sketch(const SketchInputs& inputs, const SketchParams& params, const Network& network,
@@ -61,6 +84,7 @@ HeightField sketch(const SketchInputs& inputs, const SketchParams& params, const
     }
   });
   meet_heights(map, params.adherence, heights, run);
+  open_hollows(map, heights, run);
   return heights;
 }
 

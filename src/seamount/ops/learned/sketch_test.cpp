@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "seamount/base/error.h"
+#include "seamount/geom/solve/drain.h"
 #include "seamount/ops/learned/island.h"
 #include "seamount/ops/learned/sketch_map.h"
 #include "seamount/ops/learned/sketch_planes.h"
@@ -181,6 +183,71 @@ TEST(LearnedIsland, SharesSumToOneAndCodesComeBack) {
   for (const float z : a.cells()) EXPECT_TRUE(std::isfinite(z));
   EXPECT_NE(a, island(map, network_of(kIslandPlanes), Seed{2}, {}));
   EXPECT_THROW(island(map, network_of(kIslandPlanes + 1), Seed{1}, {}), InvalidArgument);
+}
+
+TEST(LearnedSketch, OpensShallowHollowsButThoseThatAreDrawnOrKnown) {
+  const Network network = network_of(kSketchPlanes);
+  const GridFrame frame = GridFrame::centred(96, 96, 60);
+  SketchParams params;
+  params.low_m = 0;
+  params.relief_m = 1000;
+  params.heights = {{30, 30, -400}};
+  HeightField known(frame, kNone);
+  for (int y = 10; y < 15; ++y)
+    for (int x = 10; x < 15; ++x) known(x, y) = y == 12 && x == 12 ? 200.0F : 210.0F;
+  const HeightField made = sketch({.terrain = &known}, params, network, frame, Seed{1}, {});
+  EXPECT_EQ(made(12, 12), 200);
+  int shallow = 0;
+  bool drawn = false;
+  for (const int64_t sink : geom::find_sinks(made, {})) {
+    const auto x = static_cast<int>(sink % 96), y = static_cast<int>(sink / 96);
+    const double from_drawn = std::hypot(frame.x(x) - 30, frame.y(y) - 30);
+    drawn |= from_drawn < 130;
+    if (from_drawn < 130 || (x >= 10 && x < 15 && y >= 10 && y < 15)) continue;
+    HeightField rest = made;
+    geom::drain_shallow(rest, {}, 29, {});
+    shallow += rest != made && rest.data()[sink] != made.data()[sink];
+  }
+  EXPECT_TRUE(drawn) << "a basin that is drawn keeps its water";
+  EXPECT_EQ(shallow, 0);
+}
+
+TEST(LearnedIsland, MeetsCoastsPeaksFloorsAndReefs) {
+  LabelMap labels(GridFrame::centred(128, 128, 80), Region::abyss);
+  for (int y = 0; y < 128; ++y) {
+    for (int x = 0; x < 128; ++x) {
+      const double r = std::hypot(x - 64, y - 64);
+      labels(x, y) = r < 20   ? Region::mountain
+                     : r < 24 ? Region::beach
+                     : r < 34 ? Region::lagoon
+                     : r < 40 ? Region::reef
+                              : Region::abyss;
+    }
+  }
+  IslandMap map;
+  map.frame = labels.frame();
+  map.shares = shares_of(labels, {});
+  map.peak_m = 1234;
+  map.floor_m = -1500;
+  map.reef_depth_m = 2.5;
+  Weights weights = random_weights(Architecture{kIslandPlanes, {8, 16, 24}}, 3);
+  for (float& w : weights.tensors["outer.weight"].values) w *= 0.01F;
+  weights.tensors["outer.bias"].values[0] = -0.1F;  // some ten metres under water
+  const Network network(weights, Precision::f32);
+  const HeightField heights = island(map, network, Seed{1}, {});
+  int both = 0, either = 0, off = 0;
+  for (int y = 0; y < 128; ++y) {
+    for (int x = 0; x < 128; ++x) {
+      const double r = std::hypot(x - 64, y - 64);
+      const bool land = r < 24;
+      both += land && r > 20 && heights(x, y) > 0;
+      either += land && r > 20;
+      if (r > 36 && r < 38) off += std::abs(heights(x, y) + 2.5F) > 0.01F;
+    }
+  }
+  EXPECT_GT(both, 0.95 * either) << "the beach stands above water though the network drowned it";
+  EXPECT_EQ(off, 0) << "reefs crest where they are asked to";
+  EXPECT_NEAR(*std::max_element(heights.cells().begin(), heights.cells().end()), 1234, 0.1);
 }
 
 }  // namespace

@@ -54,6 +54,9 @@ HeightField island(const learned::IslandParams& params, const Call& call, const 
   if (subsidence != nullptr) map.subsidence = *subsidence;
   const double width_m = std::max(map.frame.width_m(), map.frame.height_m());
   map.scale = params.scale.value_or(std::clamp(width_m / learned::kIslandWidth_m, 0.02, 1.0));
+  map.peak_m = params.peak_m;
+  map.floor_m = params.floor_m;
+  map.reef_depth_m = params.reef_depth_m;
   return learned::island(map, network_of(params.model, params.precision, call), call.seed, call.run);
 }
 

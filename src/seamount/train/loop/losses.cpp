@@ -56,7 +56,7 @@ torch::Tensor pyramid_loss(const torch::Tensor& made, const Batch& batch, double
   losses.l1 = error.abs().mean().item<double>();
   for (const int64_t cells : {2, 4, 8, 16, 32}) {
     if (error.size(2) % cells != 0) break;
-    loss = loss + (cells < 4 ? fine : 1.0) * meaned(error, cells).abs().mean();
+    loss = loss + (cells < 16 ? fine : 1.0) * meaned(error, cells).abs().mean();
   }
   const torch::Tensor slopes = (east(made) - east(batch.target)).mul(batch.weight.slice(3, 1)).abs().mean() +
                                (south(made) - south(batch.target)).mul(batch.weight.slice(2, 1)).abs().mean();

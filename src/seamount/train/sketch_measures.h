@@ -1,0 +1,36 @@
+// How good a sketch network is on ground that it never saw: what its model card says.
+//
+// Each piece of held-out ground is sketched (sketch.extract), made again from the sketch, and compared with itself; so
+// is what the same heights give without a network, spread by diffusion (geom/grid/pyramid_fill.h; after Hnaidi et al.
+// 2010).
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "seamount/base/rng.h"
+#include "seamount/base/run_context.h"
+#include "seamount/ops/learned/network.h"
+
+namespace seamount::train {
+
+struct SketchMeasures {
+  int pieces = 0;
+  double rivers = 0;  ///< share of drawn river cells within three cells of the result's drainage network
+  double ridges = 0;  ///< of ridge cells, of the network of the ground turned upside down
+  double cues = 0;    ///< mean distance from a drawn height, as a share of the relief, with adherence 0
+  std::map<std::string, double> distances;  ///< of the descriptors of hydrology.describe to the real ground, means
+  double pits_km2 = 0;                      ///< cells lower than all around, for each square kilometre
+  double grid = 0;  ///< energy at the strides' frequencies over that beside them, for one in real ground; the worst
+};
+
+struct ComparedMeasures {
+  SketchMeasures made, diffused, real;
+};
+
+/// Of `count` pieces of `size` cells of the held-out ground in a folder. Throws as read_ground(); InvalidArgument for a
+/// size that is no power of two or below 128. About half a second a piece of 256 cells.
+ComparedMeasures measure_sketches(const learned::Network& network, const std::string& dem_folder, int count, int size,
+                                  Seed seed, const RunContext& run);
+
+}  // namespace seamount::train
