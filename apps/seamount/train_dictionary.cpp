@@ -11,9 +11,9 @@
 #include "seamount/io/weights.h"
 #include "seamount/ops/amplify/sparse.h"
 #include "seamount/recipe/dictionary_file.h"
-#include "seamount/train/dem_tiles.h"
 #include "seamount/train/detail_measures.h"
 #include "seamount/train/dictionary.h"
+#include "seamount/train/ground_tiles.h"
 #include "train_command.h"
 
 namespace seamount::app {
@@ -49,9 +49,9 @@ train::DictionaryParams read_dictionary_params(const DictionaryFlags& flags) {
   return params;
 }
 
-std::string names_of(const std::vector<train::DemTile>& tiles) {
+std::string names_of(const std::vector<train::GroundTile>& tiles) {
   std::string names;
-  for (const train::DemTile& tile : tiles) names += (names.empty() ? "" : ", ") + tile.name;
+  for (const train::GroundTile& tile : tiles) names += (names.empty() ? "" : ", ") + tile.name;
   return names;
 }
 
@@ -62,9 +62,9 @@ void print_row(const char* name, const std::vector<double>& values, int digits) 
 }
 
 /// A held-out tile coarsened by four and amplified again, beside bicubic interpolation of the same.
-void print_measures(const train::DemTile& tile, const amplify::Dictionary& dictionary, const RunContext& run) {
+void print_measures(const train::GroundTile& tile, const amplify::Dictionary& dictionary, const RunContext& run) {
   constexpr int kFactor = 4;
-  HeightField real = tile.terrain;
+  HeightField real = tile.heights;
   GridFrame frame = real.frame();
   frame.width = frame.width / kFactor * kFactor;
   frame.height = frame.height / kFactor * kFactor;
@@ -97,7 +97,8 @@ void print_measures(const train::DemTile& tile, const amplify::Dictionary& dicti
 }
 
 /// What the file says of itself.
-void describe(Weights& weights, const train::DemTiles& tiles, const train::DictionaryParams& params, uint64_t seed) {
+void describe(Weights& weights, const train::ChosenGround& tiles, const train::DictionaryParams& params,
+              uint64_t seed) {
   weights.about["tiles"] = names_of(tiles.learned);
   weights.about["held_out"] = names_of(tiles.held_out);
   weights.about["params"] = recipe::write_params(params).dump();
@@ -105,10 +106,10 @@ void describe(Weights& weights, const train::DemTiles& tiles, const train::Dicti
   weights.about["seamount"] = kVersion;
 }
 
-amplify::Dictionary make(const DictionaryFlags& flags, const train::DemTiles& tiles, const RunContext& run) {
+amplify::Dictionary make(const DictionaryFlags& flags, const train::ChosenGround& tiles, const RunContext& run) {
   const train::DictionaryParams params = read_dictionary_params(flags);
   std::vector<HeightField> grounds;
-  for (const train::DemTile& tile : tiles.learned) grounds.push_back(tile.terrain);
+  for (const train::GroundTile& tile : tiles.learned) grounds.push_back(tile.heights);
   const uint64_t seed = flags.seed.value_or(0);
   const train::LearnedDictionary learned = train::learn_dictionary(grounds, params, Seed{seed}, run);
   Weights weights = amplify::weights_of(learned.dictionary);
@@ -125,13 +126,13 @@ void train_dictionary(const DictionaryFlags& flags) {
     throw InvalidArgument("--out", "a file to write, or --check and one to measure: one of both is needed");
   read_dictionary_params(flags);
   const Session session(flags);
-  const train::DemTiles tiles =
-      train::read_dem_tiles(flags.dem, split(flags.tiles), split(flags.held_out), session.run().part(0.0, 0.3));
+  const train::ChosenGround tiles =
+      train::read_chosen_ground(flags.dem, split(flags.tiles), split(flags.held_out), session.run().part(0.0, 0.3));
   fmt::print("learned from: {}\nheld out: {}\n", printable(names_of(tiles.learned)),
              printable(names_of(tiles.held_out)));
   const amplify::Dictionary dictionary = flags.check.empty() ? make(flags, tiles, session.run().part(0.3, 0.7))
                                                              : recipe::read_dictionary(io::find_model(flags.check));
-  for (const train::DemTile& tile : tiles.held_out) print_measures(tile, dictionary, session.run().part(0.7, 1.0));
+  for (const train::GroundTile& tile : tiles.held_out) print_measures(tile, dictionary, session.run().part(0.7, 1.0));
 }
 
 }  // namespace

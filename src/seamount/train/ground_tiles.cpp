@@ -1,7 +1,6 @@
 #include "seamount/train/ground_tiles.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <limits>
 #include <string_view>
@@ -14,6 +13,8 @@
 
 namespace seamount::train {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr int kLevelRun = 24;  ///< cells of one height in a row and a column that are water
 
@@ -55,39 +56,111 @@ HeightField halved_tile(const HeightField& heights, const RunContext& run) {
   return geom::resample(heights, frame, run);
 }
 
+std::vector<fs::path> find_files(const std::string& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string extension = at->path().extension().string();
+    if (extension == ".tif" || extension == ".tiff" || extension == ".hgt") files.push_back(at->path());
+  }
+  if (error) throw InvalidArgument("--dem", folder + ": cannot be read: " + error.message());
+  if (files.empty()) throw InvalidArgument("--dem", folder + ": holds no .tif or .hgt file");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Files side by side, each on one thread.
+std::vector<GroundTile> read_tiles(const std::vector<fs::path>& files, const RunContext& run) {
+  std::vector<GroundTile> tiles(files.size());
+  parallel_blocks(run, static_cast<int64_t>(files.size()), 1, [&](int64_t begin, int64_t) {
+    const auto i = static_cast<size_t>(begin);
+    io::ReadOptions options;
+    options.run.threads = 1;
+    options.run.cancelled = run.cancelled;
+    tiles[i] = {files[i].stem().string(), io::read_heights(files[i].string(), options)};
+  });
+  return tiles;
+}
+
+bool begins_with_any(const std::string& name, const std::vector<std::string>& beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(), [&](const std::string& s) { return name.starts_with(s); });
+}
+
+void check_known(const std::string& flag, const std::vector<std::string>& beginnings,
+                 const std::vector<fs::path>& files) {
+  for (const std::string& beginning : beginnings) {
+    const auto fits = [&](const fs::path& file) { return file.stem().string().starts_with(beginning); };
+    if (std::none_of(files.begin(), files.end(), fits))
+      throw InvalidArgument(flag, "no elevation model of the folder has a name that begins with '" + beginning + "'");
+  }
+}
+
+HeightField rows_of(const HeightField& heights, int begin, int end) {
+  GridFrame frame = heights.frame();
+  frame.north_m -= begin * frame.cell_m;
+  frame.height = end - begin;
+  HeightField part(frame);
+  for (int y = begin; y < end; ++y)
+    std::copy(heights.row(y).begin(), heights.row(y).end(), part.row(y - begin).begin());
+  return part;
+}
+
+/// Holds out the southern fifth of each tile that is high enough to be divided.
+void divide(ChosenGround& ground) {
+  constexpr double kHeldOut = 0.2;
+  constexpr int kGap = 32;
+  for (GroundTile& tile : ground.learned) {
+    const int height = tile.heights.height(), border = static_cast<int>((1.0 - kHeldOut) * height);
+    if (border <= 2 * kGap) continue;
+    ground.held_out.push_back({tile.name, rows_of(tile.heights, border, height)});
+    tile.heights = rows_of(tile.heights, 0, border - kGap);
+  }
+}
+
 }  // namespace
 
 bool is_held_out(const std::string& name) { return Seed{17}.derive(name.substr(0, name.find('_'))).value % 5 == 0; }
 
 std::vector<GroundTile> read_ground(const std::string& folder, bool held_out, const RunContext& run) {
-  std::vector<std::string> files;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().stem().string();
-    if (entry.path().extension() == ".tif" && shows_land(name) && is_held_out(name) == held_out)
-      files.push_back(entry.path().string());
+  std::vector<fs::path> files = find_files(folder);
+  std::erase_if(files, [&](const fs::path& file) {
+    const std::string name = file.stem().string();
+    return !shows_land(name) || is_held_out(name) != held_out;
+  });
+  if (files.empty()) {
+    throw InvalidArgument("--dem", folder + ": holds no elevation model of land whose ground is " +
+                                       (held_out ? "held out" : "for training") +
+                                       ", which the first word of a file's name decides");
   }
-  if (error) throw InvalidArgument("--dem", folder + " cannot be read: " + error.message());
-  if (files.empty()) throw InvalidArgument("--dem", folder + " holds no elevation model of land (.tif) of this side");
-  std::sort(files.begin(), files.end());
-  std::vector<std::vector<GroundTile>> parts(files.size());
-  parallel_blocks(run, static_cast<int64_t>(files.size()), 1, [&](int64_t begin, int64_t) {
-    const std::string& file = files[static_cast<size_t>(begin)];
+  std::vector<GroundTile> tiles = read_tiles(files, run), all(2 * tiles.size());
+  parallel_blocks(run, static_cast<int64_t>(tiles.size()), 1, [&](int64_t begin, int64_t) {
     RunContext quiet;
     quiet.threads = 1;
     quiet.cancelled = run.cancelled;
-    io::ReadOptions options;
-    options.run = quiet;
-    GroundTile tile{std::filesystem::path(file).stem().string(), io::read_heights(file, options)};
+    GroundTile& tile = tiles[static_cast<size_t>(begin)];
     forget_level_water(tile.heights);
-    GroundTile coarse{tile.name, halved_tile(tile.heights, quiet)};
-    parts[static_cast<size_t>(begin)] = {std::move(tile), std::move(coarse)};
+    all[2 * static_cast<size_t>(begin) + 1] = {tile.name, halved_tile(tile.heights, quiet)};
+    all[2 * static_cast<size_t>(begin)] = std::move(tile);
   });
-  std::vector<GroundTile> out;
-  for (std::vector<GroundTile>& part : parts) {
-    for (GroundTile& tile : part) out.push_back(std::move(tile));
-  }
-  return out;
+  return all;
+}
+
+ChosenGround read_chosen_ground(const std::string& folder, const std::vector<std::string>& tiles,
+                                const std::vector<std::string>& held_out, const RunContext& run) {
+  std::vector<fs::path> files = find_files(folder);
+  check_known("--tiles", tiles, files);
+  check_known("--held-out", held_out, files);
+  const auto out = [&](const std::string& name) { return begins_with_any(name, held_out); };
+  std::erase_if(files, [&](const fs::path& file) {
+    const std::string name = file.stem().string();
+    return !out(name) && !tiles.empty() && !begins_with_any(name, tiles);
+  });
+  ChosenGround ground;
+  for (GroundTile& tile : read_tiles(files, run))
+    (out(tile.name) ? ground.held_out : ground.learned).push_back(std::move(tile));
+  if (ground.learned.empty()) throw InvalidArgument("--held-out", "leaves no elevation model to learn from");
+  if (ground.held_out.empty()) divide(ground);
+  return ground;
 }
 
 }  // namespace seamount::train
