@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <span>
 
 #include "app.h"
 #include "seamount/base/printable.h"
 #include "seamount/base/version.h"
 #include "seamount/train/island_set.h"
+#include "seamount/train/sample_set.h"
+#include "seamount/train/sketch_set.h"
 
 namespace seamount::app {
 namespace {
@@ -14,53 +17,82 @@ namespace {
 using recipe::Json;
 
 struct DatasetFlags : RunFlags {
-  std::string out;
+  std::string out, dem;
   uint64_t count = 0;
   std::optional<uint64_t> only;
   std::map<std::string, std::string> params;
 };
 
-/// First line of the manifest.
-std::string header_line(const train::IslandSetParams& params, uint64_t seed) {
-  return Json{{"kind", "islands"}, {"seamount", kVersion}, {"seed", seed}, {"params", recipe::write_params(params)}}
-      .dump();
+using Kinds = std::span<const char* const>;
+
+/// A set of one sort: how its lines are written and read.
+struct Sort {
+  std::string name;  ///< "islands"
+  Kinds kinds;       ///< of files
+};
+
+const Sort kIslands{"islands", train::kIslandFiles}, kSketches{"sketches", train::kSketchFiles};
+
+std::string name_of(uint64_t index, const char* kind) { return fmt::format("{:06}_{}.png", index, kind); }
+
+/// The line of a sample: its files, and what was drawn.
+std::string sample_line(const Sort& sort, uint64_t index, const std::vector<std::string>& digests, Json drawn) {
+  drawn["index"] = index;
+  for (size_t k = 0; k < sort.kinds.size(); ++k) {
+    const std::string kind = sort.kinds[k];
+    drawn[kind] = name_of(index, sort.kinds[k]);
+    drawn[kind + "_digest"] = digests[k];
+  }
+  return drawn.dump();
 }
 
-std::string sample_line(const train::IslandSample& sample, const train::SampleFiles& files) {
-  Json islands = Json::array();
-  for (const train::IslandDraw& island : sample.islands) islands.push_back(recipe::write_params(island));
-  return Json{{"index", sample.index},
-              {"subsidence", sample.subsidence},
-              {"labels", fmt::format("{:06}_labels.png", sample.index)},
-              {"labels_digest", files.labels_digest},
-              {"height", fmt::format("{:06}_height.png", sample.index)},
-              {"height_digest", files.height_digest},
-              {"islands", islands},
-              {"augmentation", recipe::write_params(sample.augmentation)}}
-      .dump();
+std::string text_of(const Json& json, const std::string& name) {
+  const auto member = json.find(name);
+  if (member == json.end() || !member->is_string()) throw Error("\"" + name + "\" is missing");
+  return member->get<std::string>();
 }
 
-/// Reads what sample_line() wrote.
-train::SampleRecord read_sample_line(const std::string& line) {
-  const Json json = Json::parse(line, nullptr, false);
+Json parsed_line(const std::string& line) {
+  Json json = Json::parse(line, nullptr, false);
   if (!json.is_object()) throw Error("is not a JSON object");
-  const auto text = [&](const char* name) {
-    const auto member = json.find(name);
-    if (member == json.end() || !member->is_string()) throw Error("\"" + std::string(name) + "\" is missing");
-    return member->get<std::string>();
-  };
+  return json;
+}
+
+/// What sample_line() says of files.
+train::SampleRecord read_files(const Sort& sort, const Json& json) {
+  train::SampleRecord record;
+  for (const char* kind : sort.kinds) record.digests.push_back(text_of(json, std::string(kind) + "_digest"));
   const auto index = json.find("index");
   if (index == json.end() || !index->is_number_unsigned()) throw Error("\"index\" is missing");
-  train::SampleRecord record{index->get<uint64_t>(), {text("labels_digest"), text("height_digest")}};
-  if (text("labels") != fmt::format("{:06}_labels.png", record.index) ||
-      text("height") != fmt::format("{:06}_height.png", record.index))
-    throw Error("names files of another sample");
+  record.index = index->get<uint64_t>();
+  for (const char* kind : sort.kinds)
+    if (text_of(json, kind) != name_of(record.index, kind)) throw Error("names files of another sample");
+  return record;
+}
+
+void throw_first(const recipe::Diagnostics& diagnostics) {
+  if (!diagnostics.empty()) throw Error(diagnostics.items().front().message);
+}
+
+train::SampleRecord read_island_line(const std::string& line) {
+  const Json json = parsed_line(line);
+  train::SampleRecord record = read_files(kIslands, json);
   recipe::Diagnostics diagnostics;
   recipe::read_params<train::Augmentation>(json.value("augmentation", Json()), {"/augmentation", diagnostics});
   const Json islands = json.value("islands", Json());
   if (!islands.is_array()) throw Error("\"islands\" is missing");
   for (const Json& island : islands) recipe::read_params<train::IslandDraw>(island, {"/islands", diagnostics});
-  if (!diagnostics.empty()) throw Error(diagnostics.items().front().message);
+  throw_first(diagnostics);
+  return record;
+}
+
+train::SampleRecord read_sketch_line(const std::string& line) {
+  const Json json = parsed_line(line);
+  train::SampleRecord record = read_files(kSketches, json);
+  text_of(json, "tile");
+  recipe::Diagnostics diagnostics;
+  recipe::read_params<train::SketchDraw>(json.value("drawn", Json()), {"/drawn", diagnostics});
+  throw_first(diagnostics);
   return record;
 }
 
@@ -71,45 +103,111 @@ struct SetOf {
 };
 
 /// What the manifest in the folder says, where there is one.
-SetOf find_set(const std::string& folder) {
+SetOf find_set(const std::string& folder, const Sort& sort) {
   const std::optional<std::string> header = train::find_set_header(folder);
   if (!header) return {};
   const Json json = Json::parse(*header, nullptr, false);
-  const bool known = json.is_object() && json.value("kind", Json()) == "islands" &&
+  const bool known = json.is_object() && json.value("kind", Json()) == sort.name &&
                      json.value("seed", Json()).is_number_unsigned() && json.value("params", Json()).is_object();
-  if (!known) throw InvalidArgument("--out", folder + "/manifest.jsonl does not begin with the line of a set");
+  if (!known) {
+    throw InvalidArgument("--out",
+                          folder + "/manifest.jsonl does not begin with the line of a set (\"" + sort.name + "\")");
+  }
   return {json["params"], json["seed"].get<uint64_t>()};
 }
 
 /// The set's own parameters, else those of the flags. Flags that say something else are found out by the header.
-train::IslandSetParams read_set_params(const DatasetFlags& flags, const SetOf& set) {
+template <class Params>
+Params read_set_params(const DatasetFlags& flags, const SetOf& set) {
   Json given = set.params;
-  for (const recipe::ParamInfo& info : recipe::describe_params<train::IslandSetParams>()) {
+  for (const recipe::ParamInfo& info : recipe::describe_params<Params>()) {
     const auto found = flags.params.find(info.name);
     if (found != flags.params.end()) given[info.name] = recipe::parse_flag(info, found->second);
   }
   recipe::Diagnostics diagnostics;
-  const auto params = recipe::read_params<train::IslandSetParams>(given, {"", diagnostics});
+  const auto params = recipe::read_params<Params>(given, {"", diagnostics});
   if (!diagnostics.empty()) throw_as_flag(diagnostics.items().front(), "dataset", {{"/", "--"}});
   return params;
 }
 
-void make_islands(const DatasetFlags& flags) {
-  const SetOf set = find_set(flags.out);
-  const train::IslandSetParams params = read_set_params(flags, set);
-  const Seed seed{flags.seed.value_or(set.seed)};
-  const std::string header = header_line(params, seed.value);
-  const Session session(flags);
+/// First line of the manifest, of which `about` is a part.
+template <class Params>
+std::string header_line(const Sort& sort, const Params& params, Seed seed, Json about = Json::object()) {
+  about["kind"] = sort.name;
+  about["seamount"] = kVersion;
+  about["seed"] = seed.value;
+  about["params"] = recipe::write_params(params);
+  return about.dump();
+}
+
+/// Makes the set, or the one sample that is wanted.
+void make_set(const DatasetFlags& flags, const Sort& sort, train::SampleSet set, const Session& session) {
+  set.folder = flags.out;
+  set.count = flags.count;
+  set.kinds.assign(sort.kinds.begin(), sort.kinds.end());
   if (flags.only) {
-    train::check_set_header(flags.out, header);
-    train::IslandSample sample = train::draw_island_sample(params, *flags.only, seed);
-    const train::SampleFiles files = train::make_island_files(params, sample, seed, flags.out, session.run());
-    std::cout << sample_line(sample, files) << "\n";
+    train::check_set_header(set.folder, set.header);
+    std::cout << set.make(*flags.only, session.run()) << "\n";
     return;
   }
-  const train::IslandSetOptions options{flags.out, flags.count, seed, header, sample_line, read_sample_line};
-  const train::IslandSetReport report = train::make_island_set(params, options, session.run());
+  const train::SampleSetReport report = train::make_sample_set(set, session.run());
   fmt::print("{}: {} samples made, {} were there\n", printable(flags.out), report.made, report.present);
+}
+
+void make_islands(const DatasetFlags& flags) {
+  const SetOf set = find_set(flags.out, kIslands);
+  const auto params = read_set_params<train::IslandSetParams>(flags, set);
+  const Seed seed{flags.seed.value_or(set.seed)};
+  const auto make = [&](uint64_t index, const RunContext& run) {
+    train::IslandSample sample = train::draw_island_sample(params, index, seed);
+    const std::vector<std::string> digests = train::make_island_files(params, sample, seed, flags.out, run);
+    Json islands = Json::array();
+    for (const train::IslandDraw& island : sample.islands) islands.push_back(recipe::write_params(island));
+    return sample_line(kIslands, index, digests,
+                       {{"subsidence", sample.subsidence},
+                        {"islands", islands},
+                        {"augmentation", recipe::write_params(sample.augmentation)}});
+  };
+  make_set(flags, kIslands, {.header = header_line(kIslands, params, seed), .make = make, .read = read_island_line},
+           Session(flags));
+}
+
+void make_sketches(const DatasetFlags& flags) {
+  const SetOf set = find_set(flags.out, kSketches);
+  const auto params = read_set_params<train::SketchSetParams>(flags, set);
+  const Seed seed{flags.seed.value_or(set.seed)};
+  const Session session(flags);
+  const std::vector<train::GroundTile> tiles = train::read_sketch_ground(flags.dem, params, session.run());
+  const auto make = [&](uint64_t index, const RunContext& run) {
+    const train::SketchExample made = train::make_sketch_files(tiles, params, index, seed, flags.out, run);
+    return sample_line(kSketches, index, made.digests,
+                       {{"tile", printable(made.tile)}, {"drawn", recipe::write_params(made.draw)}});
+  };
+  const std::string header = header_line(kSketches, params, seed, {{"ground", train::ground_digest(tiles).hex()}});
+  make_set(flags, kSketches, {.header = header, .make = make, .read = read_sketch_line}, session);
+}
+
+template <class Params>
+Command add_sort(Command command, const std::shared_ptr<DatasetFlags>& flags, const Sort& sort,
+                 const std::string& summary, void (*make)(const DatasetFlags&)) {
+  Command added = command.add_command(sort.name, summary + "; goes on where an earlier run ended");
+  added.add("--count", &flags->count, "samples in the set").between(1, 100000000);
+  added.add("--out", &flags->out, "folder of the set").required();
+  added.add("--only", &flags->only, "make this one sample alone").whole();
+  add_run_flags(added, *flags);
+  for (const recipe::ParamInfo& info : recipe::describe_params<Params>()) {
+    added
+        .add(
+            "--" + info.name, [flags, name = info.name](const std::string& text) { flags->params[name] = text; },
+            info.help)
+        .kind(info.kind);
+  }
+  added.does([flags, make] {
+    if (flags->out.empty()) throw InvalidArgument("--out", "a folder name is needed");
+    if (flags->count == 0 && !flags->only) throw InvalidArgument("--count", "is missing: how many samples?");
+    make(*flags);
+  });
+  return added;
 }
 
 }  // namespace
@@ -118,24 +216,10 @@ void add_dataset_command(Command program) {
   const auto flags = std::make_shared<DatasetFlags>();
   Command command = program.add_command("dataset", "Make training pairs");
   command.require_command();
-  Command islands =
-      command.add_command("islands", "Label maps and height fields of islands; goes on where an earlier run ended");
-  islands.add("--count", &flags->count, "samples in the set").between(1, 100000000);
-  islands.add("--out", &flags->out, "folder of the set").required();
-  islands.add("--only", &flags->only, "make this one sample alone").whole();
-  add_run_flags(islands, *flags);
-  for (const recipe::ParamInfo& info : recipe::describe_params<train::IslandSetParams>()) {
-    islands
-        .add(
-            "--" + info.name, [flags, name = info.name](const std::string& text) { flags->params[name] = text; },
-            info.help)
-        .kind(info.kind);
-  }
-  islands.does([flags] {
-    if (flags->out.empty()) throw InvalidArgument("--out", "a folder name is needed");
-    if (flags->count == 0 && !flags->only) throw InvalidArgument("--count", "is missing: how many samples?");
-    make_islands(*flags);
-  });
+  add_sort<train::IslandSetParams>(command, flags, kIslands, "Label maps and height fields of islands", make_islands);
+  add_sort<train::SketchSetParams>(command, flags, kSketches, "Real ground and sketches of it", make_sketches)
+      .add("--dem", &flags->dem, "folder of elevation models: GeoTIFF, HGT")
+      .required();
 }
 
 }  // namespace seamount::app

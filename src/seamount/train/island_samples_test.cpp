@@ -12,6 +12,7 @@
 #include "seamount/geom/scalar/curve.h"
 #include "seamount/geom/scalar/noise.h"
 #include "seamount/train/island_set.h"
+#include "seamount/train/sample_set.h"
 
 namespace seamount::train {
 namespace {
@@ -201,18 +202,20 @@ class IslandSet : public ::testing::Test {
     fs::remove_all(folder_);
     fs::remove_all(folder_ + "_whole");
   }
-  static IslandSetOptions options(const std::string& folder, uint64_t count, uint64_t seed = 9) {
-    const auto write = [](const IslandSample& sample, const SampleFiles& files) {
-      return std::to_string(sample.index) + " " + files.labels_digest + " " + files.height_digest;
+  static SampleSet set(const std::string& folder, uint64_t count, uint64_t seed = 9) {
+    const auto make = [folder, seed](uint64_t index, const RunContext& run) {
+      IslandSample sample = draw_island_sample(small(), index, Seed{seed});
+      const std::vector<std::string> digests = make_island_files(small(), sample, Seed{seed}, folder, run);
+      return std::to_string(index) + " " + digests[0] + " " + digests[1];
     };
     const auto read = [](const std::string& line) {
       SampleRecord record;
+      record.digests.resize(2);
       std::istringstream words(line);
-      if (!(words >> record.index >> record.files.labels_digest >> record.files.height_digest))
-        throw Error("is damaged");
+      if (!(words >> record.index >> record.digests[0] >> record.digests[1])) throw Error("is damaged");
       return record;
     };
-    return {folder, count, Seed{seed}, "set " + std::to_string(seed), write, read};
+    return {folder, count, {"labels", "height"}, "set " + std::to_string(seed), make, read};
   }
   static std::string content(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
@@ -225,14 +228,14 @@ class IslandSet : public ::testing::Test {
 
 TEST_F(IslandSet, GoesOnAfterAKillWithoutAGapOrADuplicate) {
   const std::string whole = folder_ + "_whole";
-  make_island_set(small(), options(whole, 70), {});
-  make_island_set(small(), options(folder_, 40), {});
+  make_sample_set(set(whole, 70), {});
+  make_sample_set(set(folder_, 40), {});
   // Killed while a line was being written, with files of a sample that has no line yet.
   const std::string manifest = folder_ + "/manifest.jsonl";
   const std::string lines = content(manifest);
   std::ofstream(manifest, std::ios::binary) << lines.substr(0, lines.size() - 7);
   std::ofstream(folder_ + "/000041_height.png") << "half a picture";
-  const IslandSetReport report = make_island_set(small(), options(folder_, 70), {});
+  const SampleSetReport report = make_sample_set(set(folder_, 70), {});
   EXPECT_EQ(report.present, 39U);
   EXPECT_EQ(report.made, 31U);
   size_t files = 0;
@@ -245,24 +248,24 @@ TEST_F(IslandSet, GoesOnAfterAKillWithoutAGapOrADuplicate) {
 }
 
 TEST_F(IslandSet, RefusesAFolderOfAnotherSet) {
-  make_island_set(small(), options(folder_, 2), {});
-  EXPECT_THROW(make_island_set(small(), options(folder_, 4, 10), {}), InvalidArgument);
-  EXPECT_EQ(make_island_set(small(), options(folder_, 2), {}).made, 0U);
+  make_sample_set(set(folder_, 2), {});
+  EXPECT_THROW(make_sample_set(set(folder_, 4, 10), {}), InvalidArgument);
+  EXPECT_EQ(make_sample_set(set(folder_, 2), {}).made, 0U);
 }
 
 TEST_F(IslandSet, MakesMissingFilesAgainAndLeavesOthersAlone) {
-  make_island_set(small(), options(folder_, 6), {});
+  make_sample_set(set(folder_, 6), {});
   const std::string labels = folder_ + "/000002_labels.png", height = folder_ + "/000004_height.png";
   const std::string before = content(labels);
   fs::remove(labels);
-  const IslandSetReport report = make_island_set(small(), options(folder_, 6), {});
+  const SampleSetReport report = make_sample_set(set(folder_, 6), {});
   EXPECT_EQ(report.made, 1U);
   EXPECT_EQ(report.present, 5U);
   EXPECT_EQ(content(labels), before);
   std::ofstream(height, std::ios::binary | std::ios::app) << "x";
   const std::string changed = content(height);
   try {
-    make_island_set(small(), options(folder_, 8), {});
+    make_sample_set(set(folder_, 8), {});
     FAIL();
   } catch (const IoError& error) {
     EXPECT_EQ(std::string(error.what()),
@@ -272,12 +275,12 @@ TEST_F(IslandSet, MakesMissingFilesAgainAndLeavesOthersAlone) {
 }
 
 TEST_F(IslandSet, ReadsEveryLineOfTheManifest) {
-  make_island_set(small(), options(folder_, 4), {});
+  make_sample_set(set(folder_, 4), {});
   const std::string manifest = folder_ + "/manifest.jsonl", all = content(manifest);
   const auto refusal = [&](const std::string& text) {
     std::ofstream(manifest, std::ios::binary) << text;
     try {
-      make_island_set(small(), options(folder_, 6), {});
+      make_sample_set(set(folder_, 6), {});
     } catch (const IoError& error) {
       return std::string(error.what());
     }
@@ -293,16 +296,16 @@ TEST_F(IslandSet, ReadsEveryLineOfTheManifest) {
 }
 
 TEST_F(IslandSet, SamplesWithoutAManifestAreNotOverwritten) {
-  make_island_set(small(), options(folder_, 2), {});
+  make_sample_set(set(folder_, 2), {});
   fs::remove(folder_ + "/manifest.jsonl");
-  EXPECT_THROW(make_island_set(small(), options(folder_, 2), {}), InvalidArgument);
+  EXPECT_THROW(make_sample_set(set(folder_, 2), {}), InvalidArgument);
 }
 
 TEST_F(IslandSet, StopsWhenCancelledAndKeepsWhatIsFinished) {
   std::atomic<bool> cancelled{false};
   const RunContext run{.progress = [&](double) { cancelled = true; }, .cancelled = &cancelled};
-  EXPECT_THROW(make_island_set(small(), options(folder_, 1000), run), Cancelled);
-  const IslandSetReport report = make_island_set(small(), options(folder_, 40), {});
+  EXPECT_THROW(make_sample_set(set(folder_, 1000), run), Cancelled);
+  const SampleSetReport report = make_sample_set(set(folder_, 40), {});
   EXPECT_EQ(report.present, 32U);
   EXPECT_EQ(report.made, 8U);
 }

@@ -202,7 +202,7 @@ std::pair<float, float> Crop::placed(std::pair<float, float> cell) const {
   return {flip_x ? last - x : x, flip_y ? last - y : y};
 }
 
-std::optional<Crop> find_crop(const HeightField& tile, int size, Rng& rng) {
+std::optional<Crop> find_crop(const HeightField& tile, int size, double known, Rng& rng) {
   for (int attempt = 0; attempt < 20; ++attempt) {
     Crop crop;
     crop.left = rng.integer(0, tile.width() - size);
@@ -213,7 +213,7 @@ std::optional<Crop> find_crop(const HeightField& tile, int size, Rng& rng) {
     crop.heights = HeightField(GridFrame::centred(size, size, tile.cell_m()));
     Grid<float> weight(crop.heights.frame(), 0.0F);
     crop.filled = Grid<uint8_t>(crop.heights.frame(), 0);
-    int known = 0;
+    int cells = 0;
     float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
     for (int y = 0; y < size; ++y) {
       for (int x = 0; x < size; ++x) {
@@ -224,13 +224,13 @@ std::optional<Crop> find_crop(const HeightField& tile, int size, Rng& rng) {
         crop.filled(x, y) = std::isnan(z);
         if (std::isnan(z)) continue;
         weight(x, y) = 1;
-        ++known;
+        ++cells;
         low = std::min(low, z);
         high = std::max(high, z);
       }
     }
-    if (known < 0.92 * size * size || high - low < size * tile.cell_m() / 200) continue;
-    geom::pyramid_fill(crop.heights, weight, {.fade = 1.0F}, alone());
+    if (cells < known * size * size || high - low < size * tile.cell_m() / 200) continue;
+    if (cells < size * size) geom::pyramid_fill(crop.heights, weight, {.fade = 1.0F}, alone());
     return crop;
   }
   return std::nullopt;

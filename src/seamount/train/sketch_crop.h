@@ -21,9 +21,9 @@ struct Crop {
   std::pair<float, float> placed(std::pair<float, float> cell) const;
 };
 
-/// A random square with little water, few unknown cells and some relief (more than a 200th of its width); nullopt after
-/// 20 tries.
-std::optional<Crop> find_crop(const HeightField& tile, int size, Rng& rng);
+/// A random square of which at least the share `known` has heights, with some relief (more than a 200th of its width);
+/// nullopt after 20 tries. REQUIRES: the tile is as large.
+std::optional<Crop> find_crop(const HeightField& tile, int size, double known, Rng& rng);
 
 /// Draws of the kinds present, strokes, their shift, levelset, and known ground at random.
 Sample sketch_sample(const Crop& crop, const DrawnTile& drawn, Seed seed);

@@ -6,15 +6,25 @@
 // none.
 #pragma once
 
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
+#include "seamount/ops/sketch/extract.h"
 #include "seamount/train/ground_tiles.h"
 #include "seamount/train/sample.h"
 
 namespace seamount::train {
+
+/// Degrees of detail in which ground is sketched, from much to little.
+inline constexpr int kSketchDetails = 3;
+sketch::ExtractParams extract_params(int detail, double cell_m);
+
+/// A tile at random, larger ones more often.
+size_t choose_tile(const std::vector<GroundTile>& tiles, Rng& rng);
 
 /// Lines and places of a tile in cells (fractional column, row).
 struct DrawnTile {
@@ -38,15 +48,15 @@ class SketchTask : public Task {
 
  private:
   struct Ground {
-    GroundTile tile;
-    std::vector<DrawnTile> drawn;  ///< from much detail to little
+    std::vector<GroundTile> tiles;
+    std::vector<std::array<DrawnTile, kSketchDetails>> drawn;  ///< of each tile
   };
-  Sample sample(const std::vector<Ground>& grounds, Seed seed) const;
-  static std::vector<Ground> sketched(std::vector<GroundTile> tiles, Seed seed, const RunContext& run);
+  Sample sample(const Ground& ground, Seed seed) const;
+  static Ground sketched(std::vector<GroundTile> tiles, Seed seed, const RunContext& run);
 
   int size_;
   Seed seed_;
-  std::vector<Ground> training_, held_out_;
+  Ground training_, held_out_;
 };
 
 }  // namespace seamount::train

@@ -151,7 +151,7 @@ TEST(SketchCrop, LinesLieWhereTheGroundSaysInEveryTurn) {
   int turned = 0;
   for (uint64_t n = 0; n < 60; ++n) {
     Rng rng(Seed{n});
-    const std::optional<Crop> crop = find_crop(tile, 128, rng);
+    const std::optional<Crop> crop = find_crop(tile, 128, 0.92, rng);
     ASSERT_TRUE(crop);
     turned += crop->transpose;
     for (int i = 0; i <= 40; ++i) {
