@@ -6,10 +6,13 @@
 
 #include "seamount/geom/grid/pyramid_fill.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/distance.h"
 #include "seamount/ops/learned/sketch_planes.h"
 
 namespace seamount::train {
 namespace {
+
+constexpr double kRimCells = 3.0;  ///< of known ground that a network has to join
 
 using Line = std::vector<std::pair<float, float>>;
 
@@ -261,7 +264,16 @@ Sample sketch_sample(const Crop& crop, const DrawnTile& drawn, Seed seed) {
   for (size_t i = 0; i < cells; ++i) {
     sample.target[i] = static_cast<float>((crop.heights.data()[i] - map.low_m) / map.relief_m);
     if (crop.filled.data()[i] != 0) sample.weight[i] = 0;
-    if (!map.known_m.empty() && !std::isnan(map.known_m.data()[i])) sample.weight[i] *= 0.2F;
+  }
+  if (map.known_m.empty()) return sample;
+  // Known ground stays whatever the network says: only its rim counts. Where all of it counts, the network learns to
+  // add nothing near it, and holes stay smooth.
+  Grid<uint8_t> unknown(map.frame, 0);
+  for (size_t i = 0; i < cells; ++i) unknown.data()[i] = std::isnan(map.known_m.data()[i]);
+  const ScalarField from_unknown = geom::distance_to(unknown, alone());
+  const auto rim = static_cast<float>(kRimCells * map.frame.cell_m);
+  for (size_t i = 0; i < cells; ++i) {
+    if (from_unknown.data()[i] > rim) sample.weight[i] = 0;
   }
   return sample;
 }

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kCoarseCells = 5.0, kLineCells = 700.0;  ///< detail of the drawing
 constexpr double kNetworkCells = 175.0;                   ///< catchment from which the result has a river, or a ridge
+constexpr double kKnown = 0.97;                           ///< share of a piece that must be known
 constexpr float kNearCells = 3.0F;
 constexpr int kStrides = 5;  ///< 2 to 32 cells
 
@@ -145,7 +146,7 @@ ComparedMeasures measure_sketches(const learned::Network& network, const std::st
     run.check_cancelled();
     run.report(0.3 + 0.7 * i / count);
     Rng rng(seed.derive("piece", static_cast<uint64_t>(i)));
-    const std::optional<Crop> crop = find_crop(tiles[static_cast<size_t>(i) % tiles.size()].heights, size, rng);
+    const std::optional<Crop> crop = find_crop(tiles[static_cast<size_t>(i) % tiles.size()].heights, size, kKnown, rng);
     if (!crop) continue;
     const HeightField& ground = crop->heights;
     const double cell = ground.cell_m();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <utility>
 
 #include "seamount/base/parallel.h"
 
@@ -191,9 +192,8 @@ void drain(HeightField& heights, std::span<const int64_t> allowed, const RunCont
   if (!sinks.empty() && !drainage.sinks().empty()) drainage.tilt();
 }
 
-void drain_shallow(HeightField& heights, std::span<const int64_t> allowed, float most_m, const RunContext& run) {
-  Drainage drainage(heights, allowed, most_m, run);
-  drainage.cut(drainage.sinks());
+void drain_shallow(HeightField& heights, std::vector<int64_t> sinks, float most_m, const RunContext& run) {
+  if (!sinks.empty()) Drainage(heights, {}, most_m, run).cut(std::move(sinks));
 }
 
 }  // namespace seamount::geom

@@ -18,7 +18,8 @@ std::vector<int64_t> find_sinks(const HeightField& heights, const RunContext& ru
 /// least steps that a float can take. REQUIRES: finite heights. Linear while sinks are few; n log n for large flats.
 void drain(HeightField& heights, std::span<const int64_t> allowed, const RunContext& run);
 
-/// As drain(), but sinks that lie more than `most_m` below their way out stay, and flats too. Nearly linear.
-void drain_shallow(HeightField& heights, std::span<const int64_t> allowed, float most_m, const RunContext& run);
+/// Cuts a channel from each of `sinks`, of find_sinks(), that lies no more than `most_m` below its way out; deeper ones
+/// stay, and so does flat ground. Linear in the cells that are searched.
+void drain_shallow(HeightField& heights, std::vector<int64_t> sinks, float most_m, const RunContext& run);
 
 }  // namespace seamount::geom

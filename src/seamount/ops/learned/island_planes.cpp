@@ -48,14 +48,14 @@ void IslandPlanes::fill_row(int y, float* values) const {
                   0.5, 1.0, y + 0.5,
                   std::span(waves).subspan(static_cast<size_t>(k * width), static_cast<size_t>(width)));
   }
+  const Seed cells = seed_.derive("island cell");
   const double usual_cell = kIslandWidth_m / kIslandCells * map_.scale;
   const auto cell = static_cast<float>(0.5 * std::log2(map_.frame.cell_m / usual_cell));
   for (int x = 0; x < width; ++x) {
     float* const p = values + static_cast<size_t>(x) * kIslandPlanes;
     for (size_t region = 0; region < kRegionCount; ++region) p[region] = map_.shares[region](x, y);
     p[5] = map_.subsidence.empty() ? 0.0F : map_.subsidence(x, y);
-    const Seed place = seed_.derive("island cell", static_cast<uint64_t>(y) << 32 | static_cast<uint32_t>(x));
-    p[6] = static_cast<float>(3.46 * (Rng(place).uniform() - 0.5));
+    p[6] = cell_noise(cells, x, y);
     for (int k = 0; k < 3; ++k) p[7 + k] = waves[static_cast<size_t>(k * width + x)] / 0.35F;
     p[10] = cell;
     const double inland = std::clamp<double>(water_(x, y) - land_(x, y), -1e9, 1e9);

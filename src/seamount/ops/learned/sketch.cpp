@@ -51,15 +51,15 @@ void meet_heights(const SketchMap& map, double adherence, HeightField& heights, 
 /// Opens hollows that are shallow for the relief, but for those of known ground and of drawn heights: water runs off.
 void open_hollows(const SketchMap& map, HeightField& heights, const RunContext& run) {
   const auto stays = [&](int x, int y) { return !map.known_m.empty() && !std::isnan(map.known_m(x, y)); };
-  std::vector<int64_t> allowed;
-  for (const int64_t sink : geom::find_sinks(heights, run)) {
+  std::vector<int64_t> sinks = geom::find_sinks(heights, run);
+  std::erase_if(sinks, [&](int64_t sink) {
     const auto x = static_cast<int>(sink % map.frame.width), y = static_cast<int>(sink / map.frame.width);
     bool meant = stays(x, y);
     for (int v = y - 1; v <= y + 1 && !meant && !map.cue.empty(); ++v)
       for (int u = x - 1; u <= x + 1 && !meant; ++u) meant = map.cue.contains(u, v) && map.cue(u, v) != 0;
-    if (meant) allowed.push_back(sink);
-  }
-  geom::drain_shallow(heights, allowed, kHollow * static_cast<float>(map.relief_m), run);
+    return meant;
+  });
+  geom::drain_shallow(heights, std::move(sinks), kHollow * static_cast<float>(map.relief_m), run);
   if (map.known_m.empty()) return;
   for (size_t i = 0; i < heights.size(); ++i) {
     if (!std::isnan(map.known_m.data()[i])) heights.data()[i] = map.known_m.data()[i];

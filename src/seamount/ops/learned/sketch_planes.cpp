@@ -16,6 +16,7 @@ namespace {
 constexpr float kLine = 1.5F, kNear = 14.0F;     ///< reach of a line's two planes, in cells
 constexpr float kPoint = 2.0F, kAround = 10.0F;  ///< of a cue's two planes
 constexpr float kPrior = 0.35F;                  ///< mean ground, as a share of the relief
+constexpr float kNothing = 15.0F;                ///< exponent below which a plane is 0
 constexpr double kWaves[] = {6.0, 24.0, 96.0};   ///< of noise, in cells
 constexpr double kCellOfZero = 60.0, kReliefOfZero = 1000.0;
 
@@ -27,7 +28,9 @@ ScalarField cells_to(const Grid<uint8_t>& cells, const RunContext& run) {
   return distance;
 }
 
-float line_near(float d) { return std::exp(-(d * d) / (2 * kLine * kLine)); }
+/// exp(-x), and 0 where nothing of it is left.
+float fading(float x) { return x > kNothing ? 0.0F : std::exp(-x); }
+float line_near(float d) { return fading((d * d) / (2 * kLine * kLine)); }
 
 }  // namespace
 
@@ -76,6 +79,7 @@ void SketchPlanes::fill_row(int y, float* values) const {
     geom::fbm_row(seed_.derive("sketch noise", static_cast<uint64_t>(k)), {.wavelength_m = kWaves[k], .octaves = 1},
                   0.5, 1.0, y + 0.5, wave);
   }
+  const Seed cells = seed_.derive("sketch cell");
   const auto scale = static_cast<float>(0.5 * std::log2(map_.frame.cell_m / kCellOfZero));
   const auto relief = static_cast<float>(0.5 * std::log2(map_.relief_m / kReliefOfZero));
   for (int x = 0; x < width; ++x) {
@@ -84,18 +88,18 @@ void SketchPlanes::fill_row(int y, float* values) const {
     if (!river_.empty()) {
       const float d = river_(x, y);
       p[0] = line_near(d);
-      p[1] = std::exp(-d / kNear);
+      p[1] = fading(d / kNear);
     }
     if (!ridge_.empty()) {
       const float d = ridge_(x, y);
       p[2] = line_near(d);
-      p[3] = std::exp(-d / kNear);
+      p[3] = fading(d / kNear);
     }
     if (!cue_.empty() && nearest_cue_(x, y) >= 0) {
       const float d = cue_(x, y);
       const float z = map_.cue_m.data()[nearest_cue_(x, y)];
-      p[4] = std::exp(-(d * d) / (2 * kPoint * kPoint));
-      p[5] = static_cast<float>((z - map_.low_m) / map_.relief_m) * std::exp(-d / kAround);
+      p[4] = fading((d * d) / (2 * kPoint * kPoint));
+      p[5] = static_cast<float>((z - map_.low_m) / map_.relief_m) * fading(d / kAround);
     }
     if (!map_.level.empty()) p[6] = map_.level(x, y);
     if (!map_.known_m.empty() && !std::isnan(map_.known_m(x, y))) {
@@ -103,9 +107,7 @@ void SketchPlanes::fill_row(int y, float* values) const {
       p[8] = 1;
     }
     p[9] = base_(x, y);
-    p[10] = static_cast<float>(
-        3.46 *
-        (Rng(seed_.derive("sketch cell", static_cast<uint64_t>(y) << 32 | static_cast<uint32_t>(x))).uniform() - 0.5));
+    p[10] = cell_noise(cells, x, y);
     for (int k = 0; k < 3; ++k) p[11 + k] = waves[static_cast<size_t>(k * width + x)] / 0.35F;
     p[14] = scale;
     p[15] = relief;
