@@ -135,7 +135,8 @@ void add_measure(Command train) {
     if (network.architecture().planes == learned::kIslandPlanes)
       return print_measures(train::measure_islands(network, flags->count, seed, session.run()), flags->json);
     if (flags->dem.empty()) throw InvalidArgument("--dem", "is missing: the ground to measure on");
-    print_measures(train::measure_sketches(network, flags->dem, flags->count, flags->size, seed, session.run()),
+    print_measures(train::measure_sketches(network, train::read_ground(flags->dem, true, session.run()), flags->count,
+                                           flags->size, seed, session.run()),
                    flags->json);
   });
 }

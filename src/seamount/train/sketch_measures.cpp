@@ -132,44 +132,45 @@ struct Sums {
 
 }  // namespace
 
-ComparedMeasures measure_sketches(const learned::Network& network, const std::string& dem_folder, int count, int size,
-                                  Seed seed, const RunContext& run) {
+ComparedMeasures measure_sketches(const learned::Network& network, const std::vector<GroundTile>& ground, int count,
+                                  int size, Seed seed, const RunContext& run) {
   if (size < 128 || !std::has_single_bit(static_cast<unsigned>(size)))
     throw InvalidArgument("size", "must be a power of two from 128 up");
-  std::vector<GroundTile> tiles = read_ground(dem_folder, true, run.part(0, 0.3));
-  std::erase_if(tiles,
-                [&](const GroundTile& tile) { return std::min(tile.heights.width(), tile.heights.height()) < size; });
+  std::vector<const HeightField*> tiles;
+  for (const GroundTile& tile : ground) {
+    if (std::min(tile.heights.width(), tile.heights.height()) >= size) tiles.push_back(&tile.heights);
+  }
   if (tiles.empty()) throw InvalidArgument("--dem", "no held-out ground is as large as a piece");
   Sums made, diffused, real;
   int pieces = 0;
   for (int i = 0; i < count; ++i) {
     run.check_cancelled();
-    run.report(0.3 + 0.7 * i / count);
+    run.report(static_cast<double>(i) / count);
     Rng rng(seed.derive("piece", static_cast<uint64_t>(i)));
-    const std::optional<Crop> crop = find_crop(tiles[static_cast<size_t>(i) % tiles.size()].heights, size, kKnown, rng);
+    const std::optional<Crop> crop = find_crop(*tiles[static_cast<size_t>(i) % tiles.size()], size, kKnown, rng);
     if (!crop) continue;
-    const HeightField& ground = crop->heights;
-    const double cell = ground.cell_m();
-    const sketch::Sketch drawn = sketch::extract(ground,
+    const HeightField& real_ground = crop->heights;
+    const double cell = real_ground.cell_m();
+    const sketch::Sketch drawn = sketch::extract(real_ground,
                                                  {.coarse_m = kCoarseCells * cell,
                                                   .min_area_m2 = kLineCells * cell * cell,
                                                   .cue_area_m2 = 2 * kLineCells * cell * cell,
                                                   .sea = false},
                                                  seed.derive("sketch", static_cast<uint64_t>(i)), run);
-    const auto [low, high] = std::minmax_element(ground.cells().begin(), ground.cells().end());
+    const auto [low, high] = std::minmax_element(real_ground.cells().begin(), real_ground.cells().end());
     learned::SketchParams params;
     params.low_m = *low;
     params.relief_m = std::max(1.0F, *high - *low);
     params.adherence = 0;
     const learned::SketchInputs inputs{.lines = &drawn.lines};
-    const learned::SketchMap map = learned::map_of(inputs, params, ground.frame(), run);
-    made.add(learned::sketch(inputs, params, network, ground.frame(), seed, run), ground, map, run);
+    const learned::SketchMap map = learned::map_of(inputs, params, real_ground.frame(), run);
+    made.add(learned::sketch(inputs, params, network, real_ground.frame(), seed, run), real_ground, map, run);
     const learned::SketchPlanes planes(map, seed, run);
-    HeightField spread(ground.frame());
+    HeightField spread(real_ground.frame());
     for (size_t c = 0; c < spread.size(); ++c)
       spread.data()[c] = static_cast<float>(*params.low_m + *params.relief_m * planes.base().data()[c]);
-    diffused.add(spread, ground, map, run);
-    real.add(ground, ground, map, run);
+    diffused.add(spread, real_ground, map, run);
+    real.add(real_ground, real_ground, map, run);
     ++pieces;
   }
   if (pieces == 0) throw InvalidArgument("--dem", "the held-out ground is flat, water or unknown");
