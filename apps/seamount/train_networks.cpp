@@ -9,6 +9,7 @@
 #include "seamount/io/find_model.h"
 #include "seamount/io/weights.h"
 #include "seamount/ops/learned/island_planes.h"
+#include "seamount/recipe/draw_again.h"
 #include "seamount/recipe/param_json.h"
 #include "seamount/train/island_measures.h"
 #include "seamount/train/island_task.h"
@@ -135,8 +136,8 @@ void add_measure(Command train) {
     if (network.architecture().planes == learned::kIslandPlanes)
       return print_measures(train::measure_islands(network, flags->count, seed, session.run()), flags->json);
     if (flags->dem.empty()) throw InvalidArgument("--dem", "is missing: the ground to measure on");
-    print_measures(train::measure_sketches(network, train::read_ground(flags->dem, true, session.run()), flags->count,
-                                           flags->size, seed, session.run()),
+    print_measures(train::measure_sketches(network, train::read_ground(flags->dem, true, session.run()),
+                                           recipe::draw_again, flags->count, flags->size, seed, session.run()),
                    flags->json);
   });
 }

@@ -30,7 +30,7 @@ std::vector<GroundTile> hills() {
 }
 
 TEST(SketchMeasures, WithoutANetworkItIsTheDiffusionAndRealGroundIsItself) {
-  const ComparedMeasures all = measure_sketches(silent(learned::kSketchPlanes), hills(), 3, 128, Seed{1}, {});
+  const ComparedMeasures all = measure_sketches(silent(learned::kSketchPlanes), hills(), {}, 3, 128, Seed{1}, {});
   EXPECT_EQ(all.made.pieces, 3);
   EXPECT_NEAR(all.made.distances.at("slope"), all.diffused.distances.at("slope"),
               0.05 * all.diffused.distances.at("slope"));
@@ -45,8 +45,8 @@ TEST(SketchMeasures, WithoutANetworkItIsTheDiffusionAndRealGroundIsItself) {
 }
 
 TEST(SketchMeasures, GroundTooSmallIsSaid) {
-  EXPECT_THROW(measure_sketches(silent(learned::kSketchPlanes), hills(), 1, 512, Seed{1}, {}), InvalidArgument);
-  EXPECT_THROW(measure_sketches(silent(learned::kSketchPlanes), hills(), 1, 200, Seed{1}, {}), InvalidArgument);
+  EXPECT_THROW(measure_sketches(silent(learned::kSketchPlanes), hills(), {}, 1, 512, Seed{1}, {}), InvalidArgument);
+  EXPECT_THROW(measure_sketches(silent(learned::kSketchPlanes), hills(), {}, 1, 200, Seed{1}, {}), InvalidArgument);
 }
 
 TEST(IslandMeasures, ANetworkThatAddsNothingIsFarOffAndItsCoastsAreStillMet) {

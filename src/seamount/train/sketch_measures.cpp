@@ -132,8 +132,9 @@ struct Sums {
 
 }  // namespace
 
-ComparedMeasures measure_sketches(const learned::Network& network, const std::vector<GroundTile>& ground, int count,
-                                  int size, Seed seed, const RunContext& run) {
+ComparedMeasures measure_sketches(const learned::Network& network, const std::vector<GroundTile>& ground,
+                                  const learned::Redraw& redraw, int count, int size, Seed seed,
+                                  const RunContext& run) {
   if (size < 128 || !std::has_single_bit(static_cast<unsigned>(size)))
     throw InvalidArgument("size", "must be a power of two from 128 up");
   std::vector<const HeightField*> tiles;
@@ -162,7 +163,7 @@ ComparedMeasures measure_sketches(const learned::Network& network, const std::ve
     params.low_m = *low;
     params.relief_m = std::max(1.0F, *high - *low);
     params.adherence = 0;
-    const learned::SketchInputs inputs{.lines = &drawn.lines};
+    const learned::SketchInputs inputs{.lines = &drawn.lines, .redraw = redraw};
     const learned::SketchMap map = learned::map_of(inputs, params, real_ground.frame(), run);
     made.add(learned::sketch(inputs, params, network, real_ground.frame(), seed, run), real_ground, map, run);
     const learned::SketchPlanes planes(map, seed, run);

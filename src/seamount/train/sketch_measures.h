@@ -12,6 +12,7 @@
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
 #include "seamount/ops/learned/network.h"
+#include "seamount/ops/learned/sketch_guide.h"
 #include "seamount/train/ground_tiles.h"
 
 namespace seamount::train {
@@ -32,7 +33,7 @@ struct ComparedMeasures {
 
 /// Of `count` pieces of `size` cells of ground (read_ground() of what is held out). Throws InvalidArgument for a size
 /// that is no power of two or below 128, and where no tile has such a piece. About a sixth of a second a piece of 256.
-ComparedMeasures measure_sketches(const learned::Network& network, const std::vector<GroundTile>& ground, int count,
-                                  int size, Seed seed, const RunContext& run);
+ComparedMeasures measure_sketches(const learned::Network& network, const std::vector<GroundTile>& ground,
+                                  const learned::Redraw& redraw, int count, int size, Seed seed, const RunContext& run);
 
 }  // namespace seamount::train

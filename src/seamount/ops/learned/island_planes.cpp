@@ -53,6 +53,7 @@ void IslandPlanes::fill_row(int y, float* values) const {
   const auto cell = static_cast<float>(0.5 * std::log2(map_.frame.cell_m / usual_cell));
   for (int x = 0; x < width; ++x) {
     float* const p = values + static_cast<size_t>(x) * kIslandPlanes;
+    std::fill(p, p + kIslandPlanes, 0.0F);
     for (size_t region = 0; region < kRegionCount; ++region) p[region] = map_.shares[region](x, y);
     p[5] = map_.subsidence.empty() ? 0.0F : map_.subsidence(x, y);
     p[6] = cell_noise(cells, x, y);

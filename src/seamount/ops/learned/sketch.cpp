@@ -8,6 +8,7 @@
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/pyramid_fill.h"
+#include "seamount/geom/grid/resample.h"
 #include "seamount/geom/solve/drain.h"
 #include "seamount/ops/learned/sketch_map.h"
 #include "seamount/ops/learned/sketch_planes.h"
@@ -15,7 +16,8 @@
 namespace seamount::learned {
 namespace {
 
-constexpr float kHollow = 0.03F;  ///< of the relief: hollows no deeper are opened
+constexpr double kGuideCells = 16.0;  ///< wide cells that a line of the guide drains
+constexpr float kHollow = 0.03F;      ///< of the relief: hollows no deeper are opened
 
 /// Takes the residual at known ground (all of it) and drawn heights (a share) away, spread over what is near.
 void meet_heights(const SketchMap& map, double adherence, HeightField& heights, const RunContext& run) {
@@ -66,6 +68,36 @@ void open_hollows(const SketchMap& map, HeightField& heights, const RunContext& 
   }
 }
 
+/// Terrain of a map; `seen` is what the network sees of it, with lines that nobody drew in wide gaps.
+HeightField make(const SketchMap& map, const SketchMap& seen, double adherence, const Network& network, Seed seed,
+                 const RunContext& run) {
+  const SketchPlanes planes(seen, seed, run);
+  HeightField heights = network.evaluate(planes.planes(), map.frame, run);
+  const auto low = static_cast<float>(map.low_m), relief = static_cast<float>(map.relief_m);
+  parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < map.frame.width; ++x) heights(x, y) = low + relief * (planes.base()(x, y) + heights(x, y));
+    }
+  });
+  meet_heights(map, adherence, heights, run);
+  return heights;
+}
+
+HeightField make_guided(const SketchMap& map, const Redraw& redraw, double adherence, const Network& network, Seed seed,
+                        const RunContext& run) {
+  if (!redraw || !has_wide_gaps(map, run)) return make(map, map, adherence, network, seed, run);
+  const SketchMap wide = coarser(map);
+  const HeightField rough = make_guided(wide, redraw, adherence, network, seed.derive("rough"), run);
+  GridFrame half = wide.frame;  // lines are smoother on finer cells
+  half.cell_m /= 2;
+  half.width *= 2;
+  half.height *= 2;
+  SketchMap seen = map;
+  const double least_m2 = kGuideCells * wide.frame.cell_m * wide.frame.cell_m;
+  add_guide(redraw(geom::resample(rough, half, run), least_m2, seed.derive("redraw"), run), seen, run);
+  return make(map, seen, adherence, network, seed, run);
+}
+
 }  // namespace
 
 HeightField sketch(const SketchInputs& inputs, const SketchParams& params, const Network& network,
@@ -75,15 +107,7 @@ HeightField sketch(const SketchInputs& inputs, const SketchParams& params, const
     throw InvalidArgument("model", "is a network of " + std::to_string(network.architecture().planes) +
                                        " planes, and a sketch has " + std::to_string(kSketchPlanes));
   const SketchMap map = map_of(inputs, params, frame, run);
-  const SketchPlanes planes(map, seed, run);
-  HeightField heights = network.evaluate(planes.planes(), frame, run);
-  const auto low = static_cast<float>(map.low_m), relief = static_cast<float>(map.relief_m);
-  parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < frame.width; ++x) heights(x, y) = low + relief * (planes.base()(x, y) + heights(x, y));
-    }
-  });
-  meet_heights(map, params.adherence, heights, run);
+  HeightField heights = make_guided(map, inputs.redraw, params.adherence, network, seed, run);
   open_hollows(map, heights, run);
   return heights;
 }

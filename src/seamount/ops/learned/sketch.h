@@ -13,6 +13,7 @@
 #include "seamount/model/grid.h"
 #include "seamount/model/image.h"
 #include "seamount/ops/learned/network.h"
+#include "seamount/ops/learned/sketch_guide.h"
 #include "seamount/ops/learned/sketch_params.h"
 
 namespace seamount::learned {
@@ -27,6 +28,7 @@ struct SketchInputs {
   const ScalarField* levelset = nullptr;  ///< above a half on high ground, NaN where nothing is said
   const HeightField* terrain = nullptr;   ///< known ground, NaN where there is none
   const ScalarField* erase = nullptr;     ///< above a half where known ground is given up
+  Redraw redraw;                          ///< for wide empty parts (sketch_guide.h); empty: they get none
 };
 
 /// Terrain in `frame`. Another seed changes detail and what was left open, not what was drawn. Throws InvalidArgument

@@ -17,42 +17,9 @@ void check_size(const Grid<float>* grid, const GridFrame& frame, const char* nam
     throw IncompatibleInputs(std::string(name) + " has another size than the domain");
 }
 
-/// Returns whether any of it lies inside.
-bool draw(const Polyline& line, Grid<uint8_t>& cells) {
-  bool inside = false;
-  const GridFrame& frame = cells.frame();
-  for (size_t i = 0; i + 1 < std::max<size_t>(line.size(), 2) && i < line.size(); ++i) {
-    const Vec2 from = line[i], to = line[std::min(i + 1, line.size() - 1)];
-    const double columns = frame.column(to.x) - frame.column(from.x), rows = frame.row(to.y) - frame.row(from.y);
-    const double longest = std::max(std::abs(columns), std::abs(rows));
-    if (!(longest < 1e7)) throw InvalidArgument("lines", "a line reaches farther than ten million cells");
-    const int steps = std::max(1, static_cast<int>(std::ceil(2 * longest)));
-    for (int s = 0; s <= steps; ++s) {
-      const double t = static_cast<double>(s) / steps;
-      const double column = frame.column(from.x) + t * columns, row = frame.row(from.y) + t * rows;
-      if (column < -0.5 || row < -0.5 || column >= frame.width - 0.5 || row >= frame.height - 0.5) continue;
-      cells(static_cast<int>(std::lround(column)), static_cast<int>(std::lround(row))) = 1;
-      inside = true;
-    }
-  }
-  return inside;
-}
-
 Grid<uint8_t>& begun(Grid<uint8_t>& grid, const GridFrame& frame) {
   if (grid.empty()) grid = Grid<uint8_t>(frame, 0);
   return grid;
-}
-
-/// Returns whether it lies inside.
-bool put_height(Vec2 place, double height_m, SketchMap& map) {
-  const double column = map.frame.column(place.x), row = map.frame.row(place.y);
-  if (!(column > -0.5 && row > -0.5 && column < map.frame.width - 0.5 && row < map.frame.height - 0.5)) return false;
-  begun(map.cue, map.frame);
-  if (map.cue_m.empty()) map.cue_m = ScalarField(map.frame, 0.0F);
-  const int x = static_cast<int>(std::lround(column)), y = static_cast<int>(std::lround(row));
-  map.cue(x, y) = 1;
-  map.cue_m(x, y) = static_cast<float>(height_m);
-  return true;
 }
 
 /// Counts what is drawn beside the domain: all of it is an error, a part of it is said.
@@ -170,6 +137,37 @@ void settle_scale(const SketchParams& params, SketchMap& map, const RunContext& 
 
 }  // namespace
 
+bool draw_cells(const Polyline& line, Grid<uint8_t>& cells) {
+  bool inside = false;
+  const GridFrame& frame = cells.frame();
+  for (size_t i = 0; i + 1 < std::max<size_t>(line.size(), 2) && i < line.size(); ++i) {
+    const Vec2 from = line[i], to = line[std::min(i + 1, line.size() - 1)];
+    const double columns = frame.column(to.x) - frame.column(from.x), rows = frame.row(to.y) - frame.row(from.y);
+    const double longest = std::max(std::abs(columns), std::abs(rows));
+    if (!(longest < 1e7)) throw InvalidArgument("lines", "a line reaches farther than ten million cells");
+    const int steps = std::max(1, static_cast<int>(std::ceil(2 * longest)));
+    for (int s = 0; s <= steps; ++s) {
+      const double t = static_cast<double>(s) / steps;
+      const double column = frame.column(from.x) + t * columns, row = frame.row(from.y) + t * rows;
+      if (column < -0.5 || row < -0.5 || column >= frame.width - 0.5 || row >= frame.height - 0.5) continue;
+      cells(static_cast<int>(std::lround(column)), static_cast<int>(std::lround(row))) = 1;
+      inside = true;
+    }
+  }
+  return inside;
+}
+
+bool put_height(Vec2 place, double height_m, SketchMap& map) {
+  const double column = map.frame.column(place.x), row = map.frame.row(place.y);
+  if (!(column > -0.5 && row > -0.5 && column < map.frame.width - 0.5 && row < map.frame.height - 0.5)) return false;
+  begun(map.cue, map.frame);
+  if (map.cue_m.empty()) map.cue_m = ScalarField(map.frame, 0.0F);
+  const int x = static_cast<int>(std::lround(column)), y = static_cast<int>(std::lround(row));
+  map.cue(x, y) = 1;
+  map.cue_m(x, y) = static_cast<float>(height_m);
+  return true;
+}
+
 SketchMap map_of(const SketchInputs& inputs, const SketchParams& params, const GridFrame& frame,
                  const RunContext& run) {
   for (const auto& [grid, name] : {std::pair{inputs.river, "river"},
@@ -181,15 +179,15 @@ SketchMap map_of(const SketchInputs& inputs, const SketchParams& params, const G
   SketchMap map;
   map.frame = frame;
   Beside beside;
-  for (const SketchedLine& line : params.rivers) beside.count(draw(line.points, begun(map.river, frame)));
-  for (const SketchedLine& line : params.ridges) beside.count(draw(line.points, begun(map.ridge, frame)));
+  for (const SketchedLine& line : params.rivers) beside.count(draw_cells(line.points, begun(map.river, frame)));
+  for (const SketchedLine& line : params.ridges) beside.count(draw_cells(line.points, begun(map.ridge, frame)));
   for (const SketchedHeight& h : params.heights) beside.count(put_height({h.x_m, h.y_m}, h.height_m, map));
   if (inputs.lines != nullptr) {
     for (const ValuedLine& line : inputs.lines->lines) {
       if (line.value != 0 && line.value != 1)
         throw InvalidArgument("lines",
                               "a line has the value " + std::to_string(line.value) + ": 0 is a river, 1 a ridge");
-      beside.count(draw(line.points, begun(line.value == 0 ? map.river : map.ridge, frame)));
+      beside.count(draw_cells(line.points, begun(line.value == 0 ? map.river : map.ridge, frame)));
     }
     for (const ValuedPoint& point : inputs.lines->points) beside.count(put_height(point.place, point.value, map));
   }

@@ -13,4 +13,11 @@ namespace seamount::learned {
 /// another size.
 SketchMap map_of(const SketchInputs& inputs, const SketchParams& params, const GridFrame& frame, const RunContext& run);
 
+/// Cells that a line passes become 1. Returns whether any of it lies inside. Throws InvalidArgument{"lines"} for a line
+/// longer than ten million cells.
+bool draw_cells(const Polyline& line, Grid<uint8_t>& cells);
+
+/// Makes the cell of a place a cue. Returns whether it lies inside.
+bool put_height(Vec2 place, double height_m, SketchMap& map);
+
 }  // namespace seamount::learned

@@ -212,6 +212,101 @@ TEST(LearnedSketch, OpensShallowHollowsButThoseThatAreDrawnOrKnown) {
   EXPECT_EQ(shallow, 0);
 }
 
+TEST(SketchGuide, WideCellsHoldWhatIsDrawnInThem) {
+  SketchMap map;
+  map.frame = GridFrame::centred(10, 9, 50);
+  map.river = Grid<uint8_t>(map.frame, 0);
+  map.river(5, 1) = 1;
+  map.cue = Grid<uint8_t>(map.frame, 0);
+  map.cue_m = ScalarField(map.frame, 0.0F);
+  map.cue(0, 8) = map.cue(1, 8) = 1;
+  map.cue_m(0, 8) = 100;
+  map.cue_m(1, 8) = 300;
+  map.known_m = HeightField(map.frame, kNone);
+  map.known_m(9, 0) = 70;
+  map.level = Grid<int8_t>(map.frame, 0);
+  map.level(4, 4) = -1;
+  map.relief_m = 400;
+  const SketchMap wide = coarser(map);
+  EXPECT_EQ(wide.frame.width, 3);
+  EXPECT_EQ(wide.frame.height, 3);
+  EXPECT_EQ(wide.frame.cell_m, 200);
+  EXPECT_EQ(wide.frame.west_m, map.frame.west_m);
+  EXPECT_EQ(wide.river(1, 0), 1);
+  EXPECT_EQ(wide.river(0, 0), 0);
+  EXPECT_TRUE(wide.ridge.empty());
+  EXPECT_EQ(wide.cue(0, 2), 1);
+  EXPECT_EQ(wide.cue_m(0, 2), 200);
+  EXPECT_EQ(wide.known_m(2, 0), 70);
+  EXPECT_TRUE(std::isnan(wide.known_m(0, 0)));
+  EXPECT_EQ(wide.level(1, 1), -1);
+  EXPECT_EQ(wide.relief_m, 400);
+}
+
+TEST(SketchGuide, FillsWideGapsAloneAndFarFromStrokes) {
+  const GridFrame frame = GridFrame::centred(200, 180, 40);
+  SketchMap map;
+  map.frame = frame;
+  map.ridge = Grid<uint8_t>(frame, 0);
+  draw_cells({{-3900, 1000}, {3900, 1000}}, map.ridge);
+  EXPECT_TRUE(has_wide_gaps(map, {}));
+  const SketchMap before = map;
+  Drawing guide;
+  guide.lines = {{{{20, -3500}, {20, 3500}}, 0}};
+  guide.points = {{{100, 1100}, 900}, {{-2000, -2000}, 400}};
+  add_guide(guide, map, {});
+  EXPECT_EQ(map.ridge, before.ridge);
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) {
+      if (std::abs(std::abs(frame.y(y)) - 3500) < 60) continue;  // its ends
+      const bool line = x == static_cast<int>(std::lround(frame.column(20))) && std::abs(frame.y(y)) < 3500;
+      const bool far = std::abs(frame.y(y) - 1000) > 17 * 40;
+      if (line && far) {
+        EXPECT_EQ(map.river(x, y), 1);
+      }
+      if (!line || std::abs(frame.y(y) - 1000) < 15 * 40) {
+        EXPECT_EQ(map.river(x, y), 0);
+      }
+    }
+  }
+  int cues = 0;
+  for (const uint8_t cue : map.cue.cells()) cues += cue;
+  EXPECT_EQ(cues, 1) << "the height beside the stroke is left out";
+
+  for (int y = 0; y < frame.height; y += 20) draw_cells({{-3900, frame.y(y)}, {3900, frame.y(y)}}, map.ridge);
+  EXPECT_FALSE(has_wide_gaps(map, {}));
+  map = before;
+  map.frame.cell_m = 150;
+  map.ridge.set_frame(map.frame);
+  EXPECT_FALSE(has_wide_gaps(map, {})) << "wide cells would be wider than what the network knows";
+}
+
+TEST(SketchGuide, DrawnHeightsStayMetAndThreadsDoNotCount) {
+  const Network network = network_of(kSketchPlanes);
+  const GridFrame frame = GridFrame::centred(260, 200, 60);
+  SketchParams params;
+  params.heights = {{60, -120, 1800}};
+  params.low_m = 300;
+  params.relief_m = 1500;
+  int calls = 0;
+  const Redraw redraw = [&](const HeightField& rough, double least_m2, Seed, const RunContext&) {
+    ++calls;
+    EXPECT_NEAR(least_m2, 16.0 * 240 * 240, 1);
+    EXPECT_NEAR(rough.frame().west_m, frame.west_m, 1e-6);
+    Drawing guide;
+    guide.lines = {{{{-7000, -5000}, {7000, -4800}}, 1}};
+    return guide;
+  };
+  RunContext one;
+  one.threads = 1;
+  const HeightField a = sketch({.redraw = redraw}, params, network, frame, Seed{4}, {});
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(a, sketch({.redraw = redraw}, params, network, frame, Seed{4}, one));
+  EXPECT_NE(a, sketch({}, params, network, frame, Seed{4}, {}));
+  EXPECT_NEAR(a(static_cast<int>(std::lround(frame.column(60))), static_cast<int>(std::lround(frame.row(-120)))), 1800,
+              0.01);
+}
+
 TEST(LearnedIsland, MeetsCoastsPeaksFloorsAndReefs) {
   LabelMap labels(GridFrame::centred(128, 128, 80), Region::abyss);
   for (int y = 0; y < 128; ++y) {

@@ -6,6 +6,7 @@
 #include "seamount/io/weights.h"
 #include "seamount/ops/learned/island.h"
 #include "seamount/ops/learned/sketch.h"
+#include "seamount/recipe/draw_again.h"
 #include "seamount/recipe/ports.h"
 
 namespace seamount::recipe {
@@ -31,8 +32,8 @@ HeightField sketch(const learned::SketchParams& params, const Call& call, const 
     break;
   }
   const learned::Network network = network_of(params.model, params.precision, call);
-  return learned::sketch({lines, image, river, ridge, levelset, terrain, erase}, params, network, frame, call.seed,
-                         call.run);
+  return learned::sketch({lines, image, river, ridge, levelset, terrain, erase, draw_again}, params, network, frame,
+                         call.seed, call.run);
 }
 
 HeightField island(const learned::IslandParams& params, const Call& call, const LabelMap* labels,
