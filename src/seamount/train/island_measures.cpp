@@ -73,7 +73,7 @@ IslandMeasures measure_islands(const learned::Network& network, int count, Seed 
       geom::PaintedLabels read = geom::decode_labels(image, pair.terrain.frame(), run);
       learned::IslandMap map;
       map.frame = pair.terrain.frame();
-      map.shares = std::move(read.shares);
+      map.shares = learned::without_specks(read.shares, run);
       map.subsidence = std::move(read.subsidence_per_cell);
       map.floor_m = *low;  // P0's heights are shares of their range, ours may be told it
       if (*high > 0) map.peak_m = *high;

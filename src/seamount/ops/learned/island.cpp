@@ -119,6 +119,38 @@ std::array<Mask, kRegionCount> shares_of(const LabelMap& labels, const RunContex
   return shares;
 }
 
+std::array<Mask, kRegionCount> without_specks(const std::array<Mask, kRegionCount>& shares, const RunContext& run) {
+  const int width = shares[0].width(), height = shares[0].height();
+  Grid<uint8_t> main_region(shares[0].frame(), 0);
+  for (size_t i = 0; i < main_region.size(); ++i) {
+    for (size_t region = 1; region < kRegionCount; ++region) {
+      if (shares[region].data()[i] > shares[main_region.data()[i]].data()[i])
+        main_region.data()[i] = static_cast<uint8_t>(region);
+    }
+  }
+  std::array<Mask, kRegionCount> out = shares;
+  parallel_rows(run, width, height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < width; ++x) {
+        int same = 0, around = 0;
+        std::array<float, kRegionCount> sums{};
+        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v) {
+          for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
+            if (u == x && v == y) continue;
+            ++around;
+            same += main_region(u, v) == main_region(x, y);
+            for (size_t region = 0; region < kRegionCount; ++region) sums[region] += shares[region](u, v);
+          }
+        }
+        if (same > 1 || around == 0) continue;  // two specks may touch
+        for (size_t region = 0; region < kRegionCount; ++region)
+          out[region](x, y) = sums[region] / static_cast<float>(around);
+      }
+    }
+  });
+  return out;
+}
+
 HeightField island(const IslandMap& map, const Network& network, Seed seed, const RunContext& run) {
   if (network.architecture().planes != kIslandPlanes)
     throw InvalidArgument("model", "is a network of " + std::to_string(network.architecture().planes) +

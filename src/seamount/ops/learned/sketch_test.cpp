@@ -307,6 +307,24 @@ TEST(SketchGuide, DrawnHeightsStayMetAndThreadsDoNotCount) {
               0.01);
 }
 
+TEST(LearnedIsland, SpecksVanishAndStripsStay) {
+  LabelMap labels(GridFrame::centred(30, 20, 80), Region::abyss);
+  labels(7, 7) = Region::mountain;
+  labels(20, 10) = labels(21, 11) = Region::lagoon;
+  for (int x = 0; x < 30; ++x) labels(x, 15) = Region::beach;
+  std::array<Mask, kRegionCount> shares;
+  for (size_t region = 0; region < kRegionCount; ++region) {
+    shares[region] = Mask(labels.frame(), 0.0F);
+    for (size_t i = 0; i < labels.size(); ++i)
+      shares[region].data()[i] = static_cast<size_t>(labels.data()[i]) == region;
+  }
+  const auto clean = without_specks(shares, {});
+  EXPECT_EQ(clean[static_cast<size_t>(Region::mountain)](7, 7), 0);
+  EXPECT_EQ(clean[static_cast<size_t>(Region::abyss)](7, 7), 1);
+  EXPECT_LT(clean[static_cast<size_t>(Region::lagoon)](20, 10), 0.2F);
+  for (int x = 1; x < 29; ++x) EXPECT_EQ(clean[static_cast<size_t>(Region::beach)](x, 15), 1);
+}
+
 TEST(LearnedIsland, MeetsCoastsPeaksFloorsAndReefs) {
   LabelMap labels(GridFrame::centred(128, 128, 80), Region::abyss);
   for (int y = 0; y < 128; ++y) {

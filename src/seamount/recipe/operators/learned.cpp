@@ -49,7 +49,7 @@ HeightField island(const learned::IslandParams& params, const Call& call, const 
   } else {
     map.frame = call.domain;
     geom::PaintedLabels read = geom::decode_labels(io::read_image(call.resolve(params.painting)), map.frame, call.run);
-    map.shares = std::move(read.shares);
+    map.shares = learned::without_specks(read.shares, call.run);
     map.subsidence = std::move(read.subsidence_per_cell);
   }
   if (subsidence != nullptr) map.subsidence = *subsidence;
