@@ -9,6 +9,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/pyramid_fill.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/solve/continue_surface.h"
 #include "seamount/geom/solve/drain.h"
 #include "seamount/ops/learned/sketch_map.h"
 #include "seamount/ops/learned/sketch_planes.h"
@@ -108,6 +109,10 @@ HeightField sketch(const SketchInputs& inputs, const SketchParams& params, const
                                        " planes, and a sketch has " + std::to_string(kSketchPlanes));
   const SketchMap map = map_of(inputs, params, frame, run);
   HeightField heights = make_guided(map, inputs.redraw, params.adherence, network, seed, run);
+  if (!map.known_m.empty()) {
+    geom::continue_surface(map.known_m, {}, heights, run);
+    if (!map.cue.empty()) meet_heights(map, params.adherence, heights, run);  // those beside the rim
+  }
   open_hollows(map, heights, run);
   return heights;
 }

@@ -4,7 +4,8 @@
 // kinds left out, which also lifts the limit of its sec. 7.4. Ours: what is drawn with heights is spread smoothly and
 // the network adds the ground's form to it (sketch_planes.h); noise of a seed instead of dropout; cell size and relief
 // are inputs; the residual at drawn heights and known ground is spread and taken away at the end, so that they are met
-// exactly, and shallow hollows that nobody drew are opened.
+// exactly; made ground goes on from known ground with its slopes (geom/solve/continue_surface.h), so that pieces of
+// ground in a large domain show no seam (P1 sec. 6.3); and shallow hollows that nobody drew are opened.
 #pragma once
 
 #include "seamount/base/rng.h"

@@ -86,16 +86,17 @@ void add_levelset(const SketchInputs& inputs, SketchMap& map) {
   }
 }
 
-void add_known(const SketchInputs& inputs, SketchMap& map) {
+void add_known(const SketchInputs& inputs, SketchMap& map, const RunContext& run) {
   if (inputs.terrain == nullptr && inputs.erase != nullptr)
     throw InvalidArgument("erase", "there is no terrain from which it could erase");
   if (inputs.terrain == nullptr) return;
   map.known_m = *inputs.terrain;
   map.known_m.set_frame(map.frame);
-  if (inputs.erase == nullptr) return;
-  for (size_t i = 0; i < map.known_m.size(); ++i) {
+  for (size_t i = 0; inputs.erase != nullptr && i < map.known_m.size(); ++i) {
     if (inputs.erase->data()[i] > 0.5F) map.known_m.data()[i] = kNone;
   }
+  if (std::none_of(map.known_m.cells().begin(), map.known_m.cells().end(), [](float z) { return std::isnan(z); }))
+    run.say("all ground is known and stays: only unknown cells of terrain, and those of erase, are made");
 }
 
 /// Low ground and relief of what was drawn with heights, or usual ones.
@@ -196,7 +197,7 @@ SketchMap map_of(const SketchInputs& inputs, const SketchParams& params, const G
   add_cells(inputs.river, map.river, frame);
   add_cells(inputs.ridge, map.ridge, frame);
   add_levelset(inputs, map);
-  add_known(inputs, map);
+  add_known(inputs, map, run);
   settle_scale(params, map, run);
   return map;
 }

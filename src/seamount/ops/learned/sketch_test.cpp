@@ -134,6 +134,35 @@ TEST(LearnedSketch, SaysWhatLiesBesideTheDomain) {
   EXPECT_THROW(map_of(inputs, {}, frame, run), InvalidArgument);
 }
 
+TEST(LearnedSketch, SaysWhereNothingIsLeftToMake) {
+  HeightField known = hills(GridFrame::centred(40, 30, 10));
+  std::string said;
+  RunContext run;
+  run.note = [&](const std::string& line) { said += line + "\n"; };
+  SketchInputs inputs;
+  inputs.terrain = &known;
+  map_of(inputs, {}, known.frame(), run);
+  EXPECT_NE(said.find("all ground is known and stays"), std::string::npos) << said;
+  said.clear();
+  known(7, 8) = kNone;
+  map_of(inputs, {}, known.frame(), run);
+  EXPECT_EQ(said, "");
+}
+
+/// Lines of a drawing, those of the parameters, pictures and grids add up.
+TEST(LearnedSketch, DrawnLinesAndThoseOfParametersAddUp) {
+  const GridFrame frame = GridFrame::centred(40, 30, 10);
+  Drawing lines;
+  lines.lines = {{{{-150, 100}, {150, 100}}, 1}};
+  SketchParams params;
+  params.ridges = {{{{-150, -100}, {150, -100}}}};
+  SketchInputs inputs;
+  inputs.lines = &lines;
+  const SketchMap map = map_of(inputs, params, frame, {});
+  for (const int y : {static_cast<int>(std::lround(frame.row(100))), static_cast<int>(std::lround(frame.row(-100)))})
+    EXPECT_EQ(map.ridge(20, y), 1);
+}
+
 TEST(LearnedSketch, AHoleInAPlainIsFilledAtThePlainsScale) {
   HeightField plain(GridFrame::centred(80, 60, 90), 200.0F);
   for (int y = 0; y < 60; ++y) {

@@ -176,6 +176,11 @@ HeightField compose(const std::vector<const HeightField*>& terrains, const Compo
     Row row(frame, params);
     for (int y = begin; y < end; ++y) row.compose(placed, y, out.row(y));
   });
+  const auto unknown = std::count_if(out.cells().begin(), out.cells().end(), [](float z) { return std::isnan(z); });
+  if (unknown > 0) {
+    run.say(std::to_string(unknown) + " of " + std::to_string(out.size()) +
+            " cells stay unknown: no terrain has a height there, and outside_m is not given");
+  }
   return out;
 }
 

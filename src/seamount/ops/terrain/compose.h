@@ -40,7 +40,8 @@ struct ComposeParams {
               "how far each terrain is raised after scaling; missing ones are 0"),
         field(&P::feather_m, "feather_m", "m", between(0, 1e7), "width of the seams; 0: cut sharply"),
         field(&P::outside_m, "outside_m", "m", between(-12000, 9000),
-              "height of the plain on which all terrains lie; if absent nothing is known where there is none"));
+              "height of the plain on which all terrains lie; if absent such ground stays unknown, for learned.sketch "
+              "to make"));
   }
 };
 

@@ -139,6 +139,19 @@ TEST(Compose, JoinsNeighboursWithoutASeamAndKeepsHoles) {
   }
 }
 
+TEST(Compose, PiecesInALargeDomainLeaveTheRestUnknownAndSaySo) {
+  const HeightField piece(GridFrame::centred(10, 10, 20.0), 90.0F);
+  std::string said;
+  RunContext run;
+  run.note = [&](const std::string& line) { said += line; };
+  const HeightField out = compose({&piece}, {.places = {{-600, 500}, {700, -300}}, .feather_m = 0}, kFrame, run);
+  EXPECT_EQ(std::count_if(out.cells().begin(), out.cells().end(), [](float z) { return z == 90.0F; }), 200);
+  EXPECT_EQ(said, "11800 of 12000 cells stay unknown: no terrain has a height there, and outside_m is not given");
+  said.clear();
+  compose({&piece}, {.places = {{-600, 500}}, .outside_m = 1.0}, kFrame, run);
+  EXPECT_EQ(said, "");
+}
+
 TEST(Compose, SaysWhatLiesNowhereOnTheDomain) {
   const HeightField here(GridFrame::centred(10, 10, 10.0), 1.0F);
   HeightField far = here;

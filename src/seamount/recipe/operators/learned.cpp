@@ -66,9 +66,10 @@ HeightField island(const learned::IslandParams& params, const Call& call, const 
 void add_learned_operators(Registry& registry) {
   registry.add(make_operator<learned::SketchParams>(
       {.name = "learned.sketch",
+       .revision = 2,
        .summary = "Terrain from a sketch of ridges, rivers, heights, high ground and known ground in any mix, by a "
                   "network (early weights)",
-       .source = "P1 sec. 4 to 6.1",
+       .source = "P1 sec. 4 to 6.1, 6.3",
        .stochastic = true},
       inputs(optional_in<Drawing>("lines",
                                   "lines of value 0 (river) or 1 (ridge), points with heights, areas of high ground"),
