@@ -34,9 +34,10 @@ float line_near(float d) { return fading((d * d) / (2 * kLine * kLine)); }
 
 }  // namespace
 
-SketchPlanes::SketchPlanes(const SketchMap& map, Seed seed, const RunContext& run)
+SketchPlanes::SketchPlanes(const SketchMap& map, Seed seed, const RunContext& run, KnownGround known_ground)
     : map_(map),
       seed_(seed),
+      shows_known_(known_ground == KnownGround::shown),
       river_(cells_to(map.river, run)),
       ridge_(cells_to(map.ridge, run)),
       cue_(cells_to(map.cue, run)),
@@ -102,7 +103,7 @@ void SketchPlanes::fill_row(int y, float* values) const {
       p[5] = static_cast<float>((z - map_.low_m) / map_.relief_m) * fading(d / kAround);
     }
     if (!map_.level.empty()) p[6] = map_.level(x, y);
-    if (!map_.known_m.empty() && !std::isnan(map_.known_m(x, y))) {
+    if (shows_known_ && !map_.known_m.empty() && !std::isnan(map_.known_m(x, y))) {
       p[7] = static_cast<float>((map_.known_m(x, y) - map_.low_m) / map_.relief_m);
       p[8] = 1;
     }

@@ -33,11 +33,14 @@ inline constexpr int kSketchPlanes = 16;
 /// Planes of the drawing that a critic of the result may compare it with: lines, cues, levelset and known ground.
 inline constexpr int kSketchDrawnPlanes[] = {0, 2, 4, 5, 6, 7, 8};
 
+/// Whether the planes of known ground are filled. Its heights are in the base either way.
+enum class KnownGround { shown, hidden };
+
 class SketchPlanes {
  public:
   /// Distances and the base of a sketch. Throws InvalidArgument{"relief_m"} unless it is > 0. Parallel, linear; up to
   /// 28 bytes per cell.
-  SketchPlanes(const SketchMap& map, Seed seed, const RunContext& run);
+  SketchPlanes(const SketchMap& map, Seed seed, const RunContext& run, KnownGround known = KnownGround::shown);
 
   Planes planes() const;
 
@@ -50,6 +53,7 @@ class SketchPlanes {
 
   const SketchMap& map_;  ///< must outlive this
   Seed seed_;
+  bool shows_known_;
   ScalarField river_, ridge_, cue_;  ///< distances in cells; empty: none drawn
   Grid<int32_t> nearest_cue_;
   ScalarField base_;

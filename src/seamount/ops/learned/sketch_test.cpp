@@ -193,6 +193,28 @@ TEST(LearnedSketch, AnAbsentKindIsAnEmptyPlane) {
   }
 }
 
+TEST(LearnedSketch, HiddenKnownGroundIsInTheBaseAlone) {
+  SketchMap map;
+  map.known_m = hills(GridFrame::centred(20, 20, 60));
+  map.known_m(4, 5) = kNone;
+  map.frame = map.known_m.frame();
+  const SketchPlanes shown(map, Seed{3}, {}), hidden(map, Seed{3}, {}, KnownGround::hidden);
+  std::vector<float> a(400 * kSketchPlanes), b = a;
+  shown.planes().fill(0, 20, a);
+  hidden.planes().fill(0, 20, b);
+  for (size_t cell = 0; cell < 400; ++cell) {
+    for (size_t p = 0; p < kSketchPlanes; ++p) {
+      const size_t i = cell * kSketchPlanes + p;
+      if (p == 7 || p == 8) {
+        EXPECT_EQ(b[i], 0);
+        EXPECT_EQ(a[i] != 0, cell != 5 * 20 + 4);
+      } else {
+        EXPECT_EQ(a[i], b[i]);
+      }
+    }
+  }
+}
+
 TEST(LearnedIsland, SharesSumToOneAndCodesComeBack) {
   LabelMap labels(GridFrame::centred(50, 41, 80), Region::abyss);
   for (int y = 10; y < 30; ++y) {

@@ -66,7 +66,7 @@ HeightField island(const learned::IslandParams& params, const Call& call, const 
 void add_learned_operators(Registry& registry) {
   registry.add(make_operator<learned::SketchParams>(
       {.name = "learned.sketch",
-       .revision = 2,
+       .revision = 3,
        .summary = "Terrain from a sketch of ridges, rivers, heights, high ground and known ground in any mix, by a "
                   "network (early weights)",
        .source = "P1 sec. 4 to 6.1, 6.3",
