@@ -252,7 +252,7 @@ Sample sketch_sample(const Crop& crop, const DrawnTile& drawn, Seed seed) {
   if (mix.level) draw_level(crop, rng, map);
   if (mix.known != Mix::none) draw_known(crop, mix, rng, map);
 
-  const learned::SketchPlanes planes(map, seed.derive("noise"), alone(), learned::KnownGround::hidden);
+  const learned::SketchPlanes planes(map, seed.derive("noise"), alone());
   Sample sample;
   sample.size = map.frame.width;
   const size_t cells = crop.heights.size();

@@ -72,8 +72,7 @@ void open_hollows(const SketchMap& map, HeightField& heights, const RunContext& 
 /// Terrain of a map; `seen` is what the network sees of it, with lines that nobody drew in wide gaps.
 HeightField make(const SketchMap& map, const SketchMap& seen, double adherence, const Network& network, Seed seed,
                  const RunContext& run) {
-  // Beside ground that it is shown the network makes a level rim of 30 cells, the mean of all that might follow.
-  const SketchPlanes planes(seen, seed, run, KnownGround::hidden);
+  const SketchPlanes planes(seen, seed, run);
   HeightField heights = network.evaluate(planes.planes(), map.frame, run);
   const auto low = static_cast<float>(map.low_m), relief = static_cast<float>(map.relief_m);
   parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {

@@ -34,10 +34,9 @@ float line_near(float d) { return fading((d * d) / (2 * kLine * kLine)); }
 
 }  // namespace
 
-SketchPlanes::SketchPlanes(const SketchMap& map, Seed seed, const RunContext& run, KnownGround known_ground)
+SketchPlanes::SketchPlanes(const SketchMap& map, Seed seed, const RunContext& run)
     : map_(map),
       seed_(seed),
-      shows_known_(known_ground == KnownGround::shown),
       river_(cells_to(map.river, run)),
       ridge_(cells_to(map.ridge, run)),
       cue_(cells_to(map.cue, run)),
@@ -103,10 +102,6 @@ void SketchPlanes::fill_row(int y, float* values) const {
       p[5] = static_cast<float>((z - map_.low_m) / map_.relief_m) * fading(d / kAround);
     }
     if (!map_.level.empty()) p[6] = map_.level(x, y);
-    if (shows_known_ && !map_.known_m.empty() && !std::isnan(map_.known_m(x, y))) {
-      p[7] = static_cast<float>((map_.known_m(x, y) - map_.low_m) / map_.relief_m);
-      p[8] = 1;
-    }
     p[9] = base_(x, y);
     p[10] = cell_noise(cells, x, y);
     for (int k = 0; k < 3; ++k) p[11 + k] = waves[static_cast<size_t>(k * width + x)] / 0.35F;

@@ -30,17 +30,16 @@ struct SketchMap {
 
 inline constexpr int kSketchPlanes = 16;
 
-/// Planes of the drawing that a critic of the result may compare it with: lines, cues, levelset and known ground.
+/// Planes of the drawing that a critic of the result may compare it with: lines, cues, levelset; the last two are empty.
+/// Known ground is in the base alone: beside ground that it is shown the network makes a level rim of 30 cells, the mean
+/// of all that might follow.
 inline constexpr int kSketchDrawnPlanes[] = {0, 2, 4, 5, 6, 7, 8};
-
-/// Whether the planes of known ground are filled. Its heights are in the base either way.
-enum class KnownGround { shown, hidden };
 
 class SketchPlanes {
  public:
   /// Distances and the base of a sketch. Throws InvalidArgument{"relief_m"} unless it is > 0. Parallel, linear; up to
   /// 28 bytes per cell.
-  SketchPlanes(const SketchMap& map, Seed seed, const RunContext& run, KnownGround known = KnownGround::shown);
+  SketchPlanes(const SketchMap& map, Seed seed, const RunContext& run);
 
   Planes planes() const;
 
@@ -53,7 +52,6 @@ class SketchPlanes {
 
   const SketchMap& map_;  ///< must outlive this
   Seed seed_;
-  bool shows_known_;
   ScalarField river_, ridge_, cue_;  ///< distances in cells; empty: none drawn
   Grid<int32_t> nearest_cue_;
   ScalarField base_;
