@@ -1,4 +1,4 @@
-// train sketch, island, measure: networks from data, in pieces that go on after a kill.
+// train sketch, island, erode, measure: networks from data, in pieces that go on after a kill.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -11,6 +11,7 @@
 #include "seamount/ops/learned/island_planes.h"
 #include "seamount/recipe/draw_again.h"
 #include "seamount/recipe/param_json.h"
+#include "seamount/train/erode_task.h"
 #include "seamount/train/island_measures.h"
 #include "seamount/train/island_task.h"
 #include "seamount/train/sketch_measures.h"
@@ -25,6 +26,7 @@ using recipe::Json;
 
 struct TrainFlags : RunFlags {
   std::string out, from, dem;
+  int pairs = 400, size = 192;
   std::map<std::string, std::string> params;
 };
 
@@ -158,6 +160,16 @@ void add_train_networks(Command command) {
   island.does([flags] {
     const Session session(*flags);
     const train::IslandTask task(Seed{flags->seed.value_or(0)});
+    train_on(task, *flags, session);
+  });
+  Command erode = add_kind(command, flags, "erode", "Terrain to eroded terrain, learned from erosion.run");
+  erode.add("--dem", &flags->dem, "folder of elevation models (GeoTIFF); noise alone if absent");
+  erode.add("--pairs", &flags->pairs, "terrains that are eroded to learn from, 0.5 s each, before the training begins");
+  erode.add("--size", &flags->size, "cells of a sample's side: 32, 64 ... 256");
+  erode.does([flags] {
+    flags->params.emplace("critic_weight", "0");  // what erosion does is known to the metre
+    const Session session(*flags);
+    const train::ErodeTask task(flags->dem, flags->size, flags->pairs, Seed{flags->seed.value_or(0)}, session.run());
     train_on(task, *flags, session);
   });
 }

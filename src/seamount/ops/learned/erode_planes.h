@@ -1,0 +1,42 @@
+// What the erosion synthesizer sees of a terrain: its form at three sizes, where its water runs, an estimate of what
+// rivers will do, and for how long; the same in training and in use.
+//
+// A convolution sees some hundred cells; how deep a river cuts is decided by all that drains to it. So drainage is
+// computed (geom/water/flow.h) and rivers cut along it in one step (geom/water/incise.h): the network adds what the
+// estimate misses. Heights are shares of the mean change that the estimate makes, slopes are true ones, so that one
+// network serves all reliefs, cells and years.
+#pragma once
+
+#include "seamount/base/run_context.h"
+#include "seamount/model/grid.h"
+#include "seamount/ops/learned/planes.h"
+
+namespace seamount::learned {
+
+inline constexpr int kErodePlanes = 15;
+inline constexpr double kFewestYears = 1000, kMostYears = 300000;  ///< that training shows
+
+class ErodePlanes {
+ public:
+  /// years > 0. Half of it in parallel; linear; 1024 x 1024 in 0.3 s; 100 bytes per cell.
+  ErodePlanes(const HeightField& terrain, double years, double sea_m, const RunContext& run);
+
+  Planes planes() const;
+
+  /// The mean change of the estimate in metres; 0 where nothing can change: level ground.
+  double unit_m() const { return unit_m_; }
+  /// The estimated change, as shares of unit_m(): what the network's result is added to.
+  const ScalarField& base() const { return base_; }
+
+ private:
+  void fill_row(int y, float* values) const;
+
+  const HeightField& terrain_;  ///< must outlive this
+  double years_, sea_m_, unit_m_ = 0;
+  ScalarField base_, later_, coarse_;  ///< changes in units: of these years, eight times as many, on cells of four
+  ScalarField near_, far_;             ///< means of the ground around
+  ScalarField drained_, water_m_, descent_;  ///< log2 of cells, depth of hollows, slope of the water's way
+  ScalarField load_;                         ///< log2 of what passed, in units
+};
+
+}  // namespace seamount::learned
