@@ -4,7 +4,10 @@
 #include <cmath>
 
 #include "seamount/base/rng.h"
+#include "seamount/geom/scalar/noise.h"
 #include "seamount/ops/learned/convolver.h"
+#include "seamount/ops/learned/erode.h"
+#include "seamount/ops/learned/erode_planes.h"
 #include "seamount/ops/learned/island.h"
 #include "seamount/ops/learned/network.h"
 #include "seamount/ops/learned/sketch.h"
@@ -13,10 +16,9 @@
 namespace seamount {
 namespace {
 
-/// The default architecture with weights by chance: as fast as any.
-learned::Network some_network(learned::Precision precision, int planes = learned::kSketchPlanes) {
+/// Weights by chance: as fast as any.
+learned::Network some_network(learned::Precision precision, const learned::Architecture& architecture = {}) {
   Weights weights;
-  const learned::Architecture architecture{.planes = planes};
   describe(architecture, weights);
   for (const learned::Convolution& c : convolutions(architecture)) {
     Tensor weight{{c.out, c.in, c.kernel, c.kernel}, {}};
@@ -86,14 +88,30 @@ BENCHMARK_CAPTURE(sketch, f32, learned::Precision::f32)
     ->Name("learned/sketch/f32")
     ->Arg(256)
     ->Arg(512)
+
+        void erode(benchmark::State& state, learned::Precision precision) {
+  if (precision == learned::Precision::bf16 && !learned::has_bf16())
+    return state.SkipWithError("this processor has no bf16");
+  const auto size = static_cast<int>(state.range(0));
+  const learned::Network network =
+      some_network(precision, {.planes = learned::kErodePlanes, .widths = {16, 32, 64, 96}});
+  HeightField ground = geom::fbm_grid(GridFrame::centred(size, size, 20), Seed{1}, {.wavelength_m = 5000}, {});
+  for (float& z : ground.cells()) z = 800 * z + 1000;
+  benchmark::DoNotOptimize(learned::erode(ground, nullptr, {}, network, {}));
+  for (auto _ : state) benchmark::DoNotOptimize(learned::erode(ground, nullptr, {}, network, {}));
+}
+BENCHMARK_CAPTURE(erode, bf16, learned::Precision::bf16)
+    ->Name("learned/erode/bf16")
+    ->Arg(256)
     ->Arg(1024)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
+<<<<<<< HEAD
 /// The whole of learned.island, of rings around the middle.
 void island(benchmark::State& state) {
   const auto size = static_cast<int>(state.range(0));
-  const learned::Network network = some_network(learned::Precision::automatic, learned::kIslandPlanes);
+  const learned::Network network = some_network(learned::Precision::automatic, {.planes = learned::kIslandPlanes});
   LabelMap labels(GridFrame::centred(size, size, 20480.0 / size), Region::abyss);
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
@@ -110,5 +128,7 @@ void island(benchmark::State& state) {
 }
 BENCHMARK(island)->Name("learned/island")->Arg(256)->Arg(1024)->UseRealTime()->Unit(benchmark::kMillisecond);
 
+=======
+>>>>>>> 0d8f111 (learned.erode: erosion in a moment, with first weights)
 }  // namespace
 }  // namespace seamount

@@ -30,9 +30,9 @@ struct SketchMap {
 
 inline constexpr int kSketchPlanes = 16;
 
-/// Planes of the drawing that a critic of the result may compare it with: lines, cues, levelset; the last two are empty.
-/// Known ground is in the base alone: beside ground that it is shown the network makes a level rim of 30 cells, the mean
-/// of all that might follow.
+/// Planes of the drawing that a critic of the result may compare it with: lines, cues, levelset; the last two are
+/// empty. Known ground is in the base alone: beside ground that it is shown the network makes a level rim of 30 cells,
+/// the mean of all that might follow.
 inline constexpr int kSketchDrawnPlanes[] = {0, 2, 4, 5, 6, 7, 8};
 
 class SketchPlanes {

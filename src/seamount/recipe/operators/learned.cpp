@@ -4,6 +4,7 @@
 #include "seamount/geom/grid/painted_labels.h"
 #include "seamount/io/image_file.h"
 #include "seamount/io/weights.h"
+#include "seamount/ops/learned/erode.h"
 #include "seamount/ops/learned/island.h"
 #include "seamount/ops/learned/sketch.h"
 #include "seamount/recipe/draw_again.h"
@@ -61,6 +62,11 @@ HeightField island(const learned::IslandParams& params, const Call& call, const 
   return learned::island(map, network_of(params.model, params.precision, call), call.seed, call.run);
 }
 
+HeightField erode(const learned::ErodeParams& params, const Call& call, const HeightField& terrain,
+                  const ScalarField* mask) {
+  return learned::erode(terrain, mask, params, network_of(params.model, params.precision, call), call.run);
+}
+
 }  // namespace
 
 void add_learned_operators(Registry& registry) {
@@ -87,6 +93,14 @@ void add_learned_operators(Registry& registry) {
       inputs(optional_in<kinds::Labels>("labels", "regions"),
              optional_in<Field>("subsidence", "how far the ground has sunk, 0 to 1")),
       outputs(out<Terrain>("terrain", "heights in metres")), island));
+  registry.add(make_operator<learned::ErodeParams>(
+      {.name = "learned.erode",
+       .summary = "Years of rivers, slides and creep in a moment, by a network that learned from erosion.run (early "
+                  "weights)",
+       .source = "ours; the simulation is erosion.run"},
+      inputs(in<Terrain>("terrain", "heights in metres"),
+             optional_in<Field>("mask", "share of the change that is kept: 0 nothing, 1 all; everywhere if absent")),
+      outputs(out<Terrain>("terrain", "heights in metres")), erode));
 }
 
 }  // namespace seamount::recipe
