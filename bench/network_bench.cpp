@@ -88,8 +88,12 @@ BENCHMARK_CAPTURE(sketch, f32, learned::Precision::f32)
     ->Name("learned/sketch/f32")
     ->Arg(256)
     ->Arg(512)
+    ->Arg(1024)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
-        void erode(benchmark::State& state, learned::Precision precision) {
+/// The whole of learned.erode.
+void erode(benchmark::State& state, learned::Precision precision) {
   if (precision == learned::Precision::bf16 && !learned::has_bf16())
     return state.SkipWithError("this processor has no bf16");
   const auto size = static_cast<int>(state.range(0));
@@ -107,7 +111,6 @@ BENCHMARK_CAPTURE(erode, bf16, learned::Precision::bf16)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
-<<<<<<< HEAD
 /// The whole of learned.island, of rings around the middle.
 void island(benchmark::State& state) {
   const auto size = static_cast<int>(state.range(0));
@@ -128,7 +131,5 @@ void island(benchmark::State& state) {
 }
 BENCHMARK(island)->Name("learned/island")->Arg(256)->Arg(1024)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-=======
->>>>>>> 0d8f111 (learned.erode: erosion in a moment, with first weights)
 }  // namespace
 }  // namespace seamount

@@ -25,11 +25,13 @@ HeightField noise_ground(Rng& rng, Seed seed, const RunContext& run) {
   return terrain::noise(params, GridFrame::centred(kErodeCells, kErodeCells, cell), seed, run);
 }
 
+constexpr double kKnown = 0.97;  ///< share of a crop that must be known
+
 std::optional<HeightField> real_ground(const std::vector<GroundTile>& tiles, Rng& rng) {
   for (int attempt = 0; attempt < 50; ++attempt) {
     const GroundTile& tile = tiles[static_cast<size_t>(rng.integer(0, static_cast<int>(tiles.size()) - 1))];
     if (std::min(tile.heights.width(), tile.heights.height()) < kErodeCells) continue;
-    if (std::optional<Crop> crop = find_crop(tile.heights, kErodeCells, rng)) return std::move(crop->heights);
+    if (std::optional<Crop> crop = find_crop(tile.heights, kErodeCells, kKnown, rng)) return std::move(crop->heights);
   }
   return std::nullopt;
 }
