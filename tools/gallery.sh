@@ -50,6 +50,13 @@ for recipe in painted first; do
   ./run run "recipes/guide/$recipe.json" --out "$made/guide/$recipe" --no-cache
   cp "$made/guide/$recipe/view.png" "docs/gallery/guide_$recipe.png"
 done
+for recipe in strokes lambda compose redrawn session; do
+  ./run run "recipes/sketches/$recipe.json" --out "$made/sketches_$recipe" --no-cache
+done
+for recipe in strokes lambda compose redrawn; do
+  cp "$made/sketches_$recipe/view.png" "docs/gallery/sketches_$recipe.png"
+done
+cp "$made/sketches_session/4_rain.png" docs/gallery/sketches_session.png
 mv docs/gallery/erosion_worn_island.png docs/gallery/worn_island.png
 cp "$made"/{stone,desert,volcano}.png docs/gallery/
 cp "$made"/view.png docs/gallery/kauai.png

@@ -18,7 +18,7 @@ namespace seamount::learned {
 namespace {
 
 constexpr double kGuideCells = 16.0;  ///< wide cells that a line of the guide drains
-constexpr float kHollow = 0.03F;      ///< of the relief: hollows no deeper are opened
+constexpr float kHollow = 0.012F;      ///< of the relief: hollows no deeper are opened
 
 /// Takes the residual at known ground (all of it) and drawn heights (a share) away, spread over what is near.
 void meet_heights(const SketchMap& map, double adherence, HeightField& heights, const RunContext& run) {

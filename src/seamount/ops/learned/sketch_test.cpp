@@ -251,7 +251,7 @@ TEST(LearnedSketch, OpensShallowHollowsButThoseThatAreDrawnOrKnown) {
     drawn |= from_drawn < 130;
     if (from_drawn < 130 || (x >= 10 && x < 15 && y >= 10 && y < 15)) continue;
     HeightField rest = made;
-    geom::drain_shallow(rest, {sink}, 29, {});
+    geom::drain_shallow(rest, {sink}, 11, {});
     shallow += rest != made && rest.data()[sink] != made.data()[sink];
   }
   EXPECT_TRUE(drawn) << "a basin that is drawn keeps its water";

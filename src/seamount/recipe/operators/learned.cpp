@@ -74,7 +74,7 @@ void add_learned_operators(Registry& registry) {
       {.name = "learned.sketch",
        .revision = 3,
        .summary = "Terrain from a sketch of ridges, rivers, heights, high ground and known ground in any mix, by a "
-                  "network (early weights)",
+                  "network",
        .source = "P1 sec. 4 to 6.1, 6.3",
        .stochastic = true},
       inputs(optional_in<Drawing>("lines",
@@ -87,7 +87,7 @@ void add_learned_operators(Registry& registry) {
       outputs(out<Terrain>("terrain", "heights in metres")), sketch));
   registry.add(make_operator<learned::IslandParams>(
       {.name = "learned.island",
-       .summary = "Island terrain from a map of its regions, painted or made, by a network (early weights)",
+       .summary = "Island terrain from a map of its regions, painted or made, by a network",
        .source = "P0 sec. 1.5 to 1.7",
        .stochastic = true},
       inputs(optional_in<kinds::Labels>("labels", "regions"),
