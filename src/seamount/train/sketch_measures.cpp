@@ -162,7 +162,6 @@ ComparedMeasures measure_sketches(const learned::Network& network, const std::ve
     learned::SketchParams params;
     params.low_m = *low;
     params.relief_m = std::max(1.0F, *high - *low);
-    params.adherence = 0;
     const learned::SketchInputs inputs{.lines = &drawn.lines, .redraw = redraw};
     const learned::SketchMap map = learned::map_of(inputs, params, real_ground.frame(), run);
     made.add(learned::sketch(inputs, params, network, real_ground.frame(), seed, run), real_ground, map, run);

@@ -21,7 +21,7 @@ struct SketchMeasures {
   int pieces = 0;
   double rivers = 0;  ///< share of drawn river cells within three cells of the result's drainage network
   double ridges = 0;  ///< of ridge cells, of the network of the ground turned upside down
-  double cues = 0;    ///< mean distance from a drawn height, as a share of the relief, with adherence 0
+  double cues = 0;    ///< mean distance from a drawn height, as a share of the relief
   std::map<std::string, double> distances;  ///< of the descriptors of hydrology.describe to the real ground, means
   double pits_km2 = 0;                      ///< cells lower than all around, for each square kilometre
   double grid = 0;  ///< energy at the strides' frequencies over that beside them, for one in real ground; the worst

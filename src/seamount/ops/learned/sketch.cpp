@@ -9,6 +9,7 @@
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/pyramid_fill.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/solve/continue_surface.h"
 #include "seamount/geom/solve/drain.h"
 #include "seamount/ops/learned/sketch_map.h"
@@ -17,8 +18,10 @@
 namespace seamount::learned {
 namespace {
 
+constexpr float kLineDepth = 0.015F;  ///< of the relief, by which lines are deepened and sharpened
+constexpr double kLineCells = 1.7;    ///< deviation of that across them
 constexpr double kGuideCells = 16.0;  ///< wide cells that a line of the guide drains
-constexpr float kHollow = 0.012F;      ///< of the relief: hollows no deeper are opened
+constexpr float kHollow = 0.012F;     ///< of the relief: hollows no deeper are opened
 
 /// Takes the residual at known ground (all of it) and drawn heights (a share) away, spread over what is near.
 void meet_heights(const SketchMap& map, double adherence, HeightField& heights, const RunContext& run) {
@@ -51,6 +54,21 @@ void meet_heights(const SketchMap& map, double adherence, HeightField& heights, 
   });
 }
 
+/// Deepens drawn rivers and sharpens drawn crests a little, so that water takes and leaves them.
+void meet_lines(const SketchMap& map, double adherence, HeightField& heights, const RunContext& run) {
+  const float depth = kLineDepth * static_cast<float>(adherence * map.relief_m);
+  const auto width = static_cast<float>(kLineCells * map.frame.cell_m);
+  if (!(depth > 0)) return;
+  for (const auto& [lines, sign] : {std::pair{&map.river, -1.0F}, std::pair{&map.ridge, 1.0F}}) {
+    if (lines->empty()) continue;
+    const ScalarField distance = geom::distance_to(*lines, run);
+    for (size_t i = 0; i < heights.size(); ++i) {
+      const float d = distance.data()[i] / width;
+      if (d < 4.0F) heights.data()[i] += sign * depth * std::exp(-0.5F * d * d);
+    }
+  }
+}
+
 /// Opens hollows that are shallow for the relief, but for those of known ground and of drawn heights: water runs off.
 void open_hollows(const SketchMap& map, HeightField& heights, const RunContext& run) {
   const auto stays = [&](int x, int y) { return !map.known_m.empty() && !std::isnan(map.known_m(x, y)); };
@@ -80,6 +98,7 @@ HeightField make(const SketchMap& map, const SketchMap& seen, double adherence, 
       for (int x = 0; x < map.frame.width; ++x) heights(x, y) = low + relief * (planes.base()(x, y) + heights(x, y));
     }
   });
+  meet_lines(map, adherence, heights, run);
   meet_heights(map, adherence, heights, run);
   return heights;
 }

@@ -49,7 +49,8 @@ struct SketchParams {
               "how far high ground rises above it; if absent, as heights and known ground say, else what is usual for "
               "mountains of the domain's width"),
         field(&P::adherence, "adherence", "", between(0, 1),
-              "how closely drawn heights are met: 1 exactly, 0 as the network sees fit"),
+              "how closely what is drawn is met: 1 heights exactly, and lines carved and sharpened a little; 0 as the "
+              "network sees fit"),
         field(&P::model, "model", "network: a shipped one by its word, or a file of weights (safetensors)"),
         field(&P::precision, "precision", "of the network's sums"));
   }
