@@ -93,7 +93,8 @@ void print_measures(const train::ComparedMeasures& all, bool json) {
   row("heights off", [](const auto& m) { return m.cues; });
   row("pits per km2", [](const auto& m) { return m.pits_km2; });
   row("grid", [](const auto& m) { return m.grid; });
-  for (const auto& [name, distance] : all.made.distances) {
+  for (const auto& distance : all.made.distances) {
+    const std::string& name = distance.first;
     row(name, [&](const auto& m) { return m.distances.contains(name) ? m.distances.at(name) : 0.0; });
   }
   if (json) {
