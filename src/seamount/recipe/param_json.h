@@ -263,6 +263,7 @@ template <HasPresets Params>
 void apply_preset(const Json& object, Params& params, const ReadPlace& place) {
   const auto presets = Params::presets();
   std::vector<std::string> names;
+  names.reserve(std::size(presets));
   for (const auto& row : presets) names.emplace_back(row.name);
   const std::optional<size_t> chosen = read_preset(object, names, place);
   if (chosen) presets[*chosen].set(params);

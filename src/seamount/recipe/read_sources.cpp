@@ -44,6 +44,7 @@ const DraftStep* read_step_id(const std::string& id, const std::vector<DraftStep
   const DraftStep* step = find_draft(drafts, id);
   if (step == nullptr) {
     std::vector<std::string> ids;
+    ids.reserve(drafts.size());
     for (const DraftStep& draft : drafts) ids.push_back(draft.step.id);
     place.fail("there is no step '" + id + "'" + suggestion(id, ids));
     return nullptr;

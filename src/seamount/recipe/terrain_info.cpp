@@ -82,7 +82,8 @@ io::FileInfo peaks_of(HeightField terrain) {
   io::FileInfo info;
   const GridFrame& frame = terrain.frame();
   for (size_t i = 0; i < std::min(peaks.size(), kMostPeaks); ++i) {
-    const Vec2 place{frame.x(peaks[i].cell % frame.width), frame.y(peaks[i].cell / frame.width)};
+    const auto row = peaks[i].cell / frame.width, column = peaks[i].cell % frame.width;
+    const Vec2 place{frame.x(static_cast<double>(column)), frame.y(static_cast<double>(row))};
     std::string line = tenths(peaks[i].height_m) + " m at " + place_text(place);
     if (!frame.crs.empty()) line += " (" + lonlat_text(place, frame.crs) + ")";
     info.emplace_back(fmt::format("peak {}", i + 1), line + ", prominence " + tenths(peaks[i].prominence_m) + " m");
