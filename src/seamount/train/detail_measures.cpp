@@ -14,17 +14,8 @@ namespace {
 constexpr int kQuantiles = 200;
 
 std::array<double, kOctaves> octaves_of(const HeightField& terrain, const RunContext& run) {
-  const int n = static_cast<int>(std::bit_floor(static_cast<unsigned>(std::min(terrain.width(), terrain.height()))));
-  const int x0 = (terrain.width() - n) / 2, y0 = (terrain.height() - n) / 2;
-  double mean = 0.0;
-  for (int y = 0; y < n; ++y)
-    for (int x = 0; x < n; ++x) mean += terrain(x0 + x, y0 + y) / (static_cast<double>(n) * n);
-  const auto hann = [n](int i) { return std::pow(std::sin(std::numbers::pi * (i + 0.5) / n), 2); };
-  geom::ComplexPlane plane(n), scratch(n);
-  for (int y = 0; y < n; ++y)
-    for (int x = 0; x < n; ++x)
-      plane.re[plane.at(x, y)] = static_cast<float>((terrain(x0 + x, y0 + y) - mean) * hann(x) * hann(y));
-  geom::transform(plane, scratch, run);
+  const geom::ComplexPlane plane = spectrum_of(terrain, run);
+  const int n = plane.n;
   std::array<double, kOctaves> power{};
   for (int v = 0; v < n; ++v) {
     for (int u = 0; u < n; ++u) {
@@ -53,20 +44,6 @@ std::vector<float> sorted_slopes(const HeightField& terrain) {
   return slopes;
 }
 
-int64_t count_pits(const HeightField& terrain) {
-  int64_t pits = 0;
-  for (int y = 1; y + 1 < terrain.height(); ++y) {
-    for (int x = 1; x + 1 < terrain.width(); ++x) {
-      bool lowest = true;
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-          lowest = lowest && ((dx == 0 && dy == 0) || terrain(x, y) < terrain(x + dx, y + dy));
-      pits += lowest ? 1 : 0;
-    }
-  }
-  return pits;
-}
-
 /// Mean jump of slope between columns where x is a multiple of `factor`, over that elsewhere.
 double seams_of(const HeightField& terrain, int factor) {
   double at[2] = {0.0, 0.0};
@@ -84,6 +61,35 @@ double seams_of(const HeightField& terrain, int factor) {
 
 }  // namespace
 
+geom::ComplexPlane spectrum_of(const HeightField& terrain, const RunContext& run) {
+  const int n = static_cast<int>(std::bit_floor(static_cast<unsigned>(std::min(terrain.width(), terrain.height()))));
+  const int x0 = (terrain.width() - n) / 2, y0 = (terrain.height() - n) / 2;
+  double mean = 0.0;
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) mean += terrain(x0 + x, y0 + y) / (static_cast<double>(n) * n);
+  const auto hann = [n](int i) { return std::pow(std::sin(std::numbers::pi * (i + 0.5) / n), 2); };
+  geom::ComplexPlane plane(n), scratch(n);
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x)
+      plane.re[plane.at(x, y)] = static_cast<float>((terrain(x0 + x, y0 + y) - mean) * hann(x) * hann(y));
+  geom::transform(plane, scratch, run);
+  return plane;
+}
+
+double pits_per_km2(const HeightField& terrain) {
+  int64_t pits = 0;
+  for (int y = 1; y + 1 < terrain.height(); ++y) {
+    for (int x = 1; x + 1 < terrain.width(); ++x) {
+      bool lowest = true;
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+          lowest = lowest && ((dx == 0 && dy == 0) || terrain(x, y) < terrain(x + dx, y + dy));
+      pits += lowest ? 1 : 0;
+    }
+  }
+  return 1e6 * static_cast<double>(pits) / (terrain.frame().width_m() * terrain.frame().height_m());
+}
+
 DetailMeasures measure_detail(const HeightField& made, const HeightField& real, int factor, const RunContext& run) {
   DetailMeasures measures;
   measures.octaves = octaves_of(made, run);
@@ -95,8 +101,7 @@ DetailMeasures measure_detail(const HeightField& made, const HeightField& real, 
   }
   for (size_t i = 0; i < made.size(); ++i) measures.rms_m += std::pow(made.data()[i] - real.data()[i], 2);
   measures.rms_m = std::sqrt(measures.rms_m / static_cast<double>(made.size()));
-  const double km2 = made.frame().width_m() * made.frame().height_m() * 1e-6;
-  measures.pits_km2 = static_cast<double>(count_pits(made)) / km2;
+  measures.pits_km2 = pits_per_km2(made);
   measures.seams = seams_of(made, factor);
   return measures;
 }

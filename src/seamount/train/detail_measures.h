@@ -4,11 +4,18 @@
 #include <array>
 
 #include "seamount/base/run_context.h"
+#include "seamount/geom/grid/fourier.h"
 #include "seamount/model/grid.h"
 
 namespace seamount::train {
 
 inline constexpr int kOctaves = 4;
+
+/// Fourier transform of the largest square of a power of two in the middle, less its mean, faded by a Hann window.
+geom::ComplexPlane spectrum_of(const HeightField& terrain, const RunContext& run);
+
+/// Cells lower than all eight around, for each square kilometre.
+double pits_per_km2(const HeightField& terrain);
 
 struct DetailMeasures {
   std::array<double, kOctaves> octaves{};  ///< power for each octave of wavelengths, the shortest (2 to 4 cells) first

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "seamount/base/error.h"
-#include "seamount/geom/grid/fourier.h"
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/water/flow.h"
 #include "seamount/ops/hydrology/describe.h"
 #include "seamount/ops/learned/sketch.h"
 #include "seamount/ops/learned/sketch_map.h"
 #include "seamount/ops/sketch/extract.h"
+#include "seamount/train/detail_measures.h"
 #include "seamount/train/ground_tiles.h"
 #include "seamount/train/sketch_crop.h"
 
@@ -32,15 +31,8 @@ struct Comb {
 };
 
 void add_comb(const HeightField& heights, Comb& comb, const RunContext& run) {
-  const int n = heights.width();
-  double mean = 0;
-  for (const float z : heights.cells()) mean += z / static_cast<double>(heights.size());
-  const auto hann = [n](int i) { return std::pow(std::sin(std::numbers::pi * (i + 0.5) / n), 2); };
-  geom::ComplexPlane plane(n), scratch(n);
-  for (int y = 0; y < n; ++y)
-    for (int x = 0; x < n; ++x)
-      plane.re[plane.at(x, y)] = static_cast<float>((heights(x, y) - mean) * hann(x) * hann(y));
-  geom::transform(plane, scratch, run);
+  const geom::ComplexPlane plane = spectrum_of(heights, run);
+  const int n = plane.n;
   const auto energy = [&](int u, int v) {
     const size_t i = plane.at(u % n, v % n);
     return static_cast<double>(plane.re[i]) * plane.re[i] + static_cast<double>(plane.im[i]) * plane.im[i];
@@ -77,20 +69,6 @@ void add_met(const Grid<uint8_t>& drawn, const HeightField& heights, double& met
 HeightField upside_down(HeightField heights) {
   for (float& z : heights.cells()) z = -z;
   return heights;
-}
-
-double pits_per_km2(const HeightField& heights) {
-  int64_t pits = 0;
-  for (int y = 1; y + 1 < heights.height(); ++y) {
-    for (int x = 1; x + 1 < heights.width(); ++x) {
-      bool lowest = true;
-      for (int d = 0; d < 8 && lowest; ++d)
-        lowest = heights(x, y) <
-                 heights(x + geom::kFlowDx[static_cast<size_t>(d)], y + geom::kFlowDy[static_cast<size_t>(d)]);
-      pits += lowest;
-    }
-  }
-  return 1e6 * static_cast<double>(pits) / (heights.frame().width_m() * heights.frame().height_m());
 }
 
 /// Sums over pieces, of one way to make ground.

@@ -39,10 +39,14 @@ void find_kept_depth(const Layers& ground, const Sea& sea, ScalarField& open, co
   Grid<uint8_t> land(ground.frame(), 0);
   for (size_t i = 0; i < land.size(); ++i) land.data()[i] = sea.covers(i, ground.surface.data()[i]) ? 0 : 1;
   const ScalarField from_shore = geom::distance_to(land, run);
-  for (size_t i = 0; i < open.size(); ++i) {
-    const float profile = kProfile * std::cbrt(from_shore.data()[i] * from_shore.data()[i]);
-    open.data()[i] = exposure_of(open.data()[i]) * profile;
-  }
+  parallel_rows(run, open.width(), open.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < open.width(); ++x) {
+        const float exposure = exposure_of(open(x, y)), metres = from_shore(x, y);
+        open(x, y) = exposure > 0.0F ? exposure * (kProfile * std::cbrt(metres * metres)) : 0.0F;
+      }
+    }
+  });
 }
 
 /// A cell of land that waves reach, the sea cell before it, and the height of the land there.
@@ -171,11 +175,14 @@ void run_coast(Layers& ground, const Maps& site, const Coast& coast, ScalarField
                Ledger& ledger, const RunContext& run) {
   run.check_cancelled();
   if (*std::min_element(ground.surface.cells().begin(), ground.surface.cells().end()) >= coast.sea.level_m) return;
-  find_open_sea(ground, coast.sea, room, run);
-  if (coast.retreat_m_yr > 0) cut(ground, site, coast, room, load, ledger);
+  if (coast.retreat_m_yr > 0) {
+    find_open_sea(ground, coast.sea, room, run);
+    cut(ground, site, coast, room, load, ledger);
+  }
   double brought = 0, settled = 0;
   for (const float here : load.cells()) brought += here;
   if (brought <= 0) return;
+  if (coast.retreat_m_yr <= 0) find_open_sea(ground, coast.sea, room, run);
   ScalarField kept = room;
   find_kept_depth(ground, coast.sea, kept, run);
   settled += settle(ground, site, coast, kNear * coast.settling_m, kNearShare, {}, load, room, run);

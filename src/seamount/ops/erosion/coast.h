@@ -25,7 +25,7 @@ struct Coast {
 };
 
 /// One step. `load` holds what rivers brought to each sea cell (metres of thickness); it is spent. `room` is of the
-/// ground's size. What finds no room in the sea goes to ledger.exported. Parallel; two more grids of memory.
+/// ground's size. What finds no room in the sea goes to ledger.exported. Parallel; five more grids of memory.
 void run_coast(Layers& ground, const Maps& site, const Coast& coast, ScalarField& load, ScalarField& room,
                Ledger& ledger, const RunContext& run);
 

@@ -62,10 +62,15 @@ void meet_lines(const SketchMap& map, double adherence, HeightField& heights, co
   for (const auto& [lines, sign] : {std::pair{&map.river, -1.0F}, std::pair{&map.ridge, 1.0F}}) {
     if (lines->empty()) continue;
     const ScalarField distance = geom::distance_to(*lines, run);
-    for (size_t i = 0; i < heights.size(); ++i) {
-      const float d = distance.data()[i] / width;
-      if (d < 4.0F) heights.data()[i] += sign * depth * std::exp(-0.5F * d * d);
-    }
+    const float by = sign * depth;
+    parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) {
+        for (int x = 0; x < map.frame.width; ++x) {
+          const float d = distance(x, y) / width;
+          if (d < 4.0F) heights(x, y) += by * std::exp(-0.5F * d * d);
+        }
+      }
+    });
   }
 }
 
