@@ -1,0 +1,69 @@
+// Builds the studio's page into dist/page (compressed beside each file, as the server hands it out), its unit tests into
+// dist/tests (--tests) or its tests in a browser into dist/browser (--browser).
+import { build } from "esbuild";
+import { brotliCompressSync, constants, gzipSync } from "node:zlib";
+import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+const folder = new URL(".", import.meta.url).pathname;
+
+/** Every file below a folder whose name ends so. */
+function filesBelow(root, ending) {
+  return readdirSync(root, { withFileTypes: true }).flatMap((entry) => {
+    const path = join(root, entry.name);
+    if (entry.isDirectory()) return filesBelow(path, ending);
+    return entry.name.endsWith(ending) ? [path] : [];
+  });
+}
+
+async function page() {
+  const out = join(folder, "dist/page");
+  rmSync(out, { recursive: true, force: true });
+  mkdirSync(out, { recursive: true });
+  await build({
+    absWorkingDir: folder,
+    entryPoints: { app: "src/main.tsx", style: "src/style.css" },
+    outdir: out,
+    bundle: true,
+    splitting: true,
+    format: "esm",
+    target: "es2021",
+    minify: true,
+    legalComments: "linked",
+    loader: { ".svg": "text", ".glsl": "text" },
+    logLevel: "warning",
+  });
+  writeFileSync(join(out, "index.html"), readFileSync(join(folder, "src/index.html")));
+  let bytes = 0;
+  for (const file of [".js", ".css", ".html"].flatMap((ending) => filesBelow(out, ending))) {
+    const content = readFileSync(file);
+    writeFileSync(`${file}.gz`, gzipSync(content, { level: 9 }));
+    const small = brotliCompressSync(content, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } });
+    writeFileSync(`${file}.br`, small);
+    bytes += small.length;
+  }
+  console.error(`studio: dist/page, ${Math.round(bytes / 1024)} KiB compressed`);
+}
+
+async function tests(ending, name) {
+  const out = join(folder, "dist", name);
+  rmSync(out, { recursive: true, force: true });
+  await build({
+    absWorkingDir: folder,
+    entryPoints: [...filesBelow(join(folder, "src"), ending), ...filesBelow(join(folder, "tests"), ending)],
+    outdir: out,
+    outbase: folder,
+    outExtension: { ".js": ".mjs" },
+    bundle: true,
+    platform: "node",
+    format: "esm",
+    target: "node18",
+    external: ["playwright-core"],
+    loader: { ".svg": "text", ".glsl": "text" },
+    logLevel: "warning",
+  });
+}
+
+if (process.argv.includes("--tests")) await tests(".test.ts", "tests");
+else if (process.argv.includes("--browser")) await tests(".browser.ts", "browser");
+else await page();
