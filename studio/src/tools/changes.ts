@@ -86,11 +86,16 @@ export function removeFeatures(features: readonly Feature[]): Edit[] {
     });
 }
 
-/** Without some of its points; the feature goes where too few are left. */
-export function removePoints(feature: Feature, gone: ReadonlySet<number>): Edit[] {
-  const kept = feature.points.map((_, i) => i).filter((i) => !gone.has(i));
-  if (kept.length < fewest(feature) || feature.geometry === "vector") return removeFeatures([feature]);
-  return setPoints(feature, kept.map((i) => feature.points[i]!), kept);
+/** Without some of their points; features of which too few are left go as a whole. */
+export function removePoints(features: readonly Feature[], gone: (feature: Feature, index: number) => boolean): Edit[] {
+  const edits: Edit[] = [];
+  const none: Feature[] = [];
+  for (const feature of features) {
+    const kept = feature.points.map((_, i) => i).filter((i) => !gone(feature, i));
+    if (kept.length < fewest(feature) || feature.geometry === "vector") none.push(feature);
+    else edits.push(...setPoints(feature, kept.map((i) => feature.points[i]!), kept));
+  }
+  return [...edits, ...removeFeatures(none)];
 }
 
 /** With a point between `segment` and the next one. */

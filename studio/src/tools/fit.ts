@@ -1,6 +1,6 @@
 // What a hand draws becomes a few good points: the pen's jitter goes, corners stay, a long stroke has some dozens of
 // points, and coordinates are as round as the screen allows.
-import { keptPoints, mix, rounded, roundingStep, simpleRing, simplified, toSegment, type Point } from "./geometry";
+import { keptPoints, mix, rounded, roundedPoint, roundingStep, simpleRing, simplified, toSegment, type Point } from "./geometry";
 
 export interface Sample {
   x: number;
@@ -74,7 +74,7 @@ export function fitStroke(samples: readonly Sample[], options: FitOptions): Samp
   if (known.length === 0) return [];
   const least = tolerance(options);
   let way = resampled(known, 2 * options.pixel_m);
-  for (let round = 0; round < 2; ++round) way = calmed(way);
+  for (let round = 0; round < 4; ++round) way = calmed(way);
   const most = options.most ?? 60;
   let within = least;
   let kept = keptWithin(way, within);
@@ -109,5 +109,6 @@ export function fitRing(samples: readonly Sample[], options: FitOptions): Point[
   const most = options.most ?? 60;
   let ring = simplified(simpleRing(open), tolerance(options), true);
   for (let within = tolerance(options); ring.length > most; ring = simplified(ring, (within *= 1.3), true));
-  return ring;
+  const step = roundingStep(tolerance(options));
+  return ring.map((point) => roundedPoint(point, step));
 }

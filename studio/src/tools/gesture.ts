@@ -16,7 +16,7 @@ function randomName(): string {
 }
 
 export class Gesture {
-  readonly id = `pen-${randomName()}`;
+  readonly id: string;
   private waiting: (() => Edit[]) | null = null;
   private scheduled = false;
   private last: Promise<boolean> = Promise.resolve(true);
@@ -24,7 +24,14 @@ export class Gesture {
   private refused = false;
   private over = false;
 
-  constructor(private readonly studio: Editor, private label: string, private readonly frame: Frame = nextFrame) {}
+  constructor(private readonly studio: Editor, private label: string, private readonly frame: Frame = nextFrame, id?: string) {
+    this.id = id ?? `pen-${randomName()}`;
+  }
+
+  /** The server did not take what was sent; the whole is sent once more at the end. */
+  get wasRefused(): boolean {
+    return this.refused;
+  }
 
   /** Whether anything was sent; nothing: cancelling leaves nothing to take back. */
   get begun(): boolean {
