@@ -1,5 +1,4 @@
-// Builds the studio's page into dist/page (compressed beside each file, as the server hands it out), its unit tests into
-// dist/tests (--tests) or its tests in a browser into dist/browser (--browser).
+// Builds the studio's page into dist/page, with a compressed copy beside each file, as the server hands it out.
 import { build } from "esbuild";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
@@ -45,25 +44,4 @@ async function page() {
   console.error(`studio: dist/page, ${Math.round(bytes / 1024)} KiB compressed`);
 }
 
-async function tests(ending, name) {
-  const out = join(folder, "dist", name);
-  rmSync(out, { recursive: true, force: true });
-  await build({
-    absWorkingDir: folder,
-    entryPoints: [...filesBelow(join(folder, "src"), ending), ...filesBelow(join(folder, "tests"), ending)],
-    outdir: out,
-    outbase: folder,
-    outExtension: { ".js": ".mjs" },
-    bundle: true,
-    platform: "node",
-    format: "esm",
-    target: "node18",
-    external: ["playwright-core"],
-    loader: { ".svg": "text", ".glsl": "text" },
-    logLevel: "warning",
-  });
-}
-
-if (process.argv.includes("--tests")) await tests(".test.ts", "tests");
-else if (process.argv.includes("--browser")) await tests(".browser.ts", "browser");
-else await page();
+await page();

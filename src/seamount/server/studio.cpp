@@ -347,7 +347,7 @@ Reply Studio::post_save(const Request& request) {
   std::string path = session()->file();
   if (body.has("path")) {
     std::string name = body.text("path");
-    if (io::extension_of(name) != ".json") name += ".json";
+    if (!name.empty() && io::extension_of(name) != ".json") name += ".json";
     path = workplace_.resolve(name);
   }
   if (path.empty()) throw InvalidArgument("path", "is missing: the document has no file yet");

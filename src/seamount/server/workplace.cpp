@@ -102,7 +102,7 @@ std::string Workplace::keep(const std::string& folder, const std::string& name,
       file.write(piece);
       return true;
     });
-    if (!whole) throw IoError(plain, "did not arrive as a whole");
+    if (!whole) throw InvalidArgument("the body", "did not arrive as a whole");
     file.close();
   });
   const fs::path kept = target / fmt::format("{}-{}", hasher.digest().hex().substr(0, 12), plain);
