@@ -2,13 +2,14 @@
 // dist/tests (--tests) or its tests in a browser into dist/browser (--browser).
 import { build } from "esbuild";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
-import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 const folder = new URL(".", import.meta.url).pathname;
 
 /** Every file below a folder whose name ends so. */
 function filesBelow(root, ending) {
+  if (!existsSync(root)) return [];
   return readdirSync(root, { withFileTypes: true }).flatMap((entry) => {
     const path = join(root, entry.name);
     if (entry.isDirectory()) return filesBelow(path, ending);
