@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { added, moved, removed, split } from "./knots";
+import { fromPixel, keyStep, ticks, toPixel, viewedValues } from "./curve_view";
+import { painted } from "./histogram";
 import { type Knot, curveFunction } from "./monotone";
 
 const profile: Knot[] = [[0, 900], [1, 120], [2, 0], [3, -15], [4, -5], [5, -1100]];
@@ -41,4 +43,20 @@ test("knots stay in order and in bounds", () => {
   assert.deepEqual(added(profile, [1.5, 3], bounds)?.index, 2);
   assert.equal(removed(profile, 1).length, 5);
   assert.deepEqual(split(profile, 4, bounds, "linear")?.knots[5], [4.5, -552.5]);
+});
+
+test("views and ticks", () => {
+  assert.deepEqual(ticks([0, 1], 4), [0, 0.25, 0.5, 0.75, 1]);
+  assert.deepEqual(ticks([-1100, 900], 4), [-1000, -500, 0, 500]);
+  assert.deepEqual(viewedValues(profile, { ...bounds, y: [0, 1] }), [0, 1]);
+  const view = { x: [0, 5], y: viewedValues(profile, bounds), width: 300, height: 150 } as const;
+  const [px, py] = toPixel(view, [2, 30]);
+  const [x, y] = fromPixel(view, px, py);
+  assert.ok(Math.abs(x - 2) < 1e-9 && Math.abs(y - 30) < 1e-9);
+  assert.equal(keyStep([0, 1], false), 0.01);
+});
+
+test("painting bars", () => {
+  assert.deepEqual(painted([1, 1, 1, 1], { bar: 0, share: 0 }, { bar: 2, share: 1 }, 2), [0, 1, 2, 1]);
+  assert.deepEqual(painted([1, 1], { bar: 1, share: 0.2 }, { bar: 1, share: 0.5 }, 1), [1, 0.5]);
 });

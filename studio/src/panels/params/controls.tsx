@@ -148,11 +148,11 @@ export function NumbersControl({ field }: ControlProps): JSX.Element {
         <div class="numbers-item" key={i}>
           <NumberField label={`${label(field)} ${i + 1}`} value={value} unit={info.unit} min={info.min} max={info.max} integer={info.kind === "integers"}
             onChange={(next, gesture) => set(values.map((old, k) => (k === i ? next : old)), gesture)} />
-          <button type="button" class="icon-button small" aria-label={`Remove ${amountText(value, info.unit)}`}
+          <button type="button" class="plain icon small" aria-label={`Remove ${amountText(value, info.unit)}`}
             onClick={() => set(values.filter((_, k) => k !== i))}><X size={12} /></button>
         </div>
       ))}
-      <button type="button" class="quiet-button" aria-label={`Add to ${label(field)}`}
+      <button type="button" class="plain compact" aria-label={`Add to ${label(field)}`}
         onClick={() => set([...values, values[values.length - 1] ?? Math.max(info.min ?? 0, 0)])}><Plus size={13} />Add</button>
     </div>
   );
@@ -170,7 +170,7 @@ export function TextsControl({ field }: ControlProps): JSX.Element {
     <div class="texts">
       {values.map((value, i) => (
         <span class="tag" key={i}>{value}
-          <button type="button" class="icon-button small" aria-label={`Remove ${value}`}
+          <button type="button" class="plain icon small" aria-label={`Remove ${value}`}
             onClick={() => setField(field, values.filter((_, k) => k !== i))}><X size={11} /></button>
         </span>
       ))}

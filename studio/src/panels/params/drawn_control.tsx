@@ -12,7 +12,7 @@ export function DrawButton({ field }: ControlProps): JSX.Element | null {
   if (scope.step === "") return null;
   const pressed = drawing.value === pointer;
   return (
-    <button type="button" class={`quiet-button draw${pressed ? " pressed" : ""}`} aria-pressed={pressed}
+    <button type="button" class={`compact draw${pressed ? " pressed" : ""}`} aria-pressed={pressed}
       aria-label={`Draw ${titleOf(info.name).toLowerCase()}`}
       onClick={() => { drawRequest.value = { step: scope.step, pointer, kind: info.kind, name: info.name }; }}>
       <Pencil size={13} />{info.kind === "point" ? "" : "Draw"}
@@ -26,7 +26,7 @@ export function DrawnControl({ field }: ControlProps): JSX.Element {
     <div class="drawn">
       <span class={empty ? "drawn-text muted" : "drawn-text"}>{drawnText(field.info.kind, field.value)}</span>
       {!empty && field.stated !== undefined && (
-        <button type="button" class="icon-button small" aria-label={`Remove all of ${titleOf(field.info.name)}`} data-help="Remove all"
+        <button type="button" class="plain icon small" aria-label={`Remove all of ${titleOf(field.info.name)}`} data-help="Remove all"
           onClick={() => resetField(field)}><Trash2 size={13} /></button>
       )}
       <DrawButton field={field} />

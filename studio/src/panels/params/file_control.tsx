@@ -3,11 +3,12 @@ import type { JSX } from "preact";
 import { useRef, useState } from "preact/hooks";
 import { Upload, X } from "lucide-preact";
 import { type ControlProps, TextControl } from "./controls";
+import type { Studio } from "../../document/studio";
 import { setField } from "./scope";
-import { upload } from "./upload";
 import { titleOf } from "./words";
 
 interface ChooseProps {
+  studio: Studio;
   label: string;
   multiple?: boolean;
   onFiles(names: string[]): void;
@@ -15,7 +16,7 @@ interface ChooseProps {
 }
 
 /** A button that asks for files and hands back their names in the studio's folder. */
-function ChooseFiles({ label, multiple, onFiles, onProblem }: ChooseProps): JSX.Element {
+function ChooseFiles({ studio, label, multiple, onFiles, onProblem }: ChooseProps): JSX.Element {
   const input = useRef<HTMLInputElement>(null);
   const [busy, setBusy] = useState(false);
   const take = async (files: FileList | null) => {
@@ -23,7 +24,7 @@ function ChooseFiles({ label, multiple, onFiles, onProblem }: ChooseProps): JSX.
     setBusy(true);
     try {
       const names: string[] = [];
-      for (const file of files) names.push((await upload(file)).file);
+      for (const file of files) names.push((await studio.api.upload(file.name, file)).file);
       onFiles(names);
     } catch (problem) {
       onProblem(problem instanceof Error ? problem.message : String(problem));
@@ -34,7 +35,7 @@ function ChooseFiles({ label, multiple, onFiles, onProblem }: ChooseProps): JSX.
   };
   return (
     <>
-      <button type="button" class="icon-button" aria-label={`Choose a file for ${label}`} data-help="Choose a file; it is copied beside the document"
+      <button type="button" class="plain icon" aria-label={`Choose a file for ${label}`} data-help="Choose a file; it is copied beside the document"
         aria-busy={busy} disabled={busy} onClick={() => input.current?.click()}><Upload size={14} /></button>
       <input ref={input} type="file" hidden multiple={multiple} tabIndex={-1} aria-hidden="true"
         onChange={(event) => void take(event.currentTarget.files)} />
@@ -51,7 +52,7 @@ export function FileControl({ field }: ControlProps): JSX.Element {
     event.preventDefault();
     event.stopPropagation();
     try {
-      setField(field, (await upload(file)).file);
+      setField(field, (await studio.api.upload(file.name, file)).file);
     } catch (problem) {
       onProblem(problem instanceof Error ? problem.message : String(problem));
     }
@@ -59,7 +60,7 @@ export function FileControl({ field }: ControlProps): JSX.Element {
   return (
     <div class="file" onDragOver={(event) => event.preventDefault()} onDrop={(event) => void drop(event)}>
       <TextControl field={field} />
-      <ChooseFiles label={titleOf(field.info.name)} onFiles={([name]) => { if (name) setField(field, name); }} onProblem={onProblem} />
+      <ChooseFiles studio={studio} label={titleOf(field.info.name)} onFiles={([name]) => { if (name) setField(field, name); }} onProblem={onProblem} />
     </div>
   );
 }
@@ -71,11 +72,11 @@ export function FilesControl({ field }: ControlProps): JSX.Element {
     <div class="files">
       {names.map((name, i) => (
         <div class="files-item" key={name}><span class="ellipsis" title={name}>{name}</span>
-          <button type="button" class="icon-button small" aria-label={`Remove ${name}`}
+          <button type="button" class="plain icon small" aria-label={`Remove ${name}`}
             onClick={() => setField(field, names.filter((_, k) => k !== i))}><X size={12} /></button></div>
       ))}
       <div class="files-add"><span class="muted">{names.length === 0 ? "none" : ""}</span>
-        <ChooseFiles label={titleOf(field.info.name)} multiple onFiles={(more) => setField(field, [...names, ...more])}
+        <ChooseFiles studio={studio} label={titleOf(field.info.name)} multiple onFiles={(more) => setField(field, [...names, ...more])}
           onProblem={(text) => { studio.message.value = { kind: "error", text }; }} /></div>
     </div>
   );
