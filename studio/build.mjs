@@ -1,7 +1,7 @@
 // Builds the studio's page into dist/page, with a compressed copy beside each file, as the server hands it out.
 import { build } from "esbuild";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
-import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 const folder = new URL(".", import.meta.url).pathname;
@@ -33,6 +33,7 @@ async function page() {
     loader: { ".svg": "text", ".glsl": "text" },
     logLevel: "warning",
   });
+  cpSync(join(folder, "examples"), join(out, "examples"), { recursive: true });
   writeFileSync(join(out, "index.html"), readFileSync(join(folder, "src/index.html")));
   let bytes = 0;
   for (const file of [".js", ".css", ".html"].flatMap((ending) => filesBelow(out, ending))) {

@@ -56,6 +56,6 @@ build_page() {
       npm ci --no-audit --no-fund --loglevel=error >&2 || exit
       touch node_modules/.package-lock.json
     fi
-    [[ -e dist/page/index.html && ! $(find src build.mjs package-lock.json -newer dist/page/index.html) ]] || node build.mjs
+    [[ -e dist/page/index.html && ! $(find src examples build.mjs package-lock.json -newer dist/page/index.html) ]] || node build.mjs
   )
 }
