@@ -41,7 +41,7 @@ export class WorldScene {
       exaggeration: { value: 1 }, sea_size: { value: [1, 1] }, half_size: { value: [1, 1] }, in_sea: { value: true },
       to_sun: { value: new Vector3(0, 0, 1) }, sun_light: { value: new Vector3() }, sky_light: { value: new Vector3() },
       sky_scale: { value: 1 }, haze_density: { value: 0 }, haze_far: { value: 1 }, forward: { value: new Vector3() },
-      right: { value: new Vector3() }, upward: { value: new Vector3() }, pixel_angle: { value: 1 }, sun_path: { value: 1 }, wire_colour: { value: [0, 0, 0, 0.35] },
+      right: { value: new Vector3() }, upward: { value: new Vector3() }, pixel_angle: { value: 1 }, sun_path: { value: 1 }, wire_colour: { value: [1, 1, 1, 0.22] },
     };
     const fragment = common + skyShader + overlayShader + groundFragment;
     const groundMaterial = this.material(groundVertex, fragment, { plane_only: { value: false } });

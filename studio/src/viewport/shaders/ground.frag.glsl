@@ -81,9 +81,10 @@ vec3 sea(vec2 uv, vec4 s, vec3 to_eye, float far, float beyond, bool magnified) 
 vec3 stone_wall(vec3 to_eye) {
   vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
   if (dot(normal, to_eye) < 0.0) normal = -normal;
-  float depth = place.z / exaggeration;
-  vec3 earth = mix(vec3(0.150, 0.128, 0.106), vec3(0.205, 0.178, 0.148), 0.5 + 0.5 * sin(depth * 0.02 + 2.0 * wave(vec2(place.x + place.y, depth), 900.0).z));
-  return earth * (max(0.0, dot(normal, to_sun)) * sun_light + 0.7 * sky_light);
+  vec2 along = vec2(abs(normal.x) > 0.5 ? place.y : place.x, place.z);
+  float beds = wave(along * vec2(0.12, 1.0), 0.006 * half_size.x).z + 0.5 * wave(along * vec2(0.3, 2.0), 0.003 * half_size.x).z;
+  vec3 earth = vec3(0.150, 0.130, 0.110) * (1.0 + 0.55 * beds);
+  return earth * (0.6 * max(0.0, dot(normal, to_sun)) * sun_light + 0.8 * sky_light + 0.08 * sun_light);
 }
 
 vec3 land(vec2 uv, vec4 s, vec3 to_eye, float far, bool magnified) {
