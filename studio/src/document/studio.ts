@@ -1,7 +1,10 @@
 // What every part of the page holds on to: the document as the window sees it, what is computed of it, and what is
 // selected. Panels and tools read its signals and call edit(); nothing else changes the document.
 import type { ReadonlySignal, Signal } from "@preact/signals";
-import type { Diagnostic, Edit, EngineState, JobEvent, Json, OperatorInfo, Output, Recipe, Schema, Step, ValueEvent } from "../api/types";
+import type { Api, ValueForm } from "../api/api";
+import type {
+  Diagnostic, Edit, EngineState, JobEvent, Json, OperatorInfo, Output, Recipe, Schema, Step, ValueEvent,
+} from "../api/types";
 import type { Raster } from "../viewport/types";
 
 export interface DocumentState {
@@ -15,7 +18,16 @@ export interface DocumentState {
   missing: readonly Diagnostic[];
 }
 
+/** Something that went wrong or should be known, at its step where it has one. */
+export interface Message {
+  kind: "error" | "warning" | "note";
+  text: string;
+  step?: string;
+}
+
 export interface Studio {
+  /** What is neither the document nor a result: pictures, files, exports, examples. */
+  readonly api: Api;
   readonly schema: Schema;
   readonly window: string;
   readonly document: ReadonlySignal<DocumentState>;
@@ -25,6 +37,8 @@ export interface Studio {
   readonly jobs: ReadonlySignal<readonly JobEvent[]>;
   /** Lost: the server is gone or the stream is being opened again. */
   readonly connected: ReadonlySignal<boolean>;
+  /** Edits are on their way: not yet safe. */
+  readonly busy: ReadonlySignal<boolean>;
   /** Id of the step whose parameters are shown and whose tools are offered; null: the document itself. */
   readonly selected: Signal<string | null>;
   /** Source that the views show: a pinned one, or what follows from the selection (its terrain; of masks and labels
@@ -32,7 +46,7 @@ export interface Studio {
   readonly shown: ReadonlySignal<Shown>;
   readonly pinned: Signal<string | null>;
   /** The newest thing that went wrong or should be known, for a toast; with its step where it has one. */
-  readonly message: Signal<{ kind: "error" | "warning" | "note"; text: string; step?: string } | null>;
+  readonly message: Signal<Message | null>;
 
   /** Changes the window's copy at once, and the server's as soon as it can; edits of one gesture that are overtaken
    * (set at the same pointer) are not sent. False: refused; the copy is the server's again and `message` says why. */
@@ -44,6 +58,8 @@ export interface Studio {
   want(who: string, sources: string[]): void;
   /** Whole raster of a wanted source, every 2^level-th cell; null: nothing there or no raster. Cached by key. */
   raster(source: string, level?: number): Promise<Raster | null>;
+  /** A wanted source in another form: its lines and areas, its things, its numbers. Cached by key. */
+  content(source: string, form: ValueForm): Promise<Json | null>;
 
   step(id: string): Step | undefined;
   operator(op: string): OperatorInfo | undefined;

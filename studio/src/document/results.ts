@@ -1,0 +1,145 @@
+// What the engine has computed of the sources that this window wants, and the rasters that were fetched of them.
+import { signal } from "@preact/signals";
+import { ApiError, Disconnected } from "../api/api";
+import type { Api, ValueForm } from "../api/api";
+import type { EngineState, Frame, Json, ValueEvent } from "../api/types";
+import type { Raster } from "../viewport/types";
+
+const kCacheBytes = 192 * 1024 * 1024;
+
+/** Every 2^level-th cell, the first one included: its middle stays where it is. */
+export function frameOfLevel(frame: Frame, level: number, columns: number, rows: number): Frame {
+  const cell_m = frame.cell_m * 2 ** level;
+  const shift = (cell_m - frame.cell_m) / 2;
+  return { ...frame, columns, rows, cell_m, west: frame.west - shift, north: frame.north + shift };
+}
+
+/** The newest promises by key, up to so many bytes. */
+class PromiseCache<T> {
+  private entries = new Map<string, { value: Promise<T>; bytes: number }>();
+  private bytes = 0;
+
+  constructor(private size: (value: T) => number) {}
+
+  get(key: string, make: () => Promise<T>): Promise<T> {
+    const found = this.entries.get(key);
+    if (found) {
+      this.entries.delete(key);
+      this.entries.set(key, found);
+      return found.value;
+    }
+    const entry = { value: make(), bytes: 0 };
+    this.entries.set(key, entry);
+    entry.value.then(
+      (value) => {
+        entry.bytes = this.size(value);
+        if (this.entries.get(key) === entry) this.bytes += entry.bytes;
+        this.trim(key);
+      },
+      () => this.drop(key),
+    );
+    return entry.value;
+  }
+
+  private drop(key: string): void {
+    this.bytes -= this.entries.get(key)?.bytes ?? 0;
+    this.entries.delete(key);
+  }
+
+  private trim(newest: string): void {
+    for (const key of this.entries.keys()) {
+      if (this.bytes <= kCacheBytes) return;
+      if (key !== newest) this.drop(key);
+    }
+  }
+}
+
+export class Results {
+  readonly engine = signal<EngineState>({ revision: 0, settled: true, coarse: false, fraction: 1, steps: [] });
+  readonly values = signal<ReadonlyMap<string, ValueEvent>>(new Map());
+  private rasters = new PromiseCache<Raster>((raster) => raster.values.byteLength);
+  private contents = new PromiseCache<Json>(() => 64 * 1024);
+  private wants = new Map<string, readonly string[]>();
+  private asked = "";
+  private asking = false;
+
+  constructor(private api: Api, private window: string) {}
+
+  receive(event: ValueEvent): void {
+    this.values.value = new Map(this.values.value).set(event.source, event);
+  }
+
+  gone(source: string): void {
+    const left = new Map(this.values.value);
+    if (left.delete(source)) this.values.value = left;
+  }
+
+  clear(): void {
+    this.values.value = new Map();
+    this.asked = "";
+  }
+
+  /** Sources that somebody wants; the first who asked come first. */
+  want(who: string, sources: readonly string[]): void {
+    if (sources.length === 0) this.wants.delete(who);
+    else this.wants.set(who, [...sources]);
+    void this.ask();
+  }
+
+  /** The server forgets what a window wants when its stream ends. */
+  askAgain(): void {
+    this.asked = "";
+    void this.ask();
+  }
+
+  async raster(source: string, level = 0): Promise<Raster | null> {
+    const value = this.values.value.get(source);
+    const frame = value?.frame;
+    if (!value || !frame) return null;
+    try {
+      return await this.rasters.get(`${value.key}/${level}`, async () => {
+        const { columns, rows, values } = await this.api.raster(value.key, level === 0 ? {} : { level });
+        const range = { min: value.min ?? 0, max: value.max ?? 0 };
+        return { key: value.key, frame: frameOfLevel(frame, level, columns, rows), values, coarse: value.coarse, ...range };
+      });
+    } catch (error) {
+      return nothing(error);
+    }
+  }
+
+  async content(source: string, form: ValueForm): Promise<Json | null> {
+    const value = this.values.value.get(source);
+    if (!value) return null;
+    try {
+      return await this.contents.get(`${value.key}/${form}`, () => this.api.value(value.key, form));
+    } catch (error) {
+      return nothing(error);
+    }
+  }
+
+  /** One request at a time, with what is wanted by then. */
+  private async ask(): Promise<void> {
+    if (this.asking) return;
+    this.asking = true;
+    await Promise.resolve();  // what is asked for in one go is one request
+    for (;;) {
+      const sources = [...new Set([...this.wants.values()].flat())];
+      const asked = JSON.stringify(sources);
+      if (asked === this.asked) break;
+      this.asked = asked;
+      try {
+        await this.api.want({ window: this.window, sources, quality: "coarse_then_full" });
+      } catch {
+        this.asked = "";
+        break;  // asked again when the stream is there again
+      }
+    }
+    this.asking = false;
+  }
+}
+
+/** The key was overtaken, or the server is gone: a newer value will come. */
+function nothing(error: unknown): null {
+  if (error instanceof ApiError || error instanceof Disconnected) return null;
+  throw error;
+}

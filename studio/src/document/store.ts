@@ -1,0 +1,240 @@
+// The document as this window holds it: what the server has confirmed, and over it the window's own edits that are on
+// their way. Edits are sent one request at a time and in order; what the server says of others' edits is put under them.
+import { signal } from "@preact/signals";
+import type { Signal } from "@preact/signals";
+import { ApiError, Disconnected } from "../api/api";
+import type { Api } from "../api/api";
+import type { DocumentAnswer, DocumentEvent, Edit, Json, Recipe } from "../api/types";
+import { applyChanges, applyEdits } from "./apply";
+import { followHistory } from "./history";
+import { freeze, NoSuchPlace } from "./pointer";
+import { enqueue } from "./queue";
+import type { Waiting } from "./queue";
+import { refusalMessage } from "./refusals";
+import type { DocumentState, Message } from "./studio";
+
+/** What waits to be sent: edits, or something of which the window does not know what it will change. */
+type Task = { kind: "edits"; edits: Waiting } | { kind: "command"; run: Command; settle: (taken: boolean) => void };
+type Command = (base: number) => Promise<DocumentEvent>;
+
+const kMostTries = 20;
+
+function frozenRecipe(recipe: Recipe): Recipe {
+  return freeze(recipe as unknown as Json) as unknown as Recipe;
+}
+
+export function stateOf(answer: DocumentAnswer): DocumentState {
+  const { recipe, revision, file, saved, history, done, missing } = answer;
+  return { recipe: frozenRecipe(recipe), revision, file, saved, history, done, missing };
+}
+
+export class DocumentStore {
+  readonly state: Signal<DocumentState>;
+  /** Edits are on their way. */
+  readonly busy = signal(false);
+  private confirmed: DocumentState;
+  private tasks: Task[] = [];
+  private sending: Task | null = null;
+  /** The stream has told of the request that is being sent before its answer came. */
+  private told = false;
+  private base = 0;
+  private paused = false;
+  private loading: Promise<void> | null = null;
+
+  constructor(
+    private api: Api, readonly window: string, answer: DocumentAnswer, private say: (message: Message) => void,
+  ) {
+    this.confirmed = stateOf(answer);
+    this.state = signal(this.confirmed);
+  }
+
+  edit(edits: Edit[], label: string, gesture: string): Promise<boolean> {
+    const own = structuredClone(edits);  // the caller's lists go on changing under its pen
+    try {
+      applyEdits(this.state.value.recipe, own);
+    } catch (error) {
+      if (!(error instanceof NoSuchPlace)) throw error;
+      this.say({ kind: "error", text: `This cannot be changed: ${error.message}` });
+      return Promise.resolve(false);
+    }
+    return new Promise((settle) => {
+      const next = { edits: own, label, gesture, settle: [settle] };
+      const last = this.tasks[this.tasks.length - 1];
+      if (last?.kind === "edits") {
+        this.tasks.splice(-1, 1, ...enqueue([last.edits], next).map((edits) => ({ kind: "edits" as const, edits })));
+      } else {
+        this.tasks.push({ kind: "edits", edits: next });
+      }
+      this.show();
+      void this.pump();
+    });
+  }
+
+  undo(): Promise<boolean> {
+    return this.command((base) => this.api.undo(this.window, base));
+  }
+
+  redo(): Promise<boolean> {
+    return this.command((base) => this.api.redo(this.window, base));
+  }
+
+  /** Whatever else changes the document, after all edits that wait. */
+  command(run: Command): Promise<boolean> {
+    return new Promise((settle) => {
+      this.tasks.push({ kind: "command", run, settle });
+      void this.pump();
+    });
+  }
+
+  /** An event of the stream, or of an answer: in the order of revisions, and each at most once. */
+  receive(event: DocumentEvent): void {
+    if (event.window === this.window && this.sending && event.revision > this.base) this.told = true;
+    if (event.revision <= this.confirmed.revision) {
+      this.show();
+      return;
+    }
+    const history = followHistory(this.confirmed, event);
+    if (event.revision !== this.confirmed.revision + 1 || !history) {
+      void this.reload();
+      return;
+    }
+    try {
+      const recipe = frozenRecipe(applyChanges(this.confirmed.recipe, structuredClone(event.changes)));
+      const { revision, saved, missing } = event;
+      this.confirmed = { ...this.confirmed, recipe, revision, saved, missing, ...history };
+      this.show();
+    } catch {
+      void this.reload();
+    }
+  }
+
+  /** The document as the server has it, from scratch. */
+  reload(): Promise<void> {
+    this.loading ??= this.api
+      .document()
+      .then((answer) => this.replace(answer))
+      .catch(() => undefined)
+      .finally(() => (this.loading = null));
+    return this.loading;
+  }
+
+  replace(answer: DocumentAnswer): void {
+    this.confirmed = stateOf(answer);
+    this.show();
+  }
+
+  saved(file: string, saved: boolean): void {
+    this.confirmed = { ...this.confirmed, file, saved };
+    this.show();
+  }
+
+  /** Another document was opened: what waits belongs to the one before. */
+  forget(): void {
+    const gone = this.tasks.splice(0);
+    for (const task of gone) settleTask(task, false);
+  }
+
+  /** While the server is gone nothing is sent, and what waits is kept. */
+  pause(paused: boolean): void {
+    this.paused = paused;
+    if (!paused) void this.pump();
+  }
+
+  /** What the server has at the beginning of a stream. */
+  hello(revision: number): void {
+    const known = this.confirmed.revision;
+    if (revision < known || (revision > known && !this.sending)) void this.reload();
+  }
+
+  private show(): void {
+    let recipe = this.confirmed.recipe;
+    const onTheWay = [...(this.sending && !this.told ? [this.sending] : []), ...this.tasks];
+    for (const task of onTheWay) {
+      if (task.kind !== "edits") continue;
+      try {
+        recipe = applyEdits(recipe, task.edits.edits);
+      } catch (error) {
+        if (!(error instanceof NoSuchPlace)) throw error;  // another window took the place away: the server will say so
+      }
+    }
+    this.busy.value = onTheWay.length > 0;
+    this.state.value = { ...this.confirmed, recipe: frozenRecipe(recipe) };
+  }
+
+  private async pump(): Promise<void> {
+    while (!this.sending && !this.paused) {
+      const task = this.tasks.shift();
+      if (!task) return;
+      this.sending = task;
+      this.told = false;
+      const taken = await this.send(task);
+      this.sending = null;
+      if (taken === null) {  // the connection is gone: it stays first, and is sent again under its old base
+        this.tasks.unshift(task);
+        this.paused = true;
+      } else {
+        settleTask(task, taken);
+      }
+      this.show();
+    }
+  }
+
+  /** Null: whether the server took it is not known. */
+  private async send(task: Task): Promise<boolean | null> {
+    this.base = this.resendBase(task);
+    for (let tries = 0; tries < kMostTries; ++tries) {
+      try {
+        this.receive(await this.ask(task));
+        return true;
+      } catch (error) {
+        if (error instanceof Disconnected) {
+          this.unanswered = { task, base: this.base };
+          return this.told ? true : null;
+        }
+        if (!(error instanceof ApiError)) throw error;
+        if (error.status !== 409) return this.refuse(task, error);
+        const others = await this.catchUp(error);
+        if (this.told) return true;
+        if (task.kind === "command" && others) return this.refuse(task, error);
+        this.base = this.confirmed.revision;
+      }
+    }
+    this.say({ kind: "error", text: "Another window changes the document all the time; this was not taken over" });
+    return false;
+  }
+
+  private unanswered: { task: Task; base: number } | null = null;
+
+  /** A request that was not answered may have been carried out: under its old base the server tells. */
+  private resendBase(task: Task): number {
+    const again = this.unanswered?.task === task ? this.unanswered.base : this.confirmed.revision;
+    this.unanswered = null;
+    return again;
+  }
+
+  private ask(task: Task): Promise<DocumentEvent> {
+    if (task.kind === "command") return task.run(this.base);
+    const { edits, label, gesture } = task.edits;
+    return this.api.edits({ window: this.window, base: this.base, gesture, label, edits: [...edits] });
+  }
+
+  /** True: others have changed the document meanwhile. */
+  private async catchUp(error: ApiError): Promise<boolean> {
+    const missed = error.answer.missed ?? [];
+    for (const event of missed) this.receive(event);
+    if (missed.length === 0) await this.reload();
+    if (this.loading) await this.loading;
+    return missed.some((event) => event.window !== this.window);
+  }
+
+  private refuse(task: Task, error: ApiError): boolean {
+    const nothingThere = task.kind === "command" && error.status === 404;
+    if (!nothingThere) this.say(refusalMessage(error, this.state.value.recipe));
+    return false;
+  }
+}
+
+function settleTask(task: Task, taken: boolean): void {
+  if (task.kind === "command") task.settle(taken);
+  else for (const settle of task.edits.settle) settle(taken);
+}
