@@ -58,11 +58,20 @@ export function isReach(member: ParamInfo): boolean {
   return member.name === "radius_m" || member.name === "width_m";
 }
 
+/** What a new thing begins with where the operator's own default does nothing. */
+const kStarts: { [place: string]: Json } = {
+  "ecosystem.grow timeline:ground change_m": 50,
+  "ecosystem.grow timeline:ground end": 10,
+  "ecosystem.grow timeline:storm end": 10,
+};
+
 /** What the next thing gets for a member. */
 export function chosenValue(slot: Slot, member: ParamInfo, domain: Domain): Json {
   const value = chosen.value[placeOf(slot, member.name)];
   if (value !== undefined) return value;
-  if (isReach(member) && typeof member.default === "number") return suitableReach(member.default, domain);
+  const start = kStarts[`${slot.op} ${slot.id} ${member.name}`];
+  if (start !== undefined) return start;
+  if (isReach(member) && slot.geometry !== "ring" && typeof member.default === "number") return suitableReach(member.default, domain);
   return member.default;
 }
 
@@ -71,7 +80,7 @@ export function chosenMembers(slot: Slot, domain: Domain): { [name: string]: Jso
   const result: { [name: string]: Json } = {};
   for (const member of slot.members) {
     const value = chosenValue(slot, member, domain);
-    const seen = isReach(member) || /^(strength(_m)?|height_m|depth_m|region|value)$/.test(member.name);
+    const seen = isReach(member) || /^(strength(_m)?|height_m|depth_m|region|value|change_m)$/.test(member.name);
     if (value === null || value === "" || (!seen && value === member.default)) continue;
     result[member.name] = value;
   }

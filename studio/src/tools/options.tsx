@@ -5,7 +5,7 @@ import { choose, chosenValue, ownReach, reach, readout, selection } from "./acti
 import { itemMembers, type Feature } from "./features";
 import { Field, sliderRange } from "./field";
 import { ToolIcon } from "./icons";
-import { kRegions, lookOf } from "./names";
+import { kRegions, lookOf, nounOf } from "./names";
 import { domainOf, numberAt, type Domain } from "./place";
 import type { Slot } from "./slots";
 import { toolsOf, type ToolBox } from "./toolbox";
@@ -96,16 +96,16 @@ export function ToolOptions({ studio }: { studio: Studio }) {
   const all = selection.value.size > 0 ? tools.selectedOfOneSlot() : [];
   const own = slot ? all.filter((feature) => feature.slot.id === slot.id && !slot.brush) : all;
   const shown = slot ?? own[0]?.slot;
-  const title = slot || own.length === 0 ? offer.look.title : lookOf(own[0]!.slot).title;
+  const title = slot || own.length === 0 ? offer.look.title : nounOf(own[0]!.slot);
   const count = selection.value.size;
   return (
-    <div class="tool-options" role="toolbar" aria-label={`Options: ${title}`}>
+    <div class={`tool-options ${shown ? "with-fields" : ""} ${(shown?.members.length ?? 0) > 4 ? "dense" : ""}`} role="toolbar" aria-label={`Options: ${title}`}>
       <span class="tool-name"><ToolIcon name={slot || own.length === 0 ? offer.look.icon : lookOf(own[0]!.slot).icon} size={16} />{title}</span>
       {offer.adds && <span class="tool-adds">{offer.help}</span>}
       {shown && <Members tools={tools} slot={shown} domain={domain} features={own} next={slot !== undefined} />}
       {(offer.id === "edit:erase" || slot?.geometry === "polar") && <ReachField domain={domain} geometry={slot?.geometry} />}
-      {count > 0 && <span class="tool-count">{count === 1 ? "1 selected" : `${count} selected`}</span>}
-      <span class="tool-readout" aria-live="polite">{readout.value || <span class="muted">{hintOf(slot, offer.id)}</span>}</span>
+      {count > 0 && !slot && <span class="tool-count">{count === 1 ? "1 selected" : `${count} selected`}</span>}
+      <span class="tool-readout" aria-live="polite">{readout.value || <span class="tool-hint muted">{hintOf(slot, offer.id)}</span>}</span>
     </div>
   );
 }
