@@ -28,7 +28,7 @@ ONLY_IN = {
 }
 # Folders with rooms: a room may use itself and those before it.
 ROOMS = {
-    "geom": "scalar grid polygon solve skeleton current tin mesh things contour water",
+    "geom": "scalar grid polygon brush solve skeleton current tin mesh things contour water",
     "ops/contour": "move growth heights convert refine edit",
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+[>"])')
