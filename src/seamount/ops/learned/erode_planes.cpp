@@ -6,19 +6,13 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/grid/pyramid.h"
 #include "seamount/geom/grid/resample.h"
-#include "seamount/geom/water/flow.h"
-#include "seamount/geom/water/incise.h"
+#include "seamount/ops/learned/erosion_estimate.h"
 
 namespace seamount::learned {
 namespace {
 
-/// K between erosion.run's of bedrock and of debris, which makes the least error; the tangent of what rock stands.
-constexpr double kErodibility = 1.5e-5, kSteepest = 0.84;
-constexpr double kChannel_m2 = 1000;
 constexpr double kMargin = 1.0 / 24;        ///< of the map's longer side: land goes on beyond the border
-constexpr double kLonger = 8.0;             ///< years of the estimate of what will be
 constexpr double kNear = 3.0, kFar = 12.0;  ///< deviation of means of the ground, in cells
 constexpr double kLeastUnit = 1e-6;         ///< metres: what changes less does not change
 
@@ -36,37 +30,12 @@ HeightField extended(const HeightField& map, int cells) {
   return out;
 }
 
-/// Where water runs on a terrain with its margin.
-struct Ways {
-  HeightField ground, filled;
-  geom::FlowDirections directions;
-  Grid<uint32_t> cells;
-
-  Ways(HeightField extended_ground, float sea_m, const RunContext& run)
-      : ground(std::move(extended_ground)),
-        filled(geom::fill_depressions(ground, sea_m, run)),
-        directions(geom::flow_directions(filled, sea_m, run)),
-        cells(geom::flow_accumulation(directions, run)) {}
-
-  geom::Incised incised(double years, const RunContext& run) const {
-    const double cell_m2 = ground.cell_m() * ground.cell_m();
-    geom::Incised out = geom::incise(ground, directions, cells,
-                                     {.rate = static_cast<float>(kErodibility * years),
-                                      .deposition = 1.0F,
-                                      .steepest = static_cast<float>(kSteepest),
-                                      .channel_cells = static_cast<float>(std::min(0.9, kChannel_m2 / cell_m2))},
-                                     run);
-    geom::limit_rise(out.heights, static_cast<float>(kSteepest));
-    return out;
-  }
-};
-
-/// heights - ground over the frame without its margin.
-ScalarField change(const HeightField& heights, const HeightField& ground, const GridFrame& frame, int margin) {
-  ScalarField out(frame);
-  for (int y = 0; y < frame.height; ++y) {
-    for (int x = 0; x < frame.width; ++x) out(x, y) = heights(x + margin, y + margin) - ground(x + margin, y + margin);
-  }
+/// A field without its margin.
+template <class T>
+Grid<T> without_margin(const Grid<T>& field, const GridFrame& frame, int margin) {
+  Grid<T> out(frame);
+  for (int y = 0; y < frame.height; ++y)
+    std::copy_n(field.row(y + margin).begin() + margin, frame.width, out.row(y).begin());
   return out;
 }
 
@@ -83,38 +52,35 @@ float soft(double x) { return static_cast<float>(std::asinh(x)); }
 ErodePlanes::ErodePlanes(const HeightField& terrain, double years, double sea_m, const RunContext& run)
     : terrain_(terrain), years_(years), sea_m_(sea_m) {
   const GridFrame& frame = terrain.frame();
-  const auto sea = static_cast<float>(sea_m);
   const int margin = static_cast<int>(std::ceil(kMargin * std::max(frame.width, frame.height)));
-  const Ways ways(extended(terrain, margin), sea, run.part(0, 0.4));
-  const geom::Incised now = ways.incised(years, run);
-  base_ = change(now.heights, ways.ground, frame, margin);
+  const ErosionEstimate estimate = estimate_erosion(extended(terrain, margin), years, sea_m, run.part(0, 0.7));
+  detail_ = without_margin(estimate.made.heights, frame, margin);
+  base_ = coarse_ = ScalarField(frame);
   double sum = 0;
-  for (const float dz : base_.cells()) sum += std::abs(dz);
+  for (size_t i = 0; i < base_.size(); ++i) {
+    base_.data()[i] = detail_.data()[i] - terrain.data()[i];
+    sum += std::abs(base_.data()[i]);
+  }
   unit_m_ = sum / static_cast<double>(frame.cells());
   if (unit_m_ < kLeastUnit) unit_m_ = 0;
   if (unit_m_ == 0) return;
   const auto per_unit = static_cast<float>(1 / unit_m_);
-  later_ = change(ways.incised(kLonger * years, run).heights, ways.ground, frame, margin);
-  const HeightField half = geom::halved(ways.ground, run);
-  const Ways wide(geom::halved(half, run), sea, run);
-  ScalarField coarse = wide.incised(years, run).heights;
-  for (size_t i = 0; i < coarse.size(); ++i) coarse.data()[i] -= wide.ground.data()[i];
-  const ScalarField fine = geom::doubled(geom::doubled(coarse, half.frame(), run), ways.ground.frame(), run);
-  coarse_ = drained_ = water_m_ = descent_ = load_ = ScalarField(frame);
-  const auto steps = geom::flow_steps(ways.ground.width());
+  const ScalarField smooth = blurred(detail_, kNear, run);
+  drained_ = water_m_ = descent_ = load_ = ScalarField(frame);
+  const auto steps = geom::flow_steps(estimate.worn.width());
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < frame.width; ++x) {
-        const int64_t i = static_cast<int64_t>(y + margin) * ways.ground.width() + x + margin;
-        coarse_(x, y) = fine.data()[i] * per_unit;
+        const int64_t i = static_cast<int64_t>(y + margin) * estimate.worn.width() + x + margin;
+        coarse_(x, y) = (estimate.worn.data()[i] - terrain(x, y)) * per_unit;
         base_(x, y) *= per_unit;
-        later_(x, y) *= per_unit;
-        drained_(x, y) = std::log2(static_cast<float>(ways.cells.data()[i]));
-        water_m_(x, y) = ways.filled.data()[i] - ways.ground.data()[i];
-        load_(x, y) = std::log2(1 + now.load.data()[i] * per_unit);
-        const uint8_t way = ways.directions.data()[i];
+        detail_(x, y) = (detail_(x, y) - smooth(x, y)) * per_unit;
+        drained_(x, y) = std::log2(static_cast<float>(estimate.cells.data()[i]));
+        water_m_(x, y) = estimate.filled.data()[i] - estimate.worn.data()[i];
+        load_(x, y) = std::log2(1 + estimate.made.load.data()[i] * per_unit);
+        const uint8_t way = estimate.directions.data()[i];
         descent_(x, y) = way >= 8 ? 0.0F
-                                  : (ways.filled.data()[i] - ways.filled.data()[i + steps[way]]) /
+                                  : (estimate.filled.data()[i] - estimate.filled.data()[i + steps[way]]) /
                                         (geom::kFlowLength[way] * static_cast<float>(frame.cell_m));
       }
     }
@@ -143,8 +109,8 @@ void ErodePlanes::fill_row(int y, float* values) const {
     const float east = terrain_.clamped(x + 1, y) - terrain_.clamped(x - 1, y),
                 south = terrain_.clamped(x, y + 1) - terrain_.clamped(x, y - 1);
     p[0] = soft(base_(x, y));
-    p[1] = soft(later_(x, y));
-    p[2] = soft(coarse_(x, y));
+    p[1] = soft(coarse_(x, y));
+    p[2] = soft(detail_(x, y));
     p[3] = soft((z - near_(x, y)) / cell);
     p[4] = soft((z - near_(x, y)) / unit_m_);
     p[5] = soft((z - far_(x, y)) / (3 * cell));
