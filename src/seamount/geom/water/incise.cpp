@@ -119,12 +119,13 @@ void limit_rise(HeightField& heights, const Grid<uint32_t>& cells, const Incisio
       for (int x = 0; x < width; ++x) rise(x, y) = cell_m * steepest_of(incision, static_cast<float>(cells(x, y)));
   });
   const auto limit = [&](int64_t cell, float* z) {
-    const float most = rise.data()[cell];
-    if (*z <= std::min({z[-1], z[1], z[-width], z[width]})) return;
-    const float a = std::min(z[-1], z[1]), b = std::min(z[-width], z[width]), apart = a - b;
+    constexpr float kLeast = 0.7071F;  // of a cell's rise by which it stands over the lower of two ways at least
+    const float a = std::min(z[-1], z[1]), b = std::min(z[-width], z[width]), most = rise.data()[cell];
+    const float corner = std::min({z[-width - 1], z[-width + 1], z[width - 1], z[width + 1]}) + kFlowLength[1] * most;
+    if (*z <= std::min(corner, std::min(a, b) + kLeast * most)) return;
+    const float apart = a - b;
     const float straight =
         std::abs(apart) >= most ? std::min(a, b) + most : 0.5F * (a + b + std::sqrt(2 * most * most - apart * apart));
-    const float corner = std::min({z[-width - 1], z[-width + 1], z[width - 1], z[width + 1]}) + kFlowLength[1] * most;
     *z = std::min({*z, straight, corner});
   };
   const auto both_ways = [&](int y) {

@@ -6,8 +6,11 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
+#include "seamount/base/simd.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/ops/learned/erosion_estimate.h"
+#include "seamount/ops/learned/plane_lanes.h"
+#include "seamount/ops/learned/plane_math.h"
 
 namespace seamount::learned {
 namespace {
@@ -45,7 +48,35 @@ ScalarField blurred(ScalarField field, double cells, const RunContext& run) {
 }
 
 /// Large values keep their order and become small.
-float soft(double x) { return static_cast<float>(std::asinh(x)); }
+SEAMOUNT_VECTORISED void soft_row(const float* row, float factor, int width, float* out) {
+  for (int x = 0; x < width; ++x) out[x] = fast_asinh(factor * row[x]);
+}
+
+SEAMOUNT_VECTORISED void soft_difference_row(const float* row, const float* from, float factor, int width, float* out) {
+  for (int x = 0; x < width; ++x) out[x] = fast_asinh(factor * (row[x] - from[x]));
+}
+
+SEAMOUNT_VECTORISED void scale_row(const float* row, float factor, int width, float* out) {
+  for (int x = 0; x < width; ++x) out[x] = factor * row[x];
+}
+
+/// log2 of how much passed.
+SEAMOUNT_VECTORISED void log_row(const float* row, float factor, float plus, int width, float* out) {
+  constexpr float kPerLog = 1.44269504F;
+  for (int x = 0; x < width; ++x) out[x] = kPerLog * fast_log(plus + factor * row[x]);
+}
+
+SEAMOUNT_VECTORISED void slope_row(const float* north, const float* row, const float* south, float per_m, int width,
+                                   float* out) {
+  for (int x = 0; x < width; ++x) {
+    const float east = row[x + 1 < width ? x + 1 : x] - row[x > 0 ? x - 1 : 0], down = south[x] - north[x];
+    out[x] = per_m * std::sqrt(east * east + down * down);
+  }
+}
+
+SEAMOUNT_VECTORISED void sea_row(const float* row, float sea, int width, float* out) {
+  for (int x = 0; x < width; ++x) out[x] = fast_tanh((row[x] - sea) / 60);
+}
 
 }  // namespace
 
@@ -75,14 +106,16 @@ ErodePlanes::ErodePlanes(const HeightField& terrain, double years, double sea_m,
         coarse_(x, y) = (estimate.worn.data()[i] - terrain(x, y)) * per_unit;
         base_(x, y) *= per_unit;
         detail_(x, y) = (detail_(x, y) - smooth(x, y)) * per_unit;
-        drained_(x, y) = std::log2(static_cast<float>(estimate.cells.data()[i]));
+        drained_(x, y) = static_cast<float>(estimate.cells.data()[i]);
         water_m_(x, y) = estimate.filled.data()[i] - estimate.worn.data()[i];
-        load_(x, y) = std::log2(1 + estimate.made.load.data()[i] * per_unit);
+        load_(x, y) = estimate.made.load.data()[i];
         const uint8_t way = estimate.directions.data()[i];
         descent_(x, y) = way >= 8 ? 0.0F
                                   : (estimate.filled.data()[i] - estimate.filled.data()[i + steps[way]]) /
                                         (geom::kFlowLength[way] * static_cast<float>(frame.cell_m));
       }
+      log_row(drained_.row(y).data(), 1, 0, frame.width, drained_.row(y).data());
+      log_row(load_.row(y).data(), per_unit, 1, frame.width, load_.row(y).data());
     }
   });
   near_ = blurred(terrain, kNear, run);
@@ -99,31 +132,27 @@ Planes ErodePlanes::planes() const {
 }
 
 void ErodePlanes::fill_row(int y, float* values) const {
-  const double cell = terrain_.cell_m();
-  const auto age = static_cast<float>(std::log2(std::max(years_, kFewestYears) / 20000) / 3);
-  const auto scale = static_cast<float>(std::log2(cell / 40) / 2),
-             unit = static_cast<float>(std::log2(unit_m_ / cell) / 3);
-  for (int x = 0; x < terrain_.width(); ++x) {
-    float* const p = values + static_cast<size_t>(x) * kErodePlanes;
-    const float z = terrain_(x, y);
-    const float east = terrain_.clamped(x + 1, y) - terrain_.clamped(x - 1, y),
-                south = terrain_.clamped(x, y + 1) - terrain_.clamped(x, y - 1);
-    p[0] = soft(base_(x, y));
-    p[1] = soft(coarse_(x, y));
-    p[2] = soft(detail_(x, y));
-    p[3] = soft((z - near_(x, y)) / cell);
-    p[4] = soft((z - near_(x, y)) / unit_m_);
-    p[5] = soft((z - far_(x, y)) / (3 * cell));
-    p[6] = static_cast<float>(std::hypot(east, south) / (2 * cell));
-    p[7] = drained_(x, y) / 6;
-    p[8] = soft(water_m_(x, y) / unit_m_);
-    p[9] = soft(2 * descent_(x, y));
-    p[10] = load_(x, y) / 4;
-    p[11] = std::tanh(static_cast<float>((z - sea_m_) / 60));
-    p[12] = age;
-    p[13] = scale;
-    p[14] = unit;
-  }
+  const int width = terrain_.width();
+  const auto cell = static_cast<float>(terrain_.cell_m()), unit = static_cast<float>(unit_m_);
+  const float* const z = terrain_.row(y).data();
+  PlaneLanes p(width, kErodePlanes);
+  soft_row(base_.row(y).data(), 1, width, p[0]);
+  soft_row(coarse_.row(y).data(), 1, width, p[1]);
+  soft_row(detail_.row(y).data(), 1, width, p[2]);
+  soft_difference_row(z, near_.row(y).data(), 1 / cell, width, p[3]);
+  soft_difference_row(z, near_.row(y).data(), 1 / unit, width, p[4]);
+  soft_difference_row(z, far_.row(y).data(), 1 / (3 * cell), width, p[5]);
+  slope_row(terrain_.row(std::max(y - 1, 0)).data(), z, terrain_.row(std::min(y + 1, terrain_.height() - 1)).data(),
+            1 / (2 * cell), width, p[6]);
+  scale_row(drained_.row(y).data(), 1.0F / 6, width, p[7]);
+  soft_row(water_m_.row(y).data(), 1 / unit, width, p[8]);
+  soft_row(descent_.row(y).data(), 2, width, p[9]);
+  scale_row(load_.row(y).data(), 1.0F / 4, width, p[10]);
+  sea_row(z, static_cast<float>(sea_m_), width, p[11]);
+  std::fill_n(p[12], width, static_cast<float>(std::log2(std::max(years_, kFewestYears) / 20000) / 3));
+  std::fill_n(p[13], width, static_cast<float>(std::log2(terrain_.cell_m() / 40) / 2));
+  std::fill_n(p[14], width, static_cast<float>(std::log2(unit_m_ / terrain_.cell_m()) / 3));
+  p.interleave(values);
 }
 
 }  // namespace seamount::learned

@@ -12,18 +12,25 @@ class PlaneLanes {
  public:
   /// All 0.
   PlaneLanes(int width, int planes)
-      : width_(static_cast<size_t>(width)), planes_(static_cast<size_t>(planes)), values_(width_ * planes_, 0.0F) {}
+      : width_(width),
+        planes_(planes),
+        stride_(stride_of(width)),
+        values_(stride_ * static_cast<size_t>(planes), 0.0F) {}
 
-  float* operator[](int plane) { return values_.data() + static_cast<size_t>(plane) * width_; }
+  float* operator[](int plane) { return values_.data() + static_cast<size_t>(plane) * stride_; }
 
   /// Writes them as Planes::fill does: the planes of a cell together.
-  void interleave(float* out) const {
-    for (size_t x = 0; x < width_; ++x)
-      for (size_t k = 0; k < planes_; ++k) out[x * planes_ + k] = values_[k * width_ + x];
-  }
+  void interleave(float* out) const;
 
  private:
-  size_t width_, planes_;
+  /// Cache lines of a lane are an odd number, or else all lanes would fight for the same places of the cache.
+  static size_t stride_of(int width) {
+    const size_t lines = (static_cast<size_t>(width) + 15) / 16;
+    return 16 * (lines + 1 - lines % 2);
+  }
+
+  int width_, planes_;
+  size_t stride_;
   std::vector<float> values_;
 };
 

@@ -1,5 +1,5 @@
-// Functions of whole rows that planes are made of, for loops of vectors: in f32, right to 4e-7 of the largest value or
-// of 1, which the networks' bf16 does not see.
+// Functions that rows of planes are made of, for loops of vectors. In f32, right to 4e-7 of 1 or of the value (exp of
+// large numbers to 4e-6), which the networks' bf16 does not see.
 #pragma once
 
 #include <bit>

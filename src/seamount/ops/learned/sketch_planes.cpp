@@ -41,8 +41,8 @@ SEAMOUNT_INLINE float fading(float x) { return x < kNothing ? fast_exp(-x) : 0.0
 SEAMOUNT_VECTORISED void line_row(const float* distance, int width, float* close, float* around) {
   for (int x = 0; x < width; ++x) {
     const float d = distance[x];
-    close[x] = fading((d * d) / (2 * kLine * kLine));
-    around[x] = fading(d / kNear);
+    close[x] = fading(d * d * (1 / (2 * kLine * kLine)));
+    around[x] = fading(d * (1 / kNear));
   }
 }
 
@@ -50,8 +50,8 @@ SEAMOUNT_VECTORISED void line_row(const float* distance, int width, float* close
 SEAMOUNT_VECTORISED void cue_row(const float* distance, const float* shares, int width, float* close, float* around) {
   for (int x = 0; x < width; ++x) {
     const float d = distance[x];
-    close[x] = fading((d * d) / (2 * kPoint * kPoint));
-    around[x] = shares[x] * fading(d / kAround);
+    close[x] = fading(d * d * (1 / (2 * kPoint * kPoint)));
+    around[x] = shares[x] * fading(d * (1 / kAround));
   }
 }
 
