@@ -19,6 +19,7 @@ MAY_INCLUDE = {
 ONLY_IN = {
     "tbb/": "base recipe",
     "thread>": "base server",
+    "httplib": "server",
     "nlohmann/": "io recipe server",
     "gdal": "io",
     "sqlite3": "io",
