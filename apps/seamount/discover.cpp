@@ -12,6 +12,7 @@
 #include "seamount/recipe/catalogue_json.h"
 #include "seamount/recipe/catalogue_reference.h"
 #include "seamount/recipe/reference.h"
+#include "seamount/recipe/typescript.h"
 
 namespace seamount::app {
 namespace {
@@ -19,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const kCatalogue = "catalogue";
+const char* const kTypescript = "typescript";
 
 void list(const recipe::Registry& registry, bool json) {
   if (json) {
@@ -134,10 +136,16 @@ void add_discover_commands(Command program, const recipe::Registry& registry) {
   });
 
   Command schema_command = program.add_command("schema", "Print the JSON Schema of recipes, or of catalogues");
-  schema_command.add("of", name.get(), "recipe or catalogue; recipe if it is left out");
+  schema_command.add("of", name.get(),
+                     "recipe, catalogue, or typescript: parameters as types; recipe if it is left out");
   schema_command.does([=, &registry] {
+    if (*name == kTypescript) {
+      std::cout << recipe::typescript_types(registry);
+      return;
+    }
     if (!name->empty() && *name != kCatalogue && *name != "recipe")
-      throw InvalidArgument("schema", "there is none of '" + *name + "'" + suggestion(*name, {"recipe", kCatalogue}));
+      throw InvalidArgument(
+          "schema", "there is none of '" + *name + "'" + suggestion(*name, {"recipe", kCatalogue, kTypescript}));
     const recipe::Json schema = *name == kCatalogue ? recipe::catalogue_schema() : recipe::recipe_schema(registry);
     std::cout << schema.dump(2) << "\n";
   });

@@ -6,12 +6,15 @@ import {
   WebGLRenderTarget, type IUniform, type Texture, type WebGLRenderer,
 } from "three";
 import type { HeightField } from "./heights";
+import { lamps } from "./light";
 import { sunVector, type ViewOptions } from "./options";
 import albedoShader from "./shaders/bake_albedo.frag.glsl";
+import litShader from "./shaders/bake_lit.frag.glsl";
 import lightShader from "./shaders/bake_light.frag.glsl";
 import surfaceShader from "./shaders/bake_surface.frag.glsl";
 import bakeVertex from "./shaders/bake.vert.glsl";
 import common from "./shaders/common.glsl";
+import overlayShader from "./shaders/overlay.glsl";
 
 type Uniforms = { [name: string]: IUniform };
 
@@ -40,10 +43,10 @@ class Bake {
   }
 }
 
-function target(width: number, height: number, half: boolean): WebGLRenderTarget {
+function target(width: number, height: number, half: boolean, mipmaps = true): WebGLRenderTarget {
   return new WebGLRenderTarget(width, height, {
-    format: RGBAFormat, type: half ? HalfFloatType : UnsignedByteType, depthBuffer: false, generateMipmaps: true,
-    magFilter: LinearFilter, minFilter: LinearMipmapLinearFilter, wrapS: ClampToEdgeWrapping, wrapT: ClampToEdgeWrapping,
+    format: RGBAFormat, type: half ? HalfFloatType : UnsignedByteType, depthBuffer: false, generateMipmaps: mipmaps,
+    magFilter: LinearFilter, minFilter: mipmaps ? LinearMipmapLinearFilter : LinearFilter, wrapS: ClampToEdgeWrapping, wrapT: ClampToEdgeWrapping,
   });
 }
 
@@ -53,6 +56,7 @@ interface Set {
   heights: DataTexture;
   surface: WebGLRenderTarget;
   albedo: WebGLRenderTarget;
+  lit: WebGLRenderTarget;
 }
 
 const keptSets = 3;
@@ -64,12 +68,13 @@ export class GroundTextures {
   private readonly surfaceBake: Bake;
   private readonly albedoBake: Bake;
   private readonly lightBake: Bake;
+  private readonly litBake: Bake;
   /** Cells along the longer side of the light's texture. */
   lightCells = 512;
 
   constructor(private readonly renderer: WebGLRenderer, noise: Texture, anisotropy: number) {
     this.anisotropy = anisotropy;
-    this.surfaceBake = new Bake(surfaceShader, { heights: { value: null }, cell_m: { value: 1 } });
+    this.surfaceBake = new Bake(surfaceShader, { heights: { value: null }, cell_m: { value: 1 }, relief_scale: { value: 1 } });
     this.albedoBake = new Bake(albedoShader, {
       surface: { value: null }, noise: { value: noise }, cell_m: { value: 1 }, tropical: { value: true },
       snow_line: { value: 5000 }, tree_line: { value: 3900 },
@@ -77,6 +82,11 @@ export class GroundTextures {
     this.lightBake = new Bake(lightShader, {
       surface: { value: null }, heights: { value: null }, cell_m: { value: 1 }, exaggeration: { value: 1 },
       floor_m: { value: 0 }, to_sun: { value: [0, 0, 1] }, light_size: { value: [1, 1] },
+    });
+    const none = { value: null };
+    this.litBake = new Bake(overlayShader + litShader, {
+      surface: { ...none }, albedo: { ...none }, lights: { ...none }, exaggeration: { value: 1 }, floor_m: { value: 0 },
+      to_sun: { value: [0, 0, 1] }, sun_light: { value: [1, 1, 1] }, sky_light: { value: [1, 1, 1] }, ground_style: { value: 0 },
     });
   }
   private readonly anisotropy: number;
@@ -87,11 +97,8 @@ export class GroundTextures {
   get surface(): Texture | null {
     return this.sets[0]?.surface.texture ?? null;
   }
-  get albedo(): Texture | null {
-    return this.sets[0]?.albedo.texture ?? null;
-  }
-  get lights(): Texture | null {
-    return this.light?.texture ?? null;
+  get lit(): Texture | null {
+    return this.sets[0]?.lit.texture ?? null;
   }
 
   /** Uploads heights and bakes what depends on nothing else. */
@@ -102,6 +109,7 @@ export class GroundTextures {
     const surface = this.surfaceBake.uniforms, albedo = this.albedoBake.uniforms;
     surface.heights!.value = set.heights;
     surface.cell_m!.value = albedo.cell_m!.value = field.frame.cell_m;
+    surface.relief_scale!.value = field.typicalSlope > 0 ? Math.min(12, Math.max(0.3, 0.62 / field.typicalSlope)) : 1;
     this.surfaceBake.into(this.renderer, set.surface);
     albedo.surface!.value = set.surface.texture;
     albedo.tropical!.value = field.inSea;
@@ -119,7 +127,7 @@ export class GroundTextures {
     const width = Math.max(1, Math.round(field.columns * scale)), height = Math.max(1, Math.round(field.rows * scale));
     if (this.light === null || this.light.width !== width || this.light.height !== height) {
       this.light?.dispose();
-      this.light = target(width, height, false);
+      this.light = target(width, height, false, false);
     }
     const light = this.lightBake.uniforms;
     light.surface!.value = set.surface.texture;
@@ -132,10 +140,27 @@ export class GroundTextures {
     this.lightBake.into(this.renderer, this.light);
   }
 
+  /** Colours in their light: after the others, or when the style of the ground is another. */
+  updateLit(options: ViewOptions, style: number): void {
+    const set = this.sets[0];
+    if (set === undefined || this.light === null) return;
+    const lit = this.litBake.uniforms, light = lamps(options.sun);
+    lit.surface!.value = set.surface.texture;
+    lit.albedo!.value = set.albedo.texture;
+    lit.lights!.value = this.light.texture;
+    lit.exaggeration!.value = options.exaggeration;
+    lit.floor_m!.value = options.water ? 0 : -1e9;
+    lit.to_sun!.value = light.toSun;
+    lit.sun_light!.value = light.sun;
+    lit.sky_light!.value = light.sky;
+    lit.ground_style!.value = style;
+    this.litBake.into(this.renderer, set.lit);
+  }
+
   dispose(): void {
     for (const set of this.sets.splice(0)) disposeSet(set);
     this.light?.dispose();
-    for (const bake of [this.surfaceBake, this.albedoBake, this.lightBake]) bake.dispose();
+    for (const bake of [this.surfaceBake, this.albedoBake, this.lightBake, this.litBake]) bake.dispose();
   }
 
   /** Sets of the last few sizes are kept: coarse and full results alternate. The one in use is the first. */
@@ -151,8 +176,11 @@ export class GroundTextures {
     const heights = new DataTexture(null, columns, rows, RedFormat, FloatType);
     heights.minFilter = heights.magFilter = NearestFilter;
     heights.unpackAlignment = 4;
-    const set: Set = { columns, rows, heights, surface: target(columns, rows, true), albedo: target(columns, rows, false) };
-    set.surface.texture.anisotropy = set.albedo.texture.anisotropy = this.anisotropy;
+    const set: Set = {
+      columns, rows, heights, surface: target(columns, rows, true), albedo: target(columns, rows, false, false),
+      lit: target(columns, rows, false),
+    };
+    set.surface.texture.anisotropy = set.lit.texture.anisotropy = this.anisotropy;
     return set;
   }
 }
@@ -161,4 +189,5 @@ function disposeSet(set: Set): void {
   set.heights.dispose();
   set.surface.dispose();
   set.albedo.dispose();
+  set.lit.dispose();
 }

@@ -4,6 +4,7 @@
 // Block coordinates count cells from the north-west corner of the frame: cell i covers [i, i + 1], its sample is at
 // i + 0.5.
 import type { Frame } from "../api/types";
+import type { Rectangle } from "./map_camera";
 import type { Raster } from "./types";
 
 /** Cells along the side of a block of the tree's finest level. */
@@ -60,6 +61,27 @@ export class HeightField {
   }
   get height_m(): number {
     return this.rows * this.frame.cell_m;
+  }
+  get rectangle(): Rectangle {
+    const { west, north } = this.frame;
+    return { west, north, east: west + this.width_m, south: north - this.height_m };
+  }
+  /** Around what stands over the sea or close under its surface; all where that is little. */
+  get dryRectangle(): Rectangle {
+    const { columns, rows, high } = this.tree[0]!, side = blockCells * this.frame.cell_m;
+    let left = columns, right = -1, top = rows, bottom = -1;
+    for (let y = 0; y < rows; ++y) {
+      for (let x = 0; x < columns; ++x) {
+        if (high[y * columns + x]! < -25) continue;
+        left = Math.min(left, x);
+        right = Math.max(right, x);
+        top = Math.min(top, y);
+        bottom = Math.max(bottom, y);
+      }
+    }
+    if (right - left < 0.1 * columns && bottom - top < 0.1 * rows) return this.rectangle;
+    const { west, north } = this.frame;
+    return { west: west + left * side, east: west + (right + 1) * side, north: north - top * side, south: north - (bottom + 1) * side };
   }
   get centre(): [number, number] {
     return [this.frame.west + this.width_m / 2, this.frame.north - this.height_m / 2];

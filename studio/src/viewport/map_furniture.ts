@@ -39,7 +39,7 @@ function edgeMarks(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, optio
     ink.textAlign = vertical ? "center" : "left";
     text(ink, at === 0 ? "0" : lengthText(at), vertical ? q : 9, vertical ? 8 : q, "rgba(255, 255, 255, 0.86)", halo);
   };
-  for (const x of multiples(west - x0, east - x0, step)) if ((x + x0 - west) / eye.pixel_m > 60) marks(true, x);
+  for (const x of multiples(west - x0, east - x0, step)) if ((x + x0 - west) / eye.pixel_m > 60 && (east - x - x0) / eye.pixel_m > 48) marks(true, x);
   for (const y of multiples(south - y0, north - y0, step)) if ((north - y - y0) / eye.pixel_m > 34 && (y + y0 - south) / eye.pixel_m > 44) marks(false, y);
 }
 

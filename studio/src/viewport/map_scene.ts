@@ -19,7 +19,7 @@ export class MapScene {
     this.uniforms = {
       ...shared,
       tints: { value: tintTexture() }, map_place: { value: [0.5, 0.5, 0.5, 0.5] }, pixel_m: { value: 1 },
-      relief_scale: { value: 1 }, tint_scale: { value: new Vector3(1000, 0, 1000) }, paper: { value: new Vector3(0.01, 0.01, 0.01) },
+      tint_scale: { value: new Vector3(1000, 0, 1000) }, paper: { value: new Vector3(0.01, 0.01, 0.01) },
       water: { value: true },
     };
     this.mesh = new Mesh(new PlaneGeometry(2, 2), new RawShaderMaterial({
@@ -38,7 +38,6 @@ export class MapScene {
       (0.5 * size.width * eye.pixel_m) / field.width_m, (-0.5 * size.height * eye.pixel_m) / field.height_m,
     ];
     u.pixel_m!.value = pixel_m;
-    u.relief_scale!.value = field.typicalSlope > 0 ? Math.min(12, Math.max(0.3, 0.62 / field.typicalSlope)) : 1;
     const scale = tintScale(field.min, field.max);
     (u.tint_scale!.value as Vector3).set(scale.deepest, scale.base, scale.top);
     (u.paper!.value as Vector3).set(...paper);

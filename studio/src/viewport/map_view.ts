@@ -14,8 +14,6 @@ import { ViewSurface } from "./view_surface";
 export class MapView {
   readonly surface: ViewSurface;
   readonly mover: MapMover;
-  /** Pictures that are averaged at rest: the shader smooths its own edges. */
-  readonly samples = 1;
   shapes: readonly OverlayShape[] = [];
   inkStale = true;
   field: HeightField | null = null;
@@ -41,14 +39,18 @@ export class MapView {
 
   frame(field: HeightField): void {
     this.field = field;
-    const { west, north } = field.frame;
-    this.frameRectangle({ west, north, east: west + field.width_m, south: north - field.height_m });
+    this.frameRectangle(field.rectangle);
     this.framed = true;
   }
 
   frameRectangle(rectangle: Rectangle): void {
     this.framed = false;
     this.set(fitted(rectangle, this.surface, this.surface.width > 420 ? 28 : 10));
+  }
+
+  /** Pictures that are averaged at rest: the shader smooths its own edges. */
+  samples(): number {
+    return 1;
   }
 
   /** Around the shapes that tools show; null without any. */

@@ -21,7 +21,7 @@ export const defaultOptions: ViewOptions = {
   exaggeration: 1,
   wireframe: false,
   water: true,
-  sun: { azimuth_deg: 305, elevation_deg: 38 },
+  sun: { azimuth_deg: 300, elevation_deg: 33 },
   ground: "texture",
   grid: false,
   navigation: "blender",
@@ -33,4 +33,10 @@ export function sunVector(sun: ViewOptions["sun"]): [number, number, number] {
   const elevation = (Math.max(1, sun.elevation_deg) * Math.PI) / 180;
   const flat = Math.cos(elevation);
   return [flat * Math.sin(azimuth), flat * Math.cos(azimuth), Math.sin(elevation)];
+}
+
+/** An exaggeration that shows the forms of gentle or wide ground: 1 to 2.5 in halves. */
+export function suggestedExaggeration(typicalSlope: number): number {
+  if (typicalSlope <= 0) return 1;
+  return Math.min(2.5, Math.max(1, Math.round((2 * 0.4) / typicalSlope) / 2));
 }

@@ -7,7 +7,7 @@ import type { MapEye, Size } from "./map_camera";
 import { MapScene } from "./map_scene";
 import { noiseTexture } from "./noise_texture";
 import type { ViewOptions } from "./options";
-import { sharedUniforms, showOverlay, showStyle, showTextures } from "./shared_uniforms";
+import { sharedUniforms, showOverlay, showTextures, styleNumber } from "./shared_uniforms";
 import { contourInterval } from "./ticks";
 import type { GroundOverlay } from "./types";
 import type { Eye, Lens } from "./world_camera";
@@ -37,7 +37,7 @@ export class PictureRenderer {
     gl.getExtension("EXT_color_buffer_float");
     this.renderer.autoClear = false;
     this.textures = new GroundTextures(this.renderer, this.noise, this.software ? 1 : 8);
-    this.textures.lightCells = this.software ? 384 : 1024;
+    this.textures.lightCells = this.software ? 288 : 1024;
     this.world = new WorldScene(this.shared);
     this.world.patchBudget = this.software ? 160 : 420;
     this.map = new MapScene(this.shared);
@@ -56,9 +56,10 @@ export class PictureRenderer {
     showOverlay(this.shared, this.overlay, field);
   }
 
-  updateLight(field: HeightField, options: ViewOptions): void {
-    this.textures.updateLight(field, options);
-    showTextures(this.shared, this.textures, field);
+  /** `sunToo`: shadows as well, else only the colours in them. */
+  updateLight(field: HeightField, options: ViewOptions, overlay: GroundOverlay, sunToo: boolean): void {
+    if (sunToo) this.textures.updateLight(field, options);
+    this.textures.updateLit(options, styleNumber(options.ground, overlay));
   }
 
   updateOverlay(overlay: GroundOverlay, field: HeightField | null): void {
@@ -68,7 +69,7 @@ export class PictureRenderer {
 
   drawWorld(field: HeightField, options: ViewOptions, overlay: GroundOverlay, eye: Eye, lens: Lens, jitter: readonly [number, number]): void {
     this.begin(lens);
-    showStyle(this.shared, options.ground, overlay.overlay === "slope");
+    this.shared.ground_style.value = styleNumber(options.ground, overlay);
     // Lines are as far apart as suits the whole terrain, not the changing distance.
     const typical = contourInterval(Math.max(field.width_m, field.height_m) / 900, field.typicalSlope, 18);
     this.shared.contour_m.value = overlay.overlay === "contours" ? overlay.interval_m : options.ground === "contours" ? typical : 0;
@@ -78,7 +79,7 @@ export class PictureRenderer {
 
   drawMap(field: HeightField, options: ViewOptions, overlay: GroundOverlay, eye: MapEye, size: Size, pixels: Size, paper: readonly [number, number, number]): void {
     this.begin(pixels);
-    showStyle(this.shared, options.ground, overlay.overlay === "slope");
+    this.shared.ground_style.value = styleNumber(options.ground, overlay);
     this.shared.contour_m.value = overlay.overlay === "contours" ? overlay.interval_m : contourInterval(eye.pixel_m, field.typicalSlope);
     this.map.render(this.renderer, field, eye, size, (eye.pixel_m * size.width) / pixels.width, options.water, paper);
   }

@@ -4,13 +4,13 @@ import type { GroundTextures } from "./ground_textures";
 import type { OverlayTexture } from "./ground_overlay";
 import type { HeightField } from "./heights";
 import type { GroundStyle } from "./options";
+import type { GroundOverlay } from "./types";
 
 export interface SharedUniforms {
   [name: string]: IUniform;
   heights: IUniform<Texture | null>;
   surface: IUniform<Texture | null>;
-  albedo: IUniform<Texture | null>;
-  lights: IUniform<Texture | null>;
+  lit: IUniform<Texture | null>;
   noise: IUniform<Texture | null>;
   cell_m: IUniform<number>;
   ground_style: IUniform<number>;
@@ -23,7 +23,7 @@ export interface SharedUniforms {
 
 export function sharedUniforms(noise: Texture): SharedUniforms {
   return {
-    heights: { value: null }, surface: { value: null }, albedo: { value: null }, lights: { value: null },
+    heights: { value: null }, surface: { value: null }, lit: { value: null },
     noise: { value: noise }, cell_m: { value: 1 }, ground_style: { value: 0 }, overlay: { value: null },
     overlay_place: { value: [0, 0, 1, 1] }, overlay_strength: { value: 0 }, contour_m: { value: 0 },
     contour_colour: { value: new Vector3(0.02, 0.015, 0.01) },
@@ -33,8 +33,7 @@ export function sharedUniforms(noise: Texture): SharedUniforms {
 export function showTextures(u: SharedUniforms, textures: GroundTextures, field: HeightField): void {
   u.heights.value = textures.heights;
   u.surface.value = textures.surface;
-  u.albedo.value = textures.albedo;
-  u.lights.value = textures.lights;
+  u.lit.value = textures.lit;
   u.cell_m.value = field.frame.cell_m;
 }
 
@@ -44,6 +43,7 @@ export function showOverlay(u: SharedUniforms, overlay: OverlayTexture, field: H
   u.overlay_strength.value = overlay.texture === null ? 0 : 0.8;
 }
 
-export function showStyle(u: SharedUniforms, style: GroundStyle, slope: boolean): void {
-  u.ground_style.value = slope || style === "slope" ? 2 : style === "relief" ? 1 : 0;
+/** Number of a style of the ground in the shaders. */
+export function styleNumber(style: GroundStyle, overlay: GroundOverlay): number {
+  return overlay.overlay === "slope" || style === "slope" ? 2 : style === "relief" ? 1 : 0;
 }

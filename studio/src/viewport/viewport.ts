@@ -9,7 +9,7 @@ import { HeightField } from "./heights";
 import { legendElement } from "./legend";
 import { legendOf } from "./ground_overlay";
 import { MapView } from "./map_view";
-import { defaultOptions, type ViewOptions } from "./options";
+import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./options";
 import { PictureRenderer } from "./picture_renderer";
 import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
 import { WorldView } from "./world_view";
@@ -50,11 +50,11 @@ export class Viewport {
   private legend: HTMLElement | null = null;
   private request = 0;
   private restTimer = 0;
-  private movedAt = 0;
   private lastFrame = 0;
   private frame_ms = 16;
   private upload_ms = 0;
   private lightStale = false;
+  private litStale = false;
   private arrived = 0;
 
   constructor(mapElement: HTMLElement, worldElement: HTMLElement, studio: Studio) {
@@ -74,6 +74,7 @@ export class Viewport {
       const now = this.options.value;
       const relit = now.sun !== before.sun || now.water !== before.water || now.exaggeration !== before.exaggeration;
       if (now.exaggeration !== before.exaggeration) this.world.rescale(now.exaggeration / before.exaggeration);
+      this.litStale ||= relit || now.ground !== before.ground;
       before = now;
       this.lightStale ||= relit;
       this.dirty();
@@ -153,11 +154,18 @@ export class Viewport {
     this.field = field;
     this.renderer.update(field);
     this.lightStale = true;
+    this.litStale = true;
     this.map.field = this.world.field = field;
     this.drawn.value = { key: raster.key, coarse: raster.coarse };
-    if (before === null || !sameRectangle(before, field)) this.frameAll();
+    if (before === null || !sameRectangle(before, field)) this.begin(field);
     this.map.inkStale = this.world.inkStale = true;
     this.dirty();
+  }
+
+  /** Another terrain: all of it is shown, as high as shows its forms. */
+  private begin(field: HeightField): void {
+    this.options.value = { ...this.options.peek(), exaggeration: suggestedExaggeration(field.typicalSlope) };
+    this.frameAll();
   }
 
   private overlaid(raster: Raster | null, kind: string): void {
@@ -172,6 +180,7 @@ export class Viewport {
 
   private applyOverlay(): void {
     const overlay = this.activeOverlay;
+    this.litStale = true;
     this.renderer.updateOverlay(overlay, this.field);
     this.legend?.remove();
     const legend = legendOf(overlay);
@@ -182,7 +191,7 @@ export class Viewport {
 
   private restore(): void {
     if (this.field !== null) this.renderer.update(this.field);
-    this.lightStale = true;
+    this.lightStale = this.litStale = true;
     this.dirty();
   }
 
@@ -225,7 +234,6 @@ export class Viewport {
 
   /** A view moves: quick pictures now, a good one when it rests. */
   private moved(): void {
-    this.movedAt = performance.now();
     this.map.inkStale = this.world.inkStale = true;
     clearTimeout(this.restTimer);
     this.restTimer = window.setTimeout(() => {
@@ -252,17 +260,17 @@ export class Viewport {
     const field = this.field;
     let more = false;
     if (field !== null) {
-      if (this.lightStale && (!moving || now - this.movedAt > restAfter_ms || this.drawn.peek()?.coarse === true)) {
-        this.renderer.updateLight(field, this.options.peek());
-        this.lightStale = false;
+      if (this.litStale) {
+        this.renderer.updateLight(field, this.options.peek(), this.activeOverlay, this.lightStale);
+        this.lightStale = this.litStale = false;
       }
-      const quick = moving && this.frame_ms > slow_ms ? 0.6 : 1;
+      const quick = !moving || this.frame_ms < slow_ms ? 1 : this.frame_ms < 3 * slow_ms ? 0.6 : 0.45;
       for (const view of [this.map, this.world]) {
         if (!view.surface.shown) continue;
-        if (view.surface.samples < (moving ? 1 : view.samples)) {
+        if (view.surface.samples < (moving ? 1 : view.samples(this.renderer.software))) {
           view.draw(this.renderer, field, this.options.peek(), this.activeOverlay, quick);
         }
-        more ||= !moving && view.surface.samples < view.samples;
+        more ||= !moving && view.surface.samples < view.samples(this.renderer.software);
       }
       if (this.arrived > 0) {
         this.upload_ms = performance.now() - this.arrived;
@@ -270,7 +278,7 @@ export class Viewport {
       }
     }
     for (const view of [this.map, this.world]) if (view.inkStale) view.drawInk(this.options.peek());
-    if (more || (this.lightStale && !moving && field !== null)) this.wake();
+    if (more) this.wake();
   }
 }
 

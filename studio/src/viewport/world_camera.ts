@@ -113,23 +113,39 @@ export interface Box {
   readonly high: Vector;
 }
 
-/** An eye that has the whole box in the picture, in a direction. */
+function corners(box: Box): Vector[] {
+  return Array.from({ length: 8 }, (_, i): Vector => [
+    (i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1], (i & 4 ? box.high : box.low)[2],
+  ]);
+}
+
+/** An eye that has the whole box in the middle of the picture, in a direction. */
 export function frame(box: Box, lens: Lens, azimuth: number, pitch: number): Eye {
-  const middle: Vector = [
+  let middle: Vector = [
     0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1]), 0.5 * (box.low[2] + box.high[2]),
   ];
-  const eye: Eye = { at: middle, azimuth, pitch };
+  let eye: Eye = { at: middle, azimuth, pitch };
   const { forward, right, up } = axes(eye);
-  const tanY = Math.tan(lens.fov / 2) * 0.94, tanX = (tanY * lens.width) / Math.max(1, lens.height);
-  let back = 1;
-  for (let corner = 0; corner < 8; ++corner) {
-    const to = between(middle, [
-      (corner & 1 ? box.high : box.low)[0], (corner & 2 ? box.high : box.low)[1], (corner & 4 ? box.high : box.low)[2],
-    ]);
-    const depth = dot(to, forward);
-    back = Math.max(back, Math.abs(dot(to, right)) / tanX - depth, Math.abs(dot(to, up)) / tanY - depth);
+  const tanY = Math.tan(lens.fov / 2) * 0.92, tanX = (tanY * lens.width) / Math.max(1, lens.height);
+  for (let turn = 0; turn < 4; ++turn) {
+    let back = 1;
+    for (const corner of corners(box)) {
+      const to = between(middle, corner), depth = dot(to, forward);
+      back = Math.max(back, Math.abs(dot(to, right)) / tanX - depth, Math.abs(dot(to, up)) / tanY - depth);
+    }
+    eye = { ...eye, at: add(middle, forward, -back) };
+    // The near side looks larger: what is seen is brought to the middle, and then one can come nearer.
+    let left = Infinity, rightmost = -Infinity, low = Infinity, high = -Infinity;
+    for (const corner of corners(box)) {
+      const to = between(eye.at, corner), depth = dot(to, forward);
+      left = Math.min(left, dot(to, right) / depth);
+      rightmost = Math.max(rightmost, dot(to, right) / depth);
+      low = Math.min(low, dot(to, up) / depth);
+      high = Math.max(high, dot(to, up) / depth);
+    }
+    middle = add(add(middle, right, 0.4 * back * (left + rightmost)), up, 0.4 * back * (low + high));
   }
-  return { ...eye, at: add(middle, forward, -back) };
+  return eye;
 }
 
 /** Not under the ground, and not further off than `farthest` from the box's middle. */

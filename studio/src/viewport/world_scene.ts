@@ -41,7 +41,7 @@ export class WorldScene {
       exaggeration: { value: 1 }, sea_size: { value: [1, 1] }, half_size: { value: [1, 1] }, in_sea: { value: true },
       to_sun: { value: new Vector3(0, 0, 1) }, sun_light: { value: new Vector3() }, sky_light: { value: new Vector3() },
       sky_scale: { value: 1 }, haze_density: { value: 0 }, haze_far: { value: 1 }, forward: { value: new Vector3() },
-      right: { value: new Vector3() }, upward: { value: new Vector3() }, wire_colour: { value: [0, 0, 0, 0.35] },
+      right: { value: new Vector3() }, upward: { value: new Vector3() }, pixel_angle: { value: 1 }, sun_path: { value: 1 }, wire_colour: { value: [1, 1, 1, 0.22] },
     };
     const fragment = common + skyShader + overlayShader + groundFragment;
     const groundMaterial = this.material(groundVertex, fragment, { plane_only: { value: false } });
@@ -64,7 +64,7 @@ export class WorldScene {
     const [cx, cy] = field.centre;
     const local: [number, number, number] = [eye.at[0] - cx, eye.at[1] - cy, eye.at[2]];
     this.place(eye, local, lens, field, options, jitter);
-    this.light(field, options, eye, lens);
+    this.light(field, options, lens);
     const origin = [field.frame.west, field.frame.north] as const;
     this.geometry.show(choosePatches(field, {
       eye: [eye.at[0] - origin[0], origin[1] - eye.at[1], eye.at[2]],
@@ -110,13 +110,15 @@ export class WorldScene {
     (this.uniforms.upward!.value as Vector3).set(...up).multiplyScalar(tan);
   }
 
-  private light(field: HeightField, options: ViewOptions, _eye: Eye, _lens: Lens): void {
+  private light(field: HeightField, options: ViewOptions, lens: Lens): void {
     const u = this.uniforms, size = Math.max(field.width_m, field.height_m);
     const lit = lamps(options.sun);
     (u.to_sun!.value as Vector3).set(...lit.toSun);
     (u.sun_light!.value as Vector3).set(...lit.sun);
     (u.sky_light!.value as Vector3).set(...lit.sky);
     u.sky_scale!.value = lit.skyScale;
+    u.sun_path!.value = 1 / Math.sqrt(1 - (1 - Math.max(0.02, lit.toSun[2]) ** 2) / 1.777);
+    u.pixel_angle!.value = (2 * Math.tan(lens.fov / 2)) / lens.height;
     u.haze_density!.value = hazeDepth / size;
     u.haze_far!.value = 2.5 * size;
     u.exaggeration!.value = options.exaggeration;

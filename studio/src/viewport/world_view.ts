@@ -20,7 +20,6 @@ const jitters: readonly (readonly [number, number])[] = [
 export class WorldView {
   readonly surface: ViewSurface;
   readonly mover: WorldMover;
-  readonly samples = jitters.length;
   shapes: readonly OverlayShape[] = [];
   inkStale = true;
   field: HeightField | null = null;
@@ -47,6 +46,11 @@ export class WorldView {
     });
   }
 
+  /** Pictures that are averaged at rest. */
+  samples(software: boolean): number {
+    return software ? 4 : jitters.length;
+  }
+
   /** Present eye, for tests and for coming back to it. */
   get place(): Eye {
     return this.eye;
@@ -61,7 +65,7 @@ export class WorldView {
   frame(field: HeightField): void {
     const first = this.field === null || this.framed;
     this.field = field;
-    this.eye = frame(this.box(field), this.lens(), first ? -0.45 : this.eye.azimuth, first ? -0.5 : Math.min(-0.25, this.eye.pitch));
+    this.eye = frame(this.box(field, this.options().water ? field.dryRectangle : field.rectangle), this.lens(), first ? 0.45 : this.eye.azimuth, first ? -0.46 : Math.min(-0.25, this.eye.pitch));
     this.framed = true;
     this.inkStale = true;
   }
@@ -159,10 +163,10 @@ export class WorldView {
     return Math.min(2 * Math.max(field.width_m, field.height_m), Math.max(20 * field.frame.cell_m, 2 * Math.abs(at[2] - ground)));
   }
 
-  private box(field: HeightField): Box {
-    const { west, north } = field.frame, raise = this.options().exaggeration;
+  private box(field: HeightField, r: Rectangle = field.rectangle): Box {
+    const raise = this.options().exaggeration;
     const low = this.options().water ? Math.max(0, field.min) : field.min;
-    return { low: [west, north - field.height_m, raise * low], high: [west + field.width_m, north, raise * Math.max(low, field.max)] };
+    return { low: [r.west, r.south, raise * low], high: [r.east, r.north, raise * Math.max(low, field.max)] };
   }
 
   private kept(eye: Eye): Eye {

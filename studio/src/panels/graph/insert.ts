@@ -139,13 +139,15 @@ export function duplicateStep(id: string, recipe: Recipe, operators: Operators):
   return { id: copy.id, edits };
 }
 
-export type Fit = "follows" | "begins" | "other";
+export type Fit = "follows" | "upstream" | "begins" | "other";
 
-/** How an operator stands to the selected one: it takes of its outputs what it needs, needs nothing, or neither. */
-export function fitAfter(op: OperatorInfo, selected: OperatorInfo | undefined): Fit {
+/** How an operator stands to the selected one: it takes of its outputs what it needs; of all steps' outputs (kinds
+ * `made`) it can be given that; it needs nothing; or none of these. */
+export function fitAfter(op: OperatorInfo, selected: OperatorInfo | undefined, made: ReadonlySet<string> = new Set()): Fit {
   const takes = selected && op.in.some((input) =>
     selected.out.some((port) => port.kind === input.kind && (input.required || port.name === input.name)));
   const required = op.in.filter((input) => input.required);
   if (takes && required.every((input) => selected.out.some((port) => port.kind === input.kind))) return "follows";
-  return required.length === 0 ? "begins" : "other";
+  if (required.length === 0) return "begins";
+  return required.every((input) => made.has(input.kind)) ? "upstream" : "other";
 }

@@ -45,7 +45,7 @@ export function StepCard(props: StepCardProps): JSX.Element {
         </div>
         <div class="step-side">
           <StandingSign state={state} />
-          <CardActions studio={studio} step={step} />
+          <CardActions studio={studio} id={step.id} bypassed={step.bypass === true} />
         </div>
       </div>
       <Progress state={state} />
@@ -55,16 +55,16 @@ export function StepCard(props: StepCardProps): JSX.Element {
   );
 }
 
-function CardActions({ studio, step }: { studio: Studio; step: Step }): JSX.Element {
-  const pinned = isPinned(studio, step.id);
+export function CardActions({ studio, id, bypassed }: { studio: Studio; id: string; bypassed: boolean }): JSX.Element {
+  const pinned = isPinned(studio, id);
   return (
-    <span class={`step-actions${pinned || step.bypass ? " kept" : ""}`}>
-      <button type="button" class={`plain icon small${step.bypass ? "" : " off"}`} aria-pressed={step.bypass === true} aria-label={`Leave ${step.id} out`}
-        data-help="Leave it out: what it reads is passed on" onClick={() => toggleBypass(studio, step.id)}><CircleSlash /></button>
-      <button type="button" class={`plain icon small${pinned ? "" : " off"}`} aria-pressed={pinned} aria-label={`Pin ${step.id}`} data-help="Show this step whatever is selected"
-        onClick={() => togglePin(studio, step.id)}><Pin /></button>
-      <button type="button" class="plain icon small off" aria-label={`Duplicate ${step.id}`} data-help="Duplicate" onClick={() => void duplicate(studio, step.id)}><Copy /></button>
-      <button type="button" class="plain icon small off" aria-label={`Remove ${step.id}`} data-help="Remove; what read it reads what it read" onClick={() => void removeStep(studio, step.id)}><Trash2 /></button>
+    <span class="step-actions">
+      <button type="button" class="plain icon small" aria-pressed={bypassed} aria-label={`Leave ${id} out`}
+        data-help="Leave it out: what it reads is passed on" onClick={() => toggleBypass(studio, id)}><CircleSlash /></button>
+      <button type="button" class="plain icon small" aria-pressed={pinned} aria-label={`Pin ${id}`} data-help="Show this step whatever is selected"
+        onClick={() => togglePin(studio, id)}><Pin /></button>
+      <button type="button" class="plain icon small" aria-label={`Duplicate ${id}`} data-help="Duplicate" onClick={() => void duplicate(studio, id)}><Copy /></button>
+      <button type="button" class="plain icon small" aria-label={`Remove ${id}`} data-help="Remove; what read it reads what it read" onClick={() => void removeStep(studio, id)}><Trash2 /></button>
     </span>
   );
 }

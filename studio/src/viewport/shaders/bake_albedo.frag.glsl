@@ -1,4 +1,4 @@
-// Natural colours of the ground, as square roots of reflectances; alpha: how much surf breaks there. After the C++
+// Natural colours of the ground, as square roots of reflectances; alpha: how open to swell it is. After the C++
 // renderer's ground (src/seamount/ops/render), with the climate of a warm sea or of a temperate inland.
 uniform sampler2D surface;
 uniform sampler2D noise;
@@ -25,13 +25,13 @@ vec3 rock(vec4 s, float slope, Breakup n) {
   return mix(dark, stained, shade);
 }
 
-vec3 land(vec2 p, vec4 s, float slope, Breakup n) {
+vec3 land(vec2 p, vec4 s, float deep, float slope, Breakup n) {
   float z = s.a;
   float warmth = (tropical ? 25.0 : 11.0) - 0.0065 * max(z, 0.0);
   vec2 broad_rise = textureLod(surface, p, 5.0).xy;
   // Rain falls on the side that the wind comes from: trades in the tropics, westerlies elsewhere.
   float rise = dot(broad_rise, tropical ? vec2(-0.91, -0.42) : vec2(0.94, 0.34));
-  float hollow = clamp(s.b, -0.2, 0.2), deep_hollow = clamp(textureLod(surface, p, 3.0).b, -0.2, 0.2);
+  float hollow = clamp(s.b, -0.2, 0.2), deep_hollow = clamp(deep, -0.2, 0.2);
   float water = (tropical ? 0.42 : 0.25) + 2.2 * clamp(rise, -0.5, 0.35) + 1.6 * hollow + 2.6 * deep_hollow - 0.35 * min(slope, 1.5)
       + 0.55 * n.medium + 0.45 * n.broad + 0.25 * n.fine;
   float uneven = slope + 0.30 * n.medium + 0.26 * n.fine - 0.5 * hollow;
@@ -87,25 +87,30 @@ vec3 sea_floor(vec4 s, float slope, Breakup n) {
   return (1.0 + 0.20 * n.fine) * floor_colour;
 }
 
-// Swell breaks where a shallow floor drops into open water right here.
-float surf(vec2 p, float depth) {
-  float reach = max(70.0, 1.6 * cell_m);
+// How open the water is close by: swell breaks where a shallow floor drops into it.
+float openness(vec2 p) {
+  float reach = max(60.0, 1.8 * cell_m), sum = 0.0;
   vec2 metre = 1.0 / (vec2(textureSize(surface, 0)) * cell_m);
-  float deepest = 0.0;
   for (int i = 0; i < 8; ++i) {
-    float angle = 0.785398 * float(i);
-    deepest = max(deepest, -textureLod(surface, p + reach * metre * vec2(cos(angle), sin(angle)), 0.0).a);
+    float angle = 0.785398 * float(i) + 0.39;
+    sum += ramp(6.0, 30.0, -textureLod(surface, p + reach * metre * vec2(cos(angle), sin(angle)), 1.0).a);
   }
-  return ramp(6.0, 1.5, depth) * ramp(8.0, 25.0, deepest);
+  return ramp(0.4, 2.2, sum);
+}
+
+// Positive in hollows: how much lower than its surroundings, over their size.
+float concavity(vec2 p, float height, float level) {
+  return clamp((textureLod(surface, p, level).a - height) / (exp2(level) * cell_m), -8.0, 8.0);
 }
 
 void main() {
   vec2 size = vec2(textureSize(surface, 0)), p = gl_FragCoord.xy / size;
   vec4 s = textureLod(surface, p, 0.0);
+  s.b = 1.6 * concavity(p, s.a, 2.0);
   vec2 place = (gl_FragCoord.xy - 0.5 * size) * cell_m;
-  Breakup n = Breakup(noise_at(mat2(0.92, 0.39, -0.39, 0.92) * place, 2400.0), noise_at(mat2(0.6, 0.8, -0.8, 0.6) * place, 170.0), noise_at(place, 18.0));
-  float slope = length(s.xy);
-  vec3 colour = s.a > 0.3 ? land(p, s, slope, n) : s.a < -0.3 ? sea_floor(s, slope, n)
-      : mix(sea_floor(s, slope, n), land(p, s, slope, n), (s.a + 0.3) / 0.6);
-  result = vec4(sqrt(clamp(colour, 0.0, 1.0)), s.a < 0.3 ? surf(p, max(0.0, -s.a)) : 0.0);
+  Breakup n = Breakup(noise_at(mat2(0.92, 0.39, -0.39, 0.92) * place, 2400.0), noise_at(mat2(0.6, 0.8, -0.8, 0.6) * place, max(170.0, 3.2 * cell_m)), noise_at(mat2(0.28, 0.96, -0.96, 0.28) * place, max(18.0, 2.1 * cell_m)));
+  float slope = length(s.xy), deep = 1.6 * concavity(p, s.a, 4.0);
+  vec3 colour = s.a > 0.3 ? land(p, s, deep, slope, n) : s.a < -0.3 ? sea_floor(s, slope, n)
+      : mix(sea_floor(s, slope, n), land(p, s, deep, slope, n), (s.a + 0.3) / 0.6);
+  result = vec4(sqrt(clamp(colour, 0.0, 1.0)), s.a < 3.0 ? openness(p) : 0.0);
 }

@@ -22,28 +22,28 @@ void main() {
   float sun_tangent = to_sun.z / max(1e-3, length(to_sun.xy));
   float blocked = -10.0, reach = 1.5 * scale;
   float farthest = 1.5 * max(size.x, size.y);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 26; ++i) {
     vec2 q = p + sunward * reach * texel;
     if (q.x < 0.0 || q.y < 0.0 || q.x > 1.0 || q.y > 1.0 || reach > farthest) break;
-    float level = max(start_level, log2(0.09 * reach));
+    float level = max(start_level, log2(0.13 * reach));
     blocked = max(blocked, (raised(q, level) - here) / (reach * cell_m));
-    reach *= 1.16 + 0.02 * shift;
+    reach *= 1.24 + 0.03 * shift;
   }
   float soft = 0.05 + 0.05 * sun_tangent;
   float sun = 1.0 - ramp(sun_tangent - soft, sun_tangent + soft, blocked);
 
   float sky = 0.0;
-  for (int i = 0; i < 8; ++i) {
-    float angle = 0.785398 * (float(i) + shift);
+  for (int i = 0; i < 6; ++i) {
+    float angle = 1.047198 * (float(i) + shift);
     vec2 way = vec2(cos(angle), sin(angle));
     float horizon = 0.0, far = 1.5 * scale;
-    for (int k = 0; k < 6; ++k) {
+    for (int k = 0; k < 4; ++k) {
       vec2 q = p + way * far * texel;
       float rise = (raised(q, max(start_level, log2(0.3 * far))) - here) / (far * cell_m);
       horizon = max(horizon, rise);
-      far *= 1.9;
+      far *= 2.7;
     }
     sky += 1.0 - horizon * horizon / (1.0 + horizon * horizon) * 0.5 - 0.5 * horizon / sqrt(1.0 + horizon * horizon);
   }
-  result = vec4(sun, sky / 8.0, 0.0, 1.0);
+  result = vec4(sun, sky / 6.0, 0.0, 1.0);
 }

@@ -1,7 +1,7 @@
-// The map: hypsometric tints with a relief shading of four lights, height lines, and what is laid over.
+// The map: hypsometric tints under a relief shading, height lines, and what is laid over.
 in vec2 uv;
-uniform sampler2D surface, lights, heights, tints;
-uniform float cell_m, pixel_m, relief_scale;
+uniform sampler2D surface, heights, tints;
+uniform float cell_m, pixel_m;
 uniform vec3 tint_scale;  // depth of the darkest blue, heights of the first and last tint of land
 uniform vec3 paper;
 uniform bool water;
@@ -23,14 +23,6 @@ vec3 tint(float height) {
   return linear(texture(tints, vec2(height < 0.0 && water ? sea : land, 0.5)).rgb);
 }
 
-float lambert(vec2 gradient) {
-  float inverse = inversesqrt(1.0 + dot(gradient, gradient));
-  // From the north-west, with softer lights from both sides and behind.
-  const vec3 a = vec3(-0.5417, 0.5417, 0.6428), b = vec3(0.0494, 0.7644, 0.6428), c = vec3(-0.7644, -0.0494, 0.6428), d = vec3(0.7435, -0.1841, 0.6428);
-  vec3 n = inverse * vec3(-gradient, 1.0);
-  return (0.55 * max(0.0, dot(n, a)) + 0.18 * max(0.0, dot(n, b)) + 0.18 * max(0.0, dot(n, c)) + 0.09 * max(0.0, dot(n, d))) / 0.6428;
-}
-
 vec3 shaded(vec3 colour, float shade) {
   if (shade < 1.0) return mix(colour * vec3(0.10, 0.115, 0.18), colour, pow(max(0.0, shade), 1.4));
   float more = (shade - 1.0) / (1.0 + 0.9 * (shade - 1.0));
@@ -44,10 +36,7 @@ void main() {
   float texels = pixel_m / cell_m;
   float height = texels > 1.5 ? s.a : fine_height(clamped);
   float change = max(length(s.xy) * pixel_m, 1e-4);
-  vec2 broad = textureLod(surface, clamped, 2.0 + max(0.0, log2(texels))).xy;
-  float direct = 0.66 * lambert(relief_scale * s.xy) + 0.34 * lambert(1.4 * relief_scale * broad);
-  float soft = direct < 1.0 ? 1.0 - 0.80 * (1.0 - direct) : 1.0 + 1.5 * (direct - 1.0);
-  float shade = soft * (1.0 - 0.45 * (1.0 - texture(lights, clamped).g));
+  float shade = s.b;
   // Water flattens the relief of its floor.
   bool flooded = water && height < 0.0;
   if (flooded) shade = mix(1.0, shade, 0.35 + 0.25 * exp(height / 40.0));
@@ -60,7 +49,7 @@ void main() {
   if (contour_m > 0.0) colour = mix(colour, flooded ? vec3(0.04, 0.12, 0.20) : vec3(0.13, 0.08, 0.04), 0.5 * contours(height, change));
   if (water) {
     float coast = clamp01(1.3 - abs(height) / change);
-    colour = mix(colour, vec3(0.03, 0.06, 0.10), 0.75 * coast);
+    colour = mix(colour, vec3(0.03, 0.06, 0.10), 0.7 * coast * ramp(6.0, 1.0, texels));
   }
   vec2 out_px = max(max(-uv, uv - 1.0), 0.0) * vec2(textureSize(heights, 0)) / texels;
   float outside = clamp01(max(out_px.x, out_px.y));
