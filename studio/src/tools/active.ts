@@ -65,14 +65,25 @@ const kStarts: { [place: string]: Json } = {
   "ecosystem.grow timeline:storm end": 10,
 };
 
-/** What the next thing gets for a member. */
-export function chosenValue(slot: Slot, member: ParamInfo, domain: Domain): Json {
-  const value = chosen.value[placeOf(slot, member.name)];
-  if (value !== undefined) return value;
+/** What a member of a new thing is before anybody has chosen. */
+export function startValue(slot: Slot, member: ParamInfo, domain: Domain): Json {
   const start = kStarts[`${slot.op} ${slot.id} ${member.name}`];
   if (start !== undefined) return start;
-  if (isReach(member) && slot.geometry !== "ring" && typeof member.default === "number") return suitableReach(member.default, domain);
-  return member.default;
+  const reaches = isReach(member) && slot.geometry !== "ring" && typeof member.default === "number";
+  return reaches ? suitableReach(member.default as number, domain) : member.default;
+}
+
+/** What the next thing gets for a member. */
+export function chosenValue(slot: Slot, member: ParamInfo, domain: Domain): Json {
+  return chosen.value[placeOf(slot, member.name)] ?? startValue(slot, member, domain);
+}
+
+/** A reach between half a cell and half the domain, however far the operator would go. */
+export function practical(member: ParamInfo, domain: Domain): ParamInfo {
+  if (!isReach(member)) return member;
+  const least = Math.max(member.min ?? 0, domain.cell_m / 2);
+  const most = Math.min(domain.width_m, domain.height_m) / 2;
+  return { ...member, min: least, max: Math.max(2 * least, Math.min(member.max ?? Infinity, most)) };
 }
 
 /** Members of a new item: what differs from the operator's default, and always what the hand can see. */
