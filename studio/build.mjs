@@ -1,8 +1,7 @@
-// Builds the studio's page into dist/page (compressed beside each file, as the server hands it out), its unit tests into
-// dist/tests (--tests) or its tests in a browser into dist/browser (--browser).
+// Builds the studio's page into dist/page, with a compressed copy beside each file, as the server hands it out.
 import { build } from "esbuild";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
-import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 const folder = new URL(".", import.meta.url).pathname;
@@ -34,6 +33,7 @@ async function page() {
     loader: { ".svg": "text", ".glsl": "text" },
     logLevel: "warning",
   });
+  cpSync(join(folder, "examples"), join(out, "examples"), { recursive: true });
   writeFileSync(join(out, "index.html"), readFileSync(join(folder, "src/index.html")));
   let bytes = 0;
   for (const file of [".js", ".css", ".html"].flatMap((ending) => filesBelow(out, ending))) {
@@ -46,25 +46,4 @@ async function page() {
   console.error(`studio: dist/page, ${Math.round(bytes / 1024)} KiB compressed`);
 }
 
-async function tests(ending, name) {
-  const out = join(folder, "dist", name);
-  rmSync(out, { recursive: true, force: true });
-  await build({
-    absWorkingDir: folder,
-    entryPoints: [...filesBelow(join(folder, "src"), ending), ...filesBelow(join(folder, "tests"), ending)],
-    outdir: out,
-    outbase: folder,
-    outExtension: { ".js": ".mjs" },
-    bundle: true,
-    platform: "node",
-    format: "esm",
-    target: "node18",
-    external: ["playwright-core"],
-    loader: { ".svg": "text", ".glsl": "text" },
-    logLevel: "warning",
-  });
-}
-
-if (process.argv.includes("--tests")) await tests(".test.ts", "tests");
-else if (process.argv.includes("--browser")) await tests(".browser.ts", "browser");
-else await page();
+await page();

@@ -10,7 +10,8 @@ packages_for() {
 
 missing_packages() {
   LC_ALL=C comm -23 <(packages_for "$@" | LC_ALL=C sort) \
-    <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p' | LC_ALL=C sort)
+    <(dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' | sed -n 's/^installed //p' | tr ',' '\n' |
+      sed -E 's/^ +//; s/ .*//' | LC_ALL=C sort -u)
 }
 
 # install_packages PURPOSE...: instant when nothing is missing. Elsewhere than on Debian packages are the user's business.
@@ -44,4 +45,17 @@ build() {
   local preset=$1
   shift
   (set -o pipefail && cd "build/$preset" && ninja "$@" | sed -uE '/no work to do|Re-checking globbed/d' >&2)
+}
+
+# build_page: the studio's page into studio/dist/page, where something of it has changed.
+build_page() {
+  (
+    cd studio || exit
+    if [[ package-lock.json -nt node_modules/.package-lock.json ]]; then
+      say "seamount: fetching what the studio's page is built with"
+      npm ci --no-audit --no-fund --loglevel=error >&2 || exit
+      touch node_modules/.package-lock.json
+    fi
+    [[ -e dist/page/index.html && ! $(find src examples build.mjs package-lock.json -newer dist/page/index.html) ]] || node build.mjs
+  )
 }

@@ -68,5 +68,6 @@ void add_operator_commands(Command program, const recipe::Registry& registry);
 void add_discover_commands(Command program, const recipe::Registry& registry);
 void add_chore_commands(Command program, const recipe::Registry& registry);
 void add_dataset_command(Command program);
+void add_studio_command(Command program, const recipe::Registry& registry);
 
 }  // namespace seamount::app

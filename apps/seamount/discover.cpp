@@ -12,6 +12,7 @@
 #include "seamount/recipe/catalogue_json.h"
 #include "seamount/recipe/catalogue_reference.h"
 #include "seamount/recipe/reference.h"
+#include "seamount/recipe/typescript.h"
 
 namespace seamount::app {
 namespace {
@@ -19,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const kCatalogue = "catalogue";
+const char* const kTypescript = "typescript";
 
 void list(const recipe::Registry& registry, bool json) {
   if (json) {
@@ -81,18 +83,6 @@ void describe(const recipe::Registry& registry, const std::string& name, bool ma
   throw InvalidArgument(name, "is no operator, output format or kind of value" + suggestion(name, names));
 }
 
-/// Recipes and catalogues can be asked for by name; other data come with the recipes that name them.
-bool has_name(const Example& example) { return example.file.ends_with(".json"); }
-bool is_catalogue(const Example& example) { return example.file.starts_with("catalogues/"); }
-
-std::vector<std::string> example_names() {
-  std::vector<std::string> names;
-  for (const Example& example : example_files()) {
-    if (has_name(example)) names.emplace_back(example.file.substr(0, example.file.size() - 5));
-  }
-  return names;
-}
-
 void write_new_file(const fs::path& path, std::string_view content) {
   if (fs::exists(path)) throw IoError(path.string(), "exists already; nothing was written over it");
   io::write_atomically(path.string(), [&](const std::string& temporary) {
@@ -108,9 +98,7 @@ void list_examples() {
   std::cout << "examples (seamount new NAME)\n";
   for (const Example& example : example_files()) {
     if (!has_name(example)) continue;
-    const recipe::Json document = recipe::Json::parse(example.content, nullptr, false);
-    const std::string about =
-        document.is_object() && document.contains("about") && document["about"].is_string() ? document["about"] : "";
+    const std::string about = example_about(example);
     fmt::print("  {:<28} {}\n", example.file.substr(0, example.file.size() - 5), about.substr(0, about.find('.')));
   }
 }
@@ -118,25 +106,12 @@ void list_examples() {
 /// Writes an example recipe, and beside it the data that it names; without a name lists them.
 void make_new(const std::string& name, const std::string& folder) {
   if (name.empty()) return list_examples();
-  const Example* recipe = nullptr;
-  for (const Example& example : example_files()) {
-    if (example.file == name + ".json") recipe = &example;
-  }
-  if (recipe == nullptr)
-    throw InvalidArgument("example", "there is no '" + name + "'" + suggestion(name, example_names()));
-  if (is_catalogue(*recipe))
-    return write_new_file(fs::path(folder) / fs::path(recipe->file).filename(), recipe->content);
-  std::string text(recipe->content);
-  const std::string up = recipe->file.find('/') == std::string_view::npos ? "../" : "../../";
-  for (const Example& data : example_files()) {
-    const std::string reference = up + "data/" + std::string(data.file);
-    size_t at = text.find(reference);
-    if (at == std::string::npos) continue;
-    for (; at != std::string::npos; at = text.find(reference, at + data.file.size()))
-      text.replace(at, reference.size(), data.file);
+  const Example& recipe = find_example(name);
+  if (is_catalogue(recipe)) return write_new_file(fs::path(folder) / fs::path(recipe.file).filename(), recipe.content);
+  const std::string text = example_text(recipe, "", [&](const Example& data) {
     if (!fs::exists(fs::path(folder) / data.file)) write_new_file(fs::path(folder) / data.file, data.content);
-  }
-  write_new_file(fs::path(folder) / fs::path(recipe->file).filename(), text);
+  });
+  write_new_file(fs::path(folder) / fs::path(recipe.file).filename(), text);
 }
 
 }  // namespace
@@ -161,10 +136,16 @@ void add_discover_commands(Command program, const recipe::Registry& registry) {
   });
 
   Command schema_command = program.add_command("schema", "Print the JSON Schema of recipes, or of catalogues");
-  schema_command.add("of", name.get(), "recipe or catalogue; recipe if it is left out");
+  schema_command.add("of", name.get(),
+                     "recipe, catalogue, or typescript: parameters as types; recipe if it is left out");
   schema_command.does([=, &registry] {
+    if (*name == kTypescript) {
+      std::cout << recipe::typescript_types(registry);
+      return;
+    }
     if (!name->empty() && *name != kCatalogue && *name != "recipe")
-      throw InvalidArgument("schema", "there is none of '" + *name + "'" + suggestion(*name, {"recipe", kCatalogue}));
+      throw InvalidArgument(
+          "schema", "there is none of '" + *name + "'" + suggestion(*name, {"recipe", kCatalogue, kTypescript}));
     const recipe::Json schema = *name == kCatalogue ? recipe::catalogue_schema() : recipe::recipe_schema(registry);
     std::cout << schema.dump(2) << "\n";
   });

@@ -20,6 +20,7 @@ namespace {
 
 void add_commands(Command program, const recipe::Registry& registry) {
   add_run_command(program, registry);
+  add_studio_command(program, registry);
   add_discover_commands(program, registry);
   add_chore_commands(program, registry);
   add_dataset_command(program);

@@ -41,9 +41,12 @@ Document Document::read(const std::string& path, const Registry& registry) {
   return {read_recipe_text(path), path, std::filesystem::path(path).parent_path().string(), registry};
 }
 
-void Document::apply(const Edit& edit, const std::string& gesture) { apply(std::vector<Edit>{edit}, gesture); }
+std::vector<Change> Document::apply(const Edit& edit, const std::string& gesture) {
+  return apply(std::vector<Edit>{edit}, gesture);
+}
 
-void Document::apply(const std::vector<Edit>& edits, const std::string& gesture) {
+std::vector<Change> Document::apply(const std::vector<Edit>& edits, const std::string& gesture,
+                                    const std::string& label, const std::string& author) {
   std::vector<Change> changes;
   try {
     for (const Edit& edit : edits) {
@@ -57,17 +60,27 @@ void Document::apply(const std::vector<Edit>& edits, const std::string& gesture)
     take_back(root_, changes);
     throw;
   }
-  if (changes.empty()) return;
+  if (changes.empty()) return changes;
   history_.resize(done_);
   if (gesture_goes_on_ && !gesture.empty() && done_ > 0 && history_.back().gesture == gesture) {
-    join(history_.back().changes, std::move(changes));
+    join(history_.back().changes, changes);
   } else {
     history_.push_back({gesture, {}});
-    join(history_.back().changes, std::move(changes));
+    join(history_.back().changes, changes);
     ++done_;
   }
+  history_.back().label = label;
+  history_.back().author = author;
   gesture_goes_on_ = true;
   ++revision_;
+  return changes;
+}
+
+void Document::take_history(std::vector<Record> history, size_t done) {
+  if (done > history.size()) throw InvalidArgument("done", "is more than the history has");
+  history_ = std::move(history);
+  done_ = done;
+  gesture_goes_on_ = false;
 }
 
 bool Document::undo() {

@@ -30,11 +30,12 @@ class Document {
 
   /// Carries out an edit. Edits in a row that have the same `gesture` (a slider's drag, a stroke) are undone as one;
   /// an empty one belongs to no gesture. Throws RecipeError or InvalidArgument and changes nothing where the result
-  /// would be no recipe. Cost: that of checking the document, about 1 ms for 100 kB.
-  void apply(const Edit& edit, const std::string& gesture = "");
+  /// would be no recipe. Returns what it changed, in order. Cost: that of checking the document, about 1 ms for 100 kB.
+  std::vector<Change> apply(const Edit& edit, const std::string& gesture = "");
 
-  /// Several edits as one: all or none.
-  void apply(const std::vector<Edit>& edits, const std::string& gesture = "");
+  /// Several edits as one: all or none. `label` and `author` stand in the history, those of a gesture's last edit.
+  std::vector<Change> apply(const std::vector<Edit>& edits, const std::string& gesture = "",
+                            const std::string& label = "", const std::string& author = "");
 
   /// Takes back, or makes again, the newest gesture. False: there is none.
   bool undo();
@@ -47,9 +48,15 @@ class Document {
   struct Record {
     std::string gesture;
     std::vector<Change> changes;
+    std::string label = "";   ///< for people
+    std::string author = "";  ///< whose edit it was
   };
   const std::vector<Record>& history() const { return history_; }
   size_t done() const { return done_; }
+
+  /// Takes over a history that led to this very content and was kept elsewhere. Throws InvalidArgument{"done"} for more
+  /// than there are.
+  void take_history(std::vector<Record> history, size_t done);
 
   /// Raised by every edit, undo and redo.
   uint64_t revision() const { return revision_; }

@@ -28,6 +28,10 @@ std::string message_of(const std::exception_ptr& failure) {
   }
 }
 
+Digest key_of(const Digest& step, const std::string& port) {
+  return Hasher().number(step.high).number(step.low).text(port).digest();
+}
+
 std::vector<std::string> step_ids(const OrderedJson& root) {
   std::vector<std::string> ids;
   for (const OrderedJson& step : root.at("steps")) ids.push_back(step.at("id").get<std::string>());
@@ -56,11 +60,12 @@ class Engine::Work {
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
 
-  void edit(const std::vector<Edit>& edits, const std::string& gesture) {
+  std::vector<Change> edit(const std::vector<Edit>& edits, const std::string& gesture, const std::string& label,
+                           const std::string& author) {
     const std::lock_guard lock(mutex_);
-    const uint64_t before = document_.revision();
-    document_.apply(edits, gesture);
-    if (document_.revision() != before) request(gesture);
+    std::vector<Change> changes = document_.apply(edits, gesture, label, author);
+    if (!changes.empty()) request(gesture);
+    return changes;
   }
 
   bool travel(bool (Document::*there)()) {
@@ -73,6 +78,11 @@ class Engine::Work {
   Document document() const {
     const std::lock_guard lock(mutex_);
     return document_;
+  }
+
+  void look(const std::function<void(const Document&)>& look) const {
+    const std::lock_guard lock(mutex_);
+    look(document_);
   }
 
   uint64_t revision() const {
@@ -126,7 +136,7 @@ class Engine::Work {
   uint64_t bytes() const { return scheduler_.bytes_in_memory(); }
 
   EngineState state() const;
-  ExecuteReport write_outputs(const std::string& folder, const RunContext& run);
+  ExecuteReport write_outputs(const Document& document, const std::string& folder, const RunContext& run);
 
  private:
   /// Asks the planner for plans of what is now wanted. REQUIRES: the lock is held.
@@ -234,7 +244,7 @@ class Engine::Work {
     const auto values = scheduler_.values(planned.key);
     if (!values) return;
     if (const auto value = values->find(source.port); value != values->end())
-      latest_[asked] = {{value->second, view.revision, view.coarse}, planned.key};
+      latest_[asked] = {{value->second, view.revision, view.coarse, key_of(planned.key, source.port)}, planned.key};
   }
 
   StepState state_of(const Plan& plan, size_t index, bool ahead) const;
@@ -325,14 +335,10 @@ EngineState Engine::Work::state() const {
   return state;
 }
 
-ExecuteReport Engine::Work::write_outputs(const std::string& folder, const RunContext& run) {
-  std::shared_ptr<const Recipe> recipe;
-  {
-    const std::lock_guard lock(mutex_);
-    const std::vector<Diagnostic> missing = document_.missing();
-    if (!missing.empty()) throw RecipeError(document_.file(), missing);
-    recipe = std::make_shared<const Recipe>(document_.recipe());
-  }
+ExecuteReport Engine::Work::write_outputs(const Document& document, const std::string& folder, const RunContext& run) {
+  const std::vector<Diagnostic> missing = document.missing();
+  if (!missing.empty()) throw RecipeError(document.file(), missing);
+  const auto recipe = std::make_shared<const Recipe>(document.recipe());
   check_nothing_overwritten(*recipe, folder);
   const auto plan = std::make_shared<const Plan>(make_plan(recipe, output_sources(*recipe), files_));
   const auto take_up = [&](bool on) {
@@ -367,11 +373,17 @@ Engine::Engine(Document document, EngineOptions options)
     : work_(std::make_unique<Work>(std::move(document), std::move(options))) {}
 Engine::~Engine() = default;
 
-void Engine::edit(const Edit& edit, const std::string& gesture) { work_->edit({edit}, gesture); }
-void Engine::edit(const std::vector<Edit>& edits, const std::string& gesture) { work_->edit(edits, gesture); }
+std::vector<Change> Engine::edit(const Edit& edit, const std::string& gesture) {
+  return work_->edit({edit}, gesture, "", "");
+}
+std::vector<Change> Engine::edit(const std::vector<Edit>& edits, const std::string& gesture, const std::string& label,
+                                 const std::string& author) {
+  return work_->edit(edits, gesture, label, author);
+}
 bool Engine::undo() { return work_->travel(&Document::undo); }
 bool Engine::redo() { return work_->travel(&Document::redo); }
 Document Engine::document() const { return work_->document(); }
+void Engine::look(const std::function<void(const Document&)>& look) const { work_->look(look); }
 uint64_t Engine::revision() const { return work_->revision(); }
 void Engine::want(std::vector<Source> sources, Quality quality) { work_->want(std::move(sources), quality); }
 void Engine::refresh() { work_->refresh(); }
@@ -384,7 +396,10 @@ EngineState Engine::state() const { return work_->state(); }
 std::optional<Finished> Engine::value(const Source& source) const { return work_->value(source); }
 uint64_t Engine::bytes_in_memory() const { return work_->bytes(); }
 ExecuteReport Engine::write_outputs(const std::string& folder, const RunContext& run) {
-  return work_->write_outputs(folder, run);
+  return work_->write_outputs(work_->document(), folder, run);
+}
+ExecuteReport Engine::write_outputs(const Document& document, const std::string& folder, const RunContext& run) {
+  return work_->write_outputs(document, folder, run);
 }
 
 }  // namespace seamount::recipe

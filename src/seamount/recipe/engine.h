@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "seamount/base/hash.h"
 #include "seamount/recipe/document.h"
 #include "seamount/recipe/executor.h"
 #include "seamount/recipe/value.h"
@@ -73,6 +74,7 @@ struct Finished {
   Value value;
   uint64_t revision = 0;
   bool coarse = false;
+  Digest key;  ///< of everything that the result depends on, its step and port included: same key, same value
 };
 
 class Engine {
@@ -85,11 +87,15 @@ class Engine {
 
   // The document. Each change makes out-of-date work stop at once; within a gesture the coarse result that is being
   // computed is still finished, so that a view follows the pen however fast edits come. Throws what Document throws.
-  void edit(const Edit& edit, const std::string& gesture = "");
-  void edit(const std::vector<Edit>& edits, const std::string& gesture = "");
+  std::vector<Change> edit(const Edit& edit, const std::string& gesture = "");
+  std::vector<Change> edit(const std::vector<Edit>& edits, const std::string& gesture = "",
+                           const std::string& label = "", const std::string& author = "");
   bool undo();
   bool redo();
   Document document() const;
+  /// Calls look(document) while nobody changes it; it calls no member of the engine. Cheaper than a copy, whose history
+  /// may be long.
+  void look(const std::function<void(const Document&)>& look) const;
   uint64_t revision() const;
 
   /// Says what is wanted from now on; nothing, to begin with. Sources that the document does not have are passed over
@@ -119,6 +125,8 @@ class Engine {
   /// Computes what the document's outputs need and writes them: the same files as `run`, with the engine's results.
   /// Throws what execute() throws, RecipeError for an incomplete document.
   ExecuteReport write_outputs(const std::string& folder, const RunContext& run);
+  /// The same for another document, such as this one with other outputs: what they have in common is computed once.
+  ExecuteReport write_outputs(const Document& document, const std::string& folder, const RunContext& run);
 
  private:
   class Work;

@@ -12,4 +12,7 @@ namespace seamount::recipe {
 /// IoError for a file that no kind knows.
 io::FileInfo describe_file(const std::string& path, const Registry& registry = standard_registry());
 
+/// The first kind that knows such files. Throws as describe_file().
+const Kind& kind_of_file(const std::string& path, const Registry& registry = standard_registry());
+
 }  // namespace seamount::recipe

@@ -1,0 +1,5 @@
+// What the page needs of the tools.
+export { ToolRail } from "./rail";
+export { ToolOptions } from "./options";
+export { toolsOf, type PenViewport } from "./toolbox";
+export { toolActions, offeredActions, toolKey, type ToolAction } from "./actions";

@@ -1,0 +1,201 @@
+// Heights on the processor's side: bilinear samples, statistics, and a tree of least and greatest heights over blocks of
+// cells, which picking and the choice of patches walk down.
+//
+// Block coordinates count cells from the north-west corner of the frame: cell i covers [i, i + 1], its sample is at
+// i + 0.5.
+import type { Frame } from "../api/types";
+import type { Rectangle } from "./map_camera";
+import type { Raster } from "./types";
+
+/** Cells along the side of a block of the tree's finest level. */
+export const blockCells = 4;
+
+export interface TreeLevel {
+  columns: number;
+  rows: number;
+  low: Float32Array;
+  high: Float32Array;
+}
+
+export class HeightField {
+  readonly columns: number;
+  readonly rows: number;
+  readonly min: number;
+  readonly max: number;
+  /** Finest first; the last has one block. */
+  readonly tree: readonly TreeLevel[];
+  /** Root mean square tangent of slopes that are not nearly level. */
+  readonly typicalSlope: number;
+  /** Share of the border that lies under the sea. */
+  readonly seaBorder: number;
+  /** Mean depth there, metres > 0. */
+  readonly borderDepth: number;
+  /** Without unknown cells: those have the height of a neighbour. */
+  readonly values: Float32Array;
+  private readonly known: Float32Array | Uint8Array;
+
+  constructor(
+    readonly frame: Frame,
+    values: Float32Array | Uint8Array,
+    readonly key: string,
+    readonly coarse: boolean,
+  ) {
+    this.columns = frame.columns;
+    this.rows = frame.rows;
+    this.known = values;
+    this.values = filled(values, frame.columns);
+    this.tree = buildTree(this.values, this.columns, this.rows);
+    const root = this.tree[this.tree.length - 1]!;
+    this.min = root.low[0]!;
+    this.max = root.high[0]!;
+    this.typicalSlope = typicalSlope(this.values, this.columns, this.rows, frame.cell_m);
+    [this.seaBorder, this.borderDepth] = border(this.values, this.columns, this.rows);
+  }
+
+  static of(raster: Raster): HeightField {
+    return new HeightField(raster.frame, raster.values, raster.key, raster.coarse);
+  }
+
+  get width_m(): number {
+    return this.columns * this.frame.cell_m;
+  }
+  get height_m(): number {
+    return this.rows * this.frame.cell_m;
+  }
+  get rectangle(): Rectangle {
+    const { west, north } = this.frame;
+    return { west, north, east: west + this.width_m, south: north - this.height_m };
+  }
+  /** Around what stands over the sea or close under its surface; all where that is little. */
+  get dryRectangle(): Rectangle {
+    const { columns, rows, high } = this.tree[0]!, side = blockCells * this.frame.cell_m;
+    let left = columns, right = -1, top = rows, bottom = -1;
+    for (let y = 0; y < rows; ++y) {
+      for (let x = 0; x < columns; ++x) {
+        if (high[y * columns + x]! < -25) continue;
+        left = Math.min(left, x);
+        right = Math.max(right, x);
+        top = Math.min(top, y);
+        bottom = Math.max(bottom, y);
+      }
+    }
+    if (right - left < 0.1 * columns && bottom - top < 0.1 * rows) return this.rectangle;
+    const { west, north } = this.frame;
+    return { west: west + left * side, east: west + (right + 1) * side, north: north - top * side, south: north - (bottom + 1) * side };
+  }
+  get centre(): [number, number] {
+    return [this.frame.west + this.width_m / 2, this.frame.north - this.height_m / 2];
+  }
+  /** The sea goes on beyond the terrain. */
+  get inSea(): boolean {
+    return this.seaBorder > 0.5;
+  }
+
+  contains(x: number, y: number): boolean {
+    const u = (x - this.frame.west) / this.frame.cell_m, v = (this.frame.north - y) / this.frame.cell_m;
+    return u >= 0 && v >= 0 && u <= this.columns && v <= this.rows;
+  }
+
+  /** Height at a place of the document; null outside and where it is unknown. */
+  at(x: number, y: number): number | null {
+    if (!this.contains(x, y)) return null;
+    const u = (x - this.frame.west) / this.frame.cell_m, v = (this.frame.north - y) / this.frame.cell_m;
+    const column = Math.min(this.columns - 1, Math.floor(u)), row = Math.min(this.rows - 1, Math.floor(v));
+    return Number.isNaN(this.known[row * this.columns + column]!) ? null : this.sample(u, v);
+  }
+
+  /** Bilinear, in block coordinates, clamped to the border. */
+  sample(u: number, v: number): number {
+    const x = Math.min(this.columns - 1, Math.max(0, u - 0.5)), y = Math.min(this.rows - 1, Math.max(0, v - 0.5));
+    const column = Math.min(this.columns - 2, Math.floor(x)), row = Math.min(this.rows - 2, Math.floor(y));
+    if (column < 0 || row < 0) return this.values[Math.floor(y) * this.columns + Math.floor(x)]!;
+    const s = x - column, t = y - row, i = row * this.columns + column, below = i + this.columns;
+    const h = this.values;
+    const top = h[i]! + s * (h[i + 1]! - h[i]!), bottom = h[below]! + s * (h[below + 1]! - h[below]!);
+    return top + t * (bottom - top);
+  }
+}
+
+function filled(values: Float32Array | Uint8Array, columns: number): Float32Array {
+  let unknown = false;
+  if (values instanceof Float32Array) {
+    for (let i = 0; i < values.length && !unknown; ++i) unknown = Number.isNaN(values[i]!);
+    if (!unknown) return values;
+  }
+  const result = Float32Array.from(values);
+  for (let i = 1; i < result.length; ++i) {
+    if (Number.isNaN(result[i]!)) result[i] = i % columns === 0 ? result[Math.max(0, i - columns)]! : result[i - 1]!;
+  }
+  for (let i = result.length - 2; i >= 0; --i) if (Number.isNaN(result[i]!)) result[i] = result[i + 1]!;
+  if (Number.isNaN(result[0]!)) result.fill(0);
+  return result;
+}
+
+/** Blocks know the heights of their cells and of one more on each side: the bilinear surface reaches so far. */
+function finestLevel(values: Float32Array, columns: number, rows: number): TreeLevel {
+  const across = Math.ceil(columns / blockCells), down = Math.ceil(rows / blockCells);
+  const low = new Float32Array(across * down), high = new Float32Array(across * down);
+  for (let by = 0; by < down; ++by) {
+    const y0 = Math.max(0, by * blockCells - 1), y1 = Math.min(rows - 1, (by + 1) * blockCells);
+    for (let bx = 0; bx < across; ++bx) {
+      const x0 = Math.max(0, bx * blockCells - 1), x1 = Math.min(columns - 1, (bx + 1) * blockCells);
+      let least = Infinity, most = -Infinity;
+      for (let y = y0; y <= y1; ++y) {
+        for (let i = y * columns + x0, end = y * columns + x1; i <= end; ++i) {
+          const h = values[i]!;
+          if (h < least) least = h;
+          if (h > most) most = h;
+        }
+      }
+      low[by * across + bx] = least;
+      high[by * across + bx] = most;
+    }
+  }
+  return { columns: across, rows: down, low, high };
+}
+
+function buildTree(values: Float32Array, columns: number, rows: number): TreeLevel[] {
+  const levels = [finestLevel(values, columns, rows)];
+  for (let from = levels[0]!; from.columns > 1 || from.rows > 1; from = levels[levels.length - 1]!) {
+    const across = (from.columns + 1) >> 1, down = (from.rows + 1) >> 1;
+    const low = new Float32Array(across * down).fill(Infinity), high = new Float32Array(across * down).fill(-Infinity);
+    for (let y = 0; y < from.rows; ++y) {
+      for (let x = 0; x < from.columns; ++x) {
+        const i = y * from.columns + x, to = (y >> 1) * across + (x >> 1);
+        low[to] = Math.min(low[to]!, from.low[i]!);
+        high[to] = Math.max(high[to]!, from.high[i]!);
+      }
+    }
+    levels.push({ columns: across, rows: down, low, high });
+  }
+  return levels;
+}
+
+function typicalSlope(values: Float32Array, columns: number, rows: number, cell_m: number): number {
+  const step = Math.max(1, Math.floor(Math.sqrt((columns * rows) / 65536)));
+  let sum = 0, count = 0;
+  for (let y = 0; y + 1 < rows; y += step) {
+    for (let x = 0; x + 1 < columns; x += step) {
+      const i = y * columns + x;
+      const east = values[i + 1]! - values[i]!, south = values[i + columns]! - values[i]!;
+      const square = (east * east + south * south) / (cell_m * cell_m);
+      if (square < 4e-4) continue;
+      sum += Math.min(square, 4);
+      ++count;
+    }
+  }
+  return count === 0 ? 0 : Math.sqrt(sum / count);
+}
+
+function border(values: Float32Array, columns: number, rows: number): [number, number] {
+  let below = 0, count = 0, depth = 0;
+  const add = (h: number): void => {
+    ++count;
+    if (h >= 0) return;
+    ++below;
+    depth -= h;
+  };
+  for (let x = 0; x < columns; ++x) [values[x]!, values[(rows - 1) * columns + x]!].forEach(add);
+  for (let y = 0; y < rows; ++y) [values[y * columns]!, values[(y + 1) * columns - 1]!].forEach(add);
+  return [below / Math.max(1, count), below > 0 ? depth / below : 0];
+}

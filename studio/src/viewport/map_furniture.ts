@@ -1,0 +1,86 @@
+// What stands around a map: the scale bar, marks of kilometres at the edge, lines of the grid, a north arrow.
+import { toGround, toScreen, type MapEye, type Size } from "./map_camera";
+import { text } from "./shapes_ink";
+import { gridStep, lengthText, multiples, scaleBarLength } from "./ticks";
+
+const halo = "rgba(8, 16, 22, 0.55)";
+
+export interface FurnitureOptions {
+  grid: boolean;
+  /** Of the ground: the marks count from its lower left corner unless the document has a system of its own. */
+  origin: readonly [number, number];
+}
+
+/** Small views have only a scale bar. */
+export function drawFurniture(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, options: FurnitureOptions): void {
+  if (size.width > 420 && size.height > 280) edgeMarks(ink, eye, size, options);
+  scaleBar(ink, eye, size);
+  if (size.width > 420) northArrow(ink, size);
+}
+
+function edgeMarks(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, options: FurnitureOptions): void {
+  const step = gridStep(eye.pixel_m);
+  const [west, north] = toGround(eye, size, 0, 0), [east, south] = toGround(eye, size, size.width, size.height);
+  const [x0, y0] = options.origin;
+  ink.lineWidth = 1;
+  const marks = (vertical: boolean, at: number): void => {
+    const p = vertical ? toScreen(eye, size, at + x0, 0)[0] : toScreen(eye, size, 0, at + y0)[1];
+    const q = Math.round(p) + 0.5;
+    const segment = (from: number, to: number, colour: string): void => {
+      ink.strokeStyle = colour;
+      ink.beginPath();
+      ink.moveTo(vertical ? q : from, vertical ? from : q);
+      ink.lineTo(vertical ? q : to, vertical ? to : q);
+      ink.stroke();
+    };
+    if (options.grid) segment(0, vertical ? size.height : size.width, "rgba(255, 255, 255, 0.16)");
+    segment(0, 6, "rgba(255, 255, 255, 0.75)");
+    ink.textBaseline = vertical ? "top" : "middle";
+    ink.textAlign = vertical ? "center" : "left";
+    text(ink, at === 0 ? "0" : lengthText(at), vertical ? q : 9, vertical ? 8 : q, "rgba(255, 255, 255, 0.86)", halo);
+  };
+  for (const x of multiples(west - x0, east - x0, step)) if ((x + x0 - west) / eye.pixel_m > 60 && (east - x - x0) / eye.pixel_m > 48) marks(true, x);
+  for (const y of multiples(south - y0, north - y0, step)) if ((north - y - y0) / eye.pixel_m > 34 && (y + y0 - south) / eye.pixel_m > 44) marks(false, y);
+}
+
+function scaleBar(ink: CanvasRenderingContext2D, eye: MapEye, size: Size): void {
+  const length_m = scaleBarLength(eye.pixel_m, Math.min(150, 0.4 * size.width)), across = length_m / eye.pixel_m;
+  const x = 14, y = size.height - 16;
+  ink.fillStyle = halo;
+  ink.fillRect(x - 1.5, y - 1.5, across + 3, 7);
+  for (let half = 0; half < 2; ++half) {
+    ink.fillStyle = half === 0 ? "#ffffff" : "rgba(255, 255, 255, 0.35)";
+    ink.fillRect(x + (half * across) / 2, y, across / 2, 4);
+  }
+  ink.textAlign = "left";
+  ink.textBaseline = "bottom";
+  text(ink, lengthText(length_m), x, y - 4, "#ffffff", halo);
+}
+
+function northArrow(ink: CanvasRenderingContext2D, size: Size): void {
+  const x = size.width - 24, y = 18;
+  const side = (right: number, colour: string): void => {
+    ink.beginPath();
+    ink.moveTo(x, y);
+    ink.lineTo(x + 6 * right, y + 18);
+    ink.lineTo(x, y + 13.5);
+    ink.closePath();
+    ink.fillStyle = colour;
+    ink.fill();
+  };
+  ink.lineWidth = 3;
+  ink.strokeStyle = halo;
+  ink.lineJoin = "round";
+  ink.beginPath();
+  ink.moveTo(x, y);
+  ink.lineTo(x + 6, y + 18);
+  ink.lineTo(x, y + 13.5);
+  ink.lineTo(x - 6, y + 18);
+  ink.closePath();
+  ink.stroke();
+  side(-1, "#ffffff");
+  side(1, "rgba(170, 184, 194, 1)");
+  ink.textAlign = "center";
+  ink.textBaseline = "top";
+  text(ink, "N", x, y + 21, "#ffffff", halo);
+}

@@ -1,0 +1,53 @@
+// The picture of the map: one rectangle that the shader fills.
+import { GLSL3, Mesh, OrthographicCamera, PlaneGeometry, RawShaderMaterial, Scene, Vector3, type IUniform, type WebGLRenderer } from "three";
+import type { HeightField } from "./heights";
+import type { MapEye, Size } from "./map_camera";
+import common from "./shaders/common.glsl";
+import mapFragment from "./shaders/map.frag.glsl";
+import mapVertex from "./shaders/map.vert.glsl";
+import overlayShader from "./shaders/overlay.glsl";
+import type { SharedUniforms } from "./shared_uniforms";
+import { tintScale, tintTexture } from "./tints";
+
+export class MapScene {
+  private readonly scene = new Scene();
+  private readonly camera = new OrthographicCamera();
+  private readonly uniforms: { [name: string]: IUniform };
+  private readonly mesh: Mesh<PlaneGeometry, RawShaderMaterial>;
+
+  constructor(shared: SharedUniforms) {
+    this.uniforms = {
+      ...shared,
+      tints: { value: tintTexture() }, map_place: { value: [0.5, 0.5, 0.5, 0.5] }, pixel_m: { value: 1 },
+      tint_scale: { value: new Vector3(1000, 0, 1000) }, paper: { value: new Vector3(0.01, 0.01, 0.01) },
+      water: { value: true },
+    };
+    this.mesh = new Mesh(new PlaneGeometry(2, 2), new RawShaderMaterial({
+      glslVersion: GLSL3, vertexShader: mapVertex, fragmentShader: common + overlayShader + mapFragment,
+      uniforms: this.uniforms, depthTest: false, depthWrite: false,
+    }));
+    this.mesh.frustumCulled = false;
+    this.scene.add(this.mesh);
+  }
+
+  /** `pixel_m`: of the pixels that are drawn. `paper`: linear light around the ground. */
+  render(renderer: WebGLRenderer, field: HeightField, eye: MapEye, size: Size, pixel_m: number, water: boolean, paper: readonly [number, number, number]): void {
+    const u = this.uniforms, { frame } = field;
+    u.map_place!.value = [
+      (eye.x - frame.west) / field.width_m, (frame.north - eye.y) / field.height_m,
+      (0.5 * size.width * eye.pixel_m) / field.width_m, (-0.5 * size.height * eye.pixel_m) / field.height_m,
+    ];
+    u.pixel_m!.value = pixel_m;
+    const scale = tintScale(field.min, field.max);
+    (u.tint_scale!.value as Vector3).set(scale.deepest, scale.base, scale.top);
+    (u.paper!.value as Vector3).set(...paper);
+    u.water!.value = water;
+    renderer.render(this.scene, this.camera);
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+    this.uniforms.tints!.value.dispose();
+  }
+}

@@ -1,0 +1,133 @@
+// The map: what part of the ground it shows and what is drawn over it.
+import type { Projector } from "./drape";
+import type { Under } from "./ground_pointer";
+import type { HeightField } from "./heights";
+import { fitted, toGround, toScreen, type MapEye, type Rectangle } from "./map_camera";
+import { drawFurniture } from "./map_furniture";
+import { MapMover } from "./map_mover";
+import type { ViewOptions } from "./options";
+import type { PictureRenderer } from "./picture_renderer";
+import { drawShapes } from "./shapes_ink";
+import type { GroundOverlay, OverlayShape } from "./types";
+import { ViewSurface } from "./view_surface";
+
+export class MapView {
+  readonly surface: ViewSurface;
+  readonly mover: MapMover;
+  shapes: readonly OverlayShape[] = [];
+  inkStale = true;
+  field: HeightField | null = null;
+  private eye: MapEye = { x: 0, y: 0, pixel_m: 1 };
+  private framed = true;
+
+  constructor(element: HTMLElement, mostRatio: number, private readonly changed: () => void, private readonly scaled: (pixel_m: number) => void) {
+    this.surface = new ViewSurface(element, "Map of the terrain", mostRatio, () => {
+      if (this.framed && this.field !== null) this.frame(this.field);
+      this.changed();
+    });
+    this.mover = new MapMover({
+      eye: () => this.eye,
+      size: () => this.surface,
+      limits: () => this.limits(),
+      set: (eye) => {
+        this.framed = false;
+        this.set(eye);
+        this.changed();
+      },
+    });
+  }
+
+  frame(field: HeightField): void {
+    this.field = field;
+    this.frameRectangle(field.rectangle);
+    this.framed = true;
+  }
+
+  frameRectangle(rectangle: Rectangle): void {
+    this.framed = false;
+    this.set(fitted(rectangle, this.surface, this.surface.width > 420 ? 28 : 10));
+  }
+
+  /** Pictures that are averaged at rest: the shader smooths its own edges. */
+  samples(): number {
+    return 1;
+  }
+
+  /** Around the shapes that tools show; null without any. */
+  shapesRectangle(): Rectangle | null {
+    let west = Infinity, east = -Infinity, south = Infinity, north = -Infinity;
+    const take = (x: number, y: number, r = 0): void => {
+      west = Math.min(west, x - r);
+      east = Math.max(east, x + r);
+      south = Math.min(south, y - r);
+      north = Math.max(north, y + r);
+    };
+    for (const shape of this.shapes) {
+      if (shape.shape === "line" || shape.shape === "area") for (const [x, y] of shape.points) take(x, y);
+      else if (shape.shape === "dot") take(shape.at[0], shape.at[1]);
+    }
+    if (west > east) return null;
+    const least = 60 * (this.field?.frame.cell_m ?? 1);
+    const grow = Math.max(0.1 * Math.max(east - west, north - south), 0.5 * (least - Math.max(east - west, north - south)));
+    return { west: west - grow, east: east + grow, south: south - grow, north: north + grow };
+  }
+
+  under(event: MouseEvent): Under | null {
+    if (this.field === null) return null;
+    const box = this.surface.element.getBoundingClientRect();
+    const [x, y] = toGround(this.eye, this.surface, event.clientX - box.left, event.clientY - box.top);
+    return { x, y, height: this.field.at(x, y), pixel_m: this.eye.pixel_m };
+  }
+
+  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, quick: number): void {
+    const { width, height } = this.surface.pixels;
+    const pixels = { width: Math.ceil(width * quick), height: Math.ceil(height * quick) };
+    renderer.drawMap(field, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element));
+    this.surface.show(renderer.canvas, pixels.width, pixels.height);
+  }
+
+  drawInk(options: ViewOptions): void {
+    this.inkStale = false;
+    if (!this.surface.shown) return;
+    const ink = this.surface.beginInk();
+    if (this.field === null) return;
+    const { frame, height_m } = this.field;
+    drawFurniture(ink, this.eye, this.surface, {
+      grid: options.grid,
+      origin: frame.crs === "" ? [frame.west, frame.north - height_m] : [0, 0],
+    });
+    const by: Projector = {
+      project: (x, y) => toScreen(this.eye, this.surface, x, y),
+      pixelSize: () => this.eye.pixel_m,
+      hidden: () => false,
+      flat: true,
+    };
+    drawShapes(ink, this.shapes, by);
+  }
+
+  dispose(): void {
+    this.surface.dispose();
+  }
+
+  private limits(): { least: number; most: number } {
+    if (this.field === null) return { least: 1e-3, most: 1e6 };
+    const size = Math.max(this.field.width_m, this.field.height_m);
+    return { least: this.field.frame.cell_m / 40, most: (8 * size) / Math.max(200, Math.min(this.surface.width, this.surface.height)) };
+  }
+
+  private set(eye: MapEye): void {
+    this.eye = eye;
+    this.inkStale = true;
+    this.scaled(eye.pixel_m);
+  }
+}
+
+/** Colour of the element around the ground, in linear light. */
+function paperOf(element: HTMLElement): [number, number, number] {
+  const parts = /(\d+(?:\.\d+)?)[ ,]+(\d+(?:\.\d+)?)[ ,]+(\d+(?:\.\d+)?)/.exec(getComputedStyle(element).backgroundColor);
+  const linear = (text: string | undefined): number => {
+    const c = Number(text ?? 22) / 255;
+    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+  };
+  return [linear(parts?.[1]), linear(parts?.[2]), linear(parts?.[3])];
+}

@@ -1,0 +1,105 @@
+// The one WebGL renderer of both views and what it holds: textures of the ground, the scene of the 3D view, the map.
+import { WebGLRenderer } from "three";
+import { GroundTextures } from "./ground_textures";
+import { OverlayTexture } from "./ground_overlay";
+import type { HeightField } from "./heights";
+import type { MapEye, Size } from "./map_camera";
+import { MapScene } from "./map_scene";
+import { noiseTexture } from "./noise_texture";
+import type { ViewOptions } from "./options";
+import { sharedUniforms, showOverlay, showTextures, styleNumber } from "./shared_uniforms";
+import { contourInterval } from "./ticks";
+import type { GroundOverlay } from "./types";
+import type { Eye, Lens } from "./world_camera";
+import { WorldScene } from "./world_scene";
+
+export class PictureRenderer {
+  readonly canvas: OffscreenCanvas;
+  /** Drawn by the processor: fewer triangles, coarser light. */
+  readonly software: boolean;
+  readonly overlay = new OverlayTexture();
+  readonly world: WorldScene;
+  private readonly renderer: WebGLRenderer;
+  private readonly noise = noiseTexture();
+  private readonly shared = sharedUniforms(this.noise);
+  private readonly textures: GroundTextures;
+  private readonly map: MapScene;
+
+  constructor(restored: () => void) {
+    this.canvas = new OffscreenCanvas(4, 4);
+    this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+    this.canvas.addEventListener("webglcontextrestored", restored);
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: false, alpha: false, preserveDrawingBuffer: false });
+    const gl = this.renderer.getContext();
+    const info = gl.getExtension("WEBGL_debug_renderer_info");
+    const name = String(gl.getParameter(info === null ? gl.RENDERER : info.UNMASKED_RENDERER_WEBGL));
+    this.software = /swiftshader|llvmpipe|software|basic render/i.test(name);
+    gl.getExtension("EXT_color_buffer_float");
+    this.renderer.autoClear = false;
+    this.textures = new GroundTextures(this.renderer, this.noise, this.software ? 1 : 8);
+    this.textures.lightCells = this.software ? 288 : 1024;
+    this.world = new WorldScene(this.shared);
+    this.world.patchBudget = this.software ? 160 : 420;
+    this.map = new MapScene(this.shared);
+  }
+
+  get triangles(): number {
+    return this.world.triangles;
+  }
+  get calls(): number {
+    return this.renderer.info.render.calls;
+  }
+
+  update(field: HeightField): void {
+    this.textures.update(field);
+    showTextures(this.shared, this.textures, field);
+    showOverlay(this.shared, this.overlay, field);
+  }
+
+  /** `sunToo`: shadows as well, else only the colours in them. */
+  updateLight(field: HeightField, options: ViewOptions, overlay: GroundOverlay, sunToo: boolean): void {
+    if (sunToo) this.textures.updateLight(field, options);
+    this.textures.updateLit(options, styleNumber(options.ground, overlay));
+  }
+
+  updateOverlay(overlay: GroundOverlay, field: HeightField | null): void {
+    this.overlay.update(overlay);
+    if (field !== null) showOverlay(this.shared, this.overlay, field);
+  }
+
+  drawWorld(field: HeightField, options: ViewOptions, overlay: GroundOverlay, eye: Eye, lens: Lens, jitter: readonly [number, number]): void {
+    this.begin(lens);
+    this.shared.ground_style.value = styleNumber(options.ground, overlay);
+    // Lines are as far apart as suits the whole terrain, not the changing distance.
+    const typical = contourInterval(Math.max(field.width_m, field.height_m) / 900, field.typicalSlope, 18);
+    this.shared.contour_m.value = overlay.overlay === "contours" ? overlay.interval_m : options.ground === "contours" ? typical : 0;
+    this.renderer.clear(false, true, false);
+    this.world.render(this.renderer, field, options, eye, lens, jitter);
+  }
+
+  drawMap(field: HeightField, options: ViewOptions, overlay: GroundOverlay, eye: MapEye, size: Size, pixels: Size, paper: readonly [number, number, number]): void {
+    this.begin(pixels);
+    this.shared.ground_style.value = styleNumber(options.ground, overlay);
+    this.shared.contour_m.value = overlay.overlay === "contours" ? overlay.interval_m : contourInterval(eye.pixel_m, field.typicalSlope);
+    this.map.render(this.renderer, field, eye, size, (eye.pixel_m * size.width) / pixels.width, options.water, paper);
+  }
+
+  dispose(): void {
+    this.textures.dispose();
+    this.overlay.dispose();
+    this.world.dispose();
+    this.map.dispose();
+    this.noise.dispose();
+    this.renderer.dispose();
+  }
+
+  /** Pictures are drawn into the lower left corner of a canvas that only grows. */
+  private begin(size: Size): void {
+    if (this.canvas.width < size.width || this.canvas.height < size.height) {
+      this.renderer.setSize(Math.max(this.canvas.width, size.width), Math.max(this.canvas.height, size.height), false);
+    }
+    this.renderer.setViewport(0, 0, size.width, size.height);
+    this.renderer.setScissor(0, 0, size.width, size.height);
+    this.renderer.setScissorTest(true);
+  }
+}

@@ -1,0 +1,116 @@
+// Natural colours of the ground, as square roots of reflectances; alpha: how open to swell it is. After the C++
+// renderer's ground (src/seamount/ops/render), with the climate of a warm sea or of a temperate inland.
+uniform sampler2D surface;
+uniform sampler2D noise;
+uniform float cell_m;
+uniform bool tropical;
+uniform float snow_line, tree_line;
+out vec4 result;
+
+const vec3 kSand = vec3(0.560, 0.475, 0.345), kWetSand = vec3(0.330, 0.270, 0.185), kColdSand = vec3(0.270, 0.245, 0.190);
+const vec3 kLagoonSand = vec3(0.600, 0.560, 0.450), kReefFlat = vec3(0.430, 0.370, 0.255), kCoral = vec3(0.165, 0.120, 0.070);
+const vec3 kForeReef = vec3(0.105, 0.098, 0.070), kDeepFloor = vec3(0.170, 0.165, 0.150), kWeed = vec3(0.052, 0.054, 0.026);
+const vec3 kSeagrass = vec3(0.075, 0.088, 0.042);
+
+struct Breakup { float broad, medium, fine; };
+
+float noise_at(vec2 p, float wavelength) { return (textureGrad(noise, p / (8.0 * wavelength), vec2(cell_m, 0.0) / (8.0 * wavelength), vec2(0.0, cell_m) / (8.0 * wavelength)).r - 0.5) * 1.7; }
+
+vec3 rock(vec4 s, float slope, Breakup n) {
+  vec3 dark = tropical ? vec3(0.050, 0.043, 0.037) : vec3(0.070, 0.064, 0.057);
+  vec3 pale = tropical ? vec3(0.150, 0.118, 0.090) : vec3(0.235, 0.215, 0.188);
+  float bedding = 0.45 * ramp(0.25, 0.7, slope) * sin((s.a + 30.0 * n.medium + 90.0 * n.broad) * 6.2832 / 95.0) * 0.5;
+  float shade = clamp01(0.45 + bedding + 0.8 * n.medium + 0.5 * n.fine + 0.25 * n.broad - 1.1 * clamp(s.b, -0.2, 0.2) - 0.14 * (slope - 1.0));
+  vec3 stained = mix(pale, pale * vec3(1.0, 0.88, 0.74), ramp(0.0, 0.4, n.broad + n.medium));
+  return mix(dark, stained, shade);
+}
+
+vec3 land(vec2 p, vec4 s, float deep, float slope, Breakup n) {
+  float z = s.a;
+  float warmth = (tropical ? 25.0 : 11.0) - 0.0065 * max(z, 0.0);
+  vec2 broad_rise = textureLod(surface, p, 5.0).xy;
+  // Rain falls on the side that the wind comes from: trades in the tropics, westerlies elsewhere.
+  float rise = dot(broad_rise, tropical ? vec2(-0.91, -0.42) : vec2(0.94, 0.34));
+  float hollow = clamp(s.b, -0.2, 0.2), deep_hollow = clamp(deep, -0.2, 0.2);
+  float water = (tropical ? 0.42 : 0.25) + 2.2 * clamp(rise, -0.5, 0.35) + 1.6 * hollow + 2.6 * deep_hollow - 0.35 * min(slope, 1.5)
+      + 0.55 * n.medium + 0.45 * n.broad + 0.25 * n.fine;
+  float uneven = slope + 0.30 * n.medium + 0.26 * n.fine - 0.5 * hollow;
+  float cold = ramp(-1.0, 1.0, (z - tree_line) / 260.0 + 1.1 * n.medium + 0.7 * n.broad);
+  float grip = 0.55 * ramp(-0.2, 1.0, water) * ramp(14.0, 22.0, warmth);
+  float forest = ramp(-0.75, 0.35, water) * (1.0 - ramp(0.72, 1.08, uneven - grip)) * (1.0 - cold) * ramp(1.0, 6.0, z + 2.5 * n.medium);
+  float herb = ramp(-2.5, -0.6, water + 0.9 * n.fine) * (1.0 - ramp(0.80, 1.25, uneven - grip)) * ramp(-9.0, -1.0, warmth + 6.0 * n.medium);
+  float rocky = ramp(0.62, 1.0, uneven - 0.5 * grip);
+
+  vec3 soil = tropical ? vec3(0.138, 0.084, 0.048) : vec3(0.115, 0.082, 0.052);
+  vec3 scree = tropical ? vec3(0.110, 0.090, 0.072) : vec3(0.150, 0.138, 0.121);
+  vec3 ground = mix(soil, scree, max(cold, ramp(0.30, 0.60, slope + 0.2 * n.medium)));
+  ground = mix(ground, rock(s, slope, n), rocky);
+  vec3 dry = mix(vec3(0.155, 0.127, 0.074), vec3(0.178, 0.150, 0.076), clamp01(0.5 + 0.8 * n.medium));
+  vec3 grass = mix(dry, tropical ? vec3(0.095, 0.105, 0.045) : vec3(0.088, 0.104, 0.046), ramp(-1.3, 0.3, water));
+  vec3 heath = mix(vec3(0.115, 0.102, 0.050), vec3(0.062, 0.066, 0.032), ramp(-0.1, 0.5, n.medium + 0.5 * n.fine));
+  ground = mix(ground, mix(grass, heath, 0.75 * cold), herb);
+  float light = clamp01(0.42 + 0.45 * n.medium + 0.6 * n.fine - 0.9 * hollow);
+  vec3 leaf = tropical ? mix(vec3(0.026, 0.042, 0.015), vec3(0.062, 0.078, 0.032), light) : mix(vec3(0.026, 0.040, 0.018), vec3(0.058, 0.072, 0.030), light);
+  vec3 needle = mix(vec3(0.018, 0.029, 0.016), vec3(0.036, 0.047, 0.024), light);
+  ground = mix(ground, mix(needle, leaf, ramp(2.0, 10.0, warmth + 5.0 * n.medium)), forest);
+
+  float over = z - snow_line + 130.0 * n.medium + 120.0 * n.broad + 700.0 * hollow;
+  float snow = ramp(-160.0, 240.0, over) * (1.0 - ramp(0.90, 1.40, slope + 0.30 * n.medium + 0.22 * n.fine));
+  ground = mix(ground, mix(vec3(0.830, 0.855, 0.890), vec3(0.600, 0.640, 0.680), 0.5 * ramp(300.0, -100.0, over)), snow);
+
+  float built = ramp(5.0, 2.4, z + 1.5 * n.medium) * ramp(0.20, 0.07, slope) * ramp(-0.30, 0.05, n.broad + 0.3 * n.medium + 1.5 * hollow);
+  vec3 sand = tropical ? kSand : kColdSand;
+  ground = mix(ground, mix(sand, mix(kWetSand, 0.6 * sand, 0.5), ramp(0.8, 0.1, z)), built);
+  float spray = ramp(9.0, 2.0, z + 4.0 * n.medium) * ramp(0.15, 0.5, slope) * (1.0 - built);
+  ground = mix(ground, vec3(0.055, 0.048, 0.042), 0.8 * spray);
+  return (1.0 + 0.22 * n.fine) * ground;
+}
+
+vec3 sea_floor(vec4 s, float slope, Breakup n) {
+  float depth = -s.a;
+  float warm = tropical ? 1.0 : 0.0;
+  float sheltered = clamp01(4.0 * s.b);
+  float gentle = ramp(0.32, 0.10, slope * (1.0 - 0.75 * sheltered) + 0.06 * n.medium);
+  float reef = warm * ramp(7.0, 3.0, depth) * clamp01(0.35 - 2.5 * s.b);
+  float lagoon = gentle * ramp(90.0, 40.0, depth);
+  vec3 floor_colour = mix(kForeReef, kDeepFloor, ramp(60.0, 300.0, depth));
+  float patches = ramp(0.18, 0.50, n.medium + 0.5 * n.fine + 0.45 * n.broad + 0.12) * ramp(0.8, 3.5, depth + 1.5 * n.medium);
+  vec3 bed = mix(mix(kColdSand, kLagoonSand, warm), mix(kWeed, kCoral, warm), 0.70 * patches);
+  floor_colour = mix(floor_colour, bed, max(lagoon, gentle * ramp(34.0, 12.0, depth + 8.0 * n.medium)));
+  float fields = ramp(-0.25, 0.15, n.medium + 0.5 * n.broad + 0.35 * n.fine) * ramp(4.5, 2.0, depth) * ramp(0.5, 1.6, depth) * warm;
+  vec3 rubble = mix(kReefFlat, mix(kCoral, kSeagrass, 0.5), clamp01(0.45 + 0.8 * n.fine + 0.6 * n.medium));
+  floor_colour = mix(floor_colour, rubble, 0.6 * fields * (1.0 - reef));
+  float growth = ramp(0.05, 0.50, n.medium + 0.6 * n.fine + 0.12);
+  floor_colour = mix(floor_colour, mix(kForeReef, mix(kReefFlat, kCoral, 0.7 * growth), ramp(7.0, 2.0, depth + 1.5 * n.medium)), reef);
+  float wash = ramp(2.2, 0.4, depth + 0.8 * n.medium) * gentle;
+  floor_colour = mix(floor_colour, mix(kColdSand, kSand, warm), wash * (1.0 - 0.7 * reef));
+  return (1.0 + 0.20 * n.fine) * floor_colour;
+}
+
+// How open the water is close by: swell breaks where a shallow floor drops into it.
+float openness(vec2 p) {
+  float reach = max(60.0, 1.8 * cell_m), sum = 0.0;
+  vec2 metre = 1.0 / (vec2(textureSize(surface, 0)) * cell_m);
+  for (int i = 0; i < 8; ++i) {
+    float angle = 0.785398 * float(i) + 0.39;
+    sum += ramp(6.0, 30.0, -textureLod(surface, p + reach * metre * vec2(cos(angle), sin(angle)), 1.0).a);
+  }
+  return ramp(0.4, 2.2, sum);
+}
+
+// Positive in hollows: how much lower than its surroundings, over their size.
+float concavity(vec2 p, float height, float level) {
+  return clamp((textureLod(surface, p, level).a - height) / (exp2(level) * cell_m), -8.0, 8.0);
+}
+
+void main() {
+  vec2 size = vec2(textureSize(surface, 0)), p = gl_FragCoord.xy / size;
+  vec4 s = textureLod(surface, p, 0.0);
+  s.b = 1.6 * concavity(p, s.a, 2.0);
+  vec2 place = (gl_FragCoord.xy - 0.5 * size) * cell_m;
+  Breakup n = Breakup(noise_at(mat2(0.92, 0.39, -0.39, 0.92) * place, 2400.0), noise_at(mat2(0.6, 0.8, -0.8, 0.6) * place, max(170.0, 3.2 * cell_m)), noise_at(mat2(0.28, 0.96, -0.96, 0.28) * place, max(18.0, 2.1 * cell_m)));
+  float slope = length(s.xy), deep = 1.6 * concavity(p, s.a, 4.0);
+  vec3 colour = s.a > 0.3 ? land(p, s, deep, slope, n) : s.a < -0.3 ? sea_floor(s, slope, n)
+      : mix(sea_floor(s, slope, n), land(p, s, deep, slope, n), (s.a + 0.3) / 0.6);
+  result = vec4(sqrt(clamp(colour, 0.0, 1.0)), s.a < 3.0 ? openness(p) : 0.0);
+}

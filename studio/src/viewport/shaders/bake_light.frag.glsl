@@ -1,0 +1,49 @@
+// Red: share of the sun that is seen; green: share of the sky.
+uniform sampler2D surface;
+uniform sampler2D heights;
+uniform float cell_m;
+uniform float exaggeration;
+uniform float floor_m;
+uniform vec3 to_sun;
+uniform vec2 light_size;
+out vec4 result;
+
+float raised(vec2 p, float level) { return exaggeration * max(floor_m, textureLod(surface, p, level).a); }
+
+void main() {
+  vec2 size = vec2(textureSize(surface, 0)), p = gl_FragCoord.xy / light_size;
+  vec2 texel = 1.0 / size;
+  float scale = max(1.0, size.x / light_size.x);
+  float start_level = log2(scale);
+  float here = raised(p, start_level);
+  float shift = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+
+  vec2 sunward = normalize(vec2(to_sun.x, -to_sun.y));
+  float sun_tangent = to_sun.z / max(1e-3, length(to_sun.xy));
+  float blocked = -10.0, reach = 1.5 * scale;
+  float farthest = 1.5 * max(size.x, size.y);
+  for (int i = 0; i < 26; ++i) {
+    vec2 q = p + sunward * reach * texel;
+    if (q.x < 0.0 || q.y < 0.0 || q.x > 1.0 || q.y > 1.0 || reach > farthest) break;
+    float level = max(start_level, log2(0.13 * reach));
+    blocked = max(blocked, (raised(q, level) - here) / (reach * cell_m));
+    reach *= 1.24 + 0.03 * shift;
+  }
+  float soft = 0.05 + 0.05 * sun_tangent;
+  float sun = 1.0 - ramp(sun_tangent - soft, sun_tangent + soft, blocked);
+
+  float sky = 0.0;
+  for (int i = 0; i < 6; ++i) {
+    float angle = 1.047198 * (float(i) + shift);
+    vec2 way = vec2(cos(angle), sin(angle));
+    float horizon = 0.0, far = 1.5 * scale;
+    for (int k = 0; k < 4; ++k) {
+      vec2 q = p + way * far * texel;
+      float rise = (raised(q, max(start_level, log2(0.3 * far))) - here) / (far * cell_m);
+      horizon = max(horizon, rise);
+      far *= 2.7;
+    }
+    sky += 1.0 - horizon * horizon / (1.0 + horizon * horizon) * 0.5 - 0.5 * horizon / sqrt(1.0 + horizon * horizon);
+  }
+  result = vec4(sun, sky / 6.0, 0.0, 1.0);
+}

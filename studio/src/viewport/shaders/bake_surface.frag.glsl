@@ -1,0 +1,35 @@
+// Of each cell: gradient (east, north; metres a metre), relief shading for the map, height. Four lights, the main one
+// from the north-west, on the ground as it is and on a smoother one.
+uniform sampler2D heights;
+uniform float cell_m, relief_scale;
+out vec4 result;
+
+float at(ivec2 p) { return texelFetch(heights, clamp(p, ivec2(0), textureSize(heights, 0) - 1), 0).r; }
+
+float lambert(vec2 gradient) {
+  const vec3 a = vec3(-0.5417, 0.5417, 0.6428), b = vec3(0.0494, 0.7644, 0.6428), c = vec3(-0.7644, -0.0494, 0.6428), d = vec3(0.7435, -0.1841, 0.6428);
+  vec3 n = inversesqrt(1.0 + dot(gradient, gradient)) * vec3(-gradient, 1.0);
+  return (0.55 * max(0.0, dot(n, a)) + 0.18 * max(0.0, dot(n, b)) + 0.18 * max(0.0, dot(n, c)) + 0.09 * max(0.0, dot(n, d))) / 0.6428;
+}
+
+void main() {
+  ivec2 p = ivec2(gl_FragCoord.xy);
+  float h = at(p);
+  float e = at(p + ivec2(1, 0)), w = at(p - ivec2(1, 0)), s = at(p + ivec2(0, 1)), n = at(p - ivec2(0, 1));
+  float ne = at(p + ivec2(1, -1)), se = at(p + ivec2(1, 1)), nw = at(p + ivec2(-1, -1)), sw = at(p + ivec2(-1, 1));
+  float east = (2.0 * (e - w) + (ne - nw) + (se - sw)) / (8.0 * cell_m);
+  float north = (2.0 * (n - s) + (ne - se) + (nw - sw)) / (8.0 * cell_m);
+  float be = 0.0, bn = 0.0, mean = 0.0;
+  for (int i = -1; i <= 1; ++i) {
+    float right = at(p + ivec2(5, 3 * i)), left = at(p + ivec2(-5, 3 * i)), up = at(p + ivec2(3 * i, -5)), down = at(p + ivec2(3 * i, 5));
+    be += right - left;
+    bn += up - down;
+    mean += right + left + up + down;
+  }
+  vec2 broad = vec2(be, bn) / (30.0 * cell_m);
+  float direct = 0.66 * lambert(relief_scale * vec2(east, north)) + 0.34 * lambert(1.4 * relief_scale * broad);
+  float soft = direct < 1.0 ? 1.0 - 0.80 * (1.0 - direct) : 1.0 + 1.5 * (direct - 1.0);
+  // Hollows are a little darker, ridges lighter: less and more of the sky is seen from there.
+  float shade = soft * (1.0 - clamp(0.5 * relief_scale * (mean / 12.0 - h) / (5.0 * cell_m), -0.10, 0.30));
+  result = vec4(clamp(vec2(east, north), -60.0, 60.0), shade, clamp(h, -6e4, 6e4));
+}

@@ -1,0 +1,59 @@
+// The map: hypsometric tints under a relief shading, height lines, and what is laid over.
+in vec2 uv;
+uniform sampler2D surface, heights, tints;
+uniform float cell_m, pixel_m;
+uniform vec3 tint_scale;  // depth of the darkest blue, heights of the first and last tint of land
+uniform vec3 paper;
+uniform bool water;
+uniform int ground_style;
+out vec4 result;
+
+float fine_height(vec2 p) {
+  ivec2 last = textureSize(heights, 0) - 1;
+  vec2 at = clamp(p * vec2(last + 1) - 0.5, vec2(0.0), vec2(last));
+  ivec2 a = ivec2(at), b = min(a + 1, last);
+  vec2 t = at - vec2(a);
+  return mix(mix(texelFetch(heights, a, 0).r, texelFetch(heights, ivec2(b.x, a.y), 0).r, t.x),
+             mix(texelFetch(heights, ivec2(a.x, b.y), 0).r, texelFetch(heights, b, 0).r, t.x), t.y);
+}
+
+vec3 tint(float height) {
+  float sea = 0.5 - 0.5 * clamp01(log(1.0 + max(0.0, -height) / 12.0) / log(1.0 + tint_scale.x / 12.0));
+  float land = 0.5 + 0.5 * clamp01((height - tint_scale.y) / max(1e-3, tint_scale.z - tint_scale.y));
+  return linear(texture(tints, vec2(height < 0.0 && water ? sea : land, 0.5)).rgb);
+}
+
+vec3 shaded(vec3 colour, float shade) {
+  if (shade < 1.0) return mix(colour * vec3(0.10, 0.115, 0.18), colour, pow(max(0.0, shade), 1.4));
+  float more = (shade - 1.0) / (1.0 + 0.9 * (shade - 1.0));
+  vec3 bright = (1.0 + 0.9 * more) * colour;
+  return mix(bright, vec3(1.0, 0.985, 0.93), clamp01(0.9 * more * luminance(colour)));
+}
+
+void main() {
+  vec2 clamped = clamp(uv, 0.0, 1.0);
+  vec4 s = texture(surface, clamped);
+  float texels = pixel_m / cell_m;
+  float height = texels > 1.5 ? s.a : fine_height(clamped);
+  float change = max(length(s.xy) * pixel_m, 1e-4);
+  float shade = s.b;
+  // Water flattens the relief of its floor.
+  bool flooded = water && height < 0.0;
+  if (flooded) shade = mix(1.0, shade, 0.35 + 0.25 * exp(height / 40.0));
+  vec3 colour = tint(height);
+  if (ground_style == 1) colour = vec3(0.585, 0.585, 0.58);
+  if (ground_style == 2) colour = slope_colour(length(s.xy));
+  vec4 over = overlay_at(clamped);
+  colour = mix(colour, over.rgb, over.a);
+  colour = shaded(colour, shade);
+  if (contour_m > 0.0) colour = mix(colour, flooded ? vec3(0.04, 0.12, 0.20) : vec3(0.13, 0.08, 0.04), 0.5 * contours(height, change));
+  if (water) {
+    float coast = clamp01(1.3 - abs(height) / change);
+    colour = mix(colour, vec3(0.03, 0.06, 0.10), 0.7 * coast * ramp(6.0, 1.0, texels));
+  }
+  vec2 out_px = max(max(-uv, uv - 1.0), 0.0) * vec2(textureSize(heights, 0)) / texels;
+  float outside = clamp01(max(out_px.x, out_px.y));
+  float shadow = 0.55 * exp(-max(0.0, max(out_px.x, out_px.y)) / 6.0);
+  colour = mix(colour, paper * (1.0 - 0.4 * shadow), outside);
+  result = shown(colour);
+}

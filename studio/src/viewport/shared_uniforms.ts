@@ -1,0 +1,49 @@
+// What the shaders of both views are told: textures of the ground and what is laid over it.
+import { Vector3, type IUniform, type Texture } from "three";
+import type { GroundTextures } from "./ground_textures";
+import type { OverlayTexture } from "./ground_overlay";
+import type { HeightField } from "./heights";
+import type { GroundStyle } from "./options";
+import type { GroundOverlay } from "./types";
+
+export interface SharedUniforms {
+  [name: string]: IUniform;
+  heights: IUniform<Texture | null>;
+  surface: IUniform<Texture | null>;
+  lit: IUniform<Texture | null>;
+  noise: IUniform<Texture | null>;
+  cell_m: IUniform<number>;
+  ground_style: IUniform<number>;
+  overlay: IUniform<Texture | null>;
+  overlay_place: IUniform<[number, number, number, number]>;
+  overlay_strength: IUniform<number>;
+  contour_m: IUniform<number>;
+  contour_colour: IUniform<Vector3>;
+}
+
+export function sharedUniforms(noise: Texture): SharedUniforms {
+  return {
+    heights: { value: null }, surface: { value: null }, lit: { value: null },
+    noise: { value: noise }, cell_m: { value: 1 }, ground_style: { value: 0 }, overlay: { value: null },
+    overlay_place: { value: [0, 0, 1, 1] }, overlay_strength: { value: 0 }, contour_m: { value: 0 },
+    contour_colour: { value: new Vector3(0.02, 0.015, 0.01) },
+  };
+}
+
+export function showTextures(u: SharedUniforms, textures: GroundTextures, field: HeightField): void {
+  u.heights.value = textures.heights;
+  u.surface.value = textures.surface;
+  u.lit.value = textures.lit;
+  u.cell_m.value = field.frame.cell_m;
+}
+
+export function showOverlay(u: SharedUniforms, overlay: OverlayTexture, field: HeightField): void {
+  u.overlay.value = overlay.texture ?? u.noise.value;
+  u.overlay_place.value = overlay.placeOn(field.frame);
+  u.overlay_strength.value = overlay.texture === null ? 0 : 0.8;
+}
+
+/** Number of a style of the ground in the shaders. */
+export function styleNumber(style: GroundStyle, overlay: GroundOverlay): number {
+  return overlay.overlay === "slope" || style === "slope" ? 2 : style === "relief" ? 1 : 0;
+}

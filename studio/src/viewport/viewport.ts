@@ -1,0 +1,288 @@
+// The two views of a terrain: the map and the 3D view, of one height field and through one renderer. Draws when something
+// has changed, and not at all otherwise.
+import { effect, signal, type Signal } from "@preact/signals";
+import type { Shown, Studio } from "../document/studio";
+import { Follower } from "./follower";
+import { Gestures, type Strokes } from "./gestures";
+import { groundPointer, type Under } from "./ground_pointer";
+import { HeightField } from "./heights";
+import { legendElement } from "./legend";
+import { legendOf } from "./ground_overlay";
+import { MapView } from "./map_view";
+import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./options";
+import { PictureRenderer } from "./picture_renderer";
+import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
+import { WorldView } from "./world_view";
+
+export interface ViewportStats {
+  /** Mean time from picture to picture while something moves. */
+  frame_ms: number;
+  triangles: number;
+  calls: number;
+  /** Drawn by the processor. */
+  software: boolean;
+  /** From the arrival of the last raster until it was drawn. */
+  upload_ms: number;
+}
+
+const restAfter_ms = 160;
+const slow_ms = 30;
+
+export class Viewport {
+  /** What is under the pointer, in either view. */
+  readonly pointer: Signal<GroundPointer | null> = signal(null);
+  /** Metres a pixel of the map. */
+  readonly scale: Signal<number> = signal(1);
+  readonly options: Signal<ViewOptions> = signal(defaultOptions);
+  /** Key of the result that is drawn, and whether it is a coarse one. */
+  readonly drawn: Signal<{ key: string; coarse: boolean } | null> = signal(null);
+  readonly map: MapView;
+  readonly world: WorldView;
+
+  private readonly renderer: PictureRenderer;
+  private readonly gestures: Gestures[] = [];
+  private readonly followers: Follower[] = [];
+  private readonly stops: (() => void)[] = [];
+  private field: HeightField | null = null;
+  private pen: PenTarget | null = null;
+  private overlay: GroundOverlay = { overlay: "none" };
+  private shownOverlay: GroundOverlay = { overlay: "none" };
+  private legend: HTMLElement | null = null;
+  private request = 0;
+  private restTimer = 0;
+  private lastFrame = 0;
+  private frame_ms = 16;
+  private upload_ms = 0;
+  private lightStale = false;
+  private litStale = false;
+  private arrived = 0;
+
+  constructor(mapElement: HTMLElement, worldElement: HTMLElement, studio: Studio) {
+    this.renderer = new PictureRenderer(() => this.restore());
+    const mostRatio = this.renderer.software ? 1 : 2;
+    const changed = (): void => this.moved();
+    this.map = new MapView(mapElement, mostRatio, changed, (pixel_m) => (this.scale.value = pixel_m));
+    this.world = new WorldView(worldElement, mostRatio, changed, () => this.options.peek());
+    for (const view of [this.map, this.world]) {
+      const strokes = this.strokes((event) => view.under(event));
+      this.gestures.push(new Gestures(view.surface.element, view.mover, strokes, () => this.options.peek().navigation));
+    }
+    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster)));
+    this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
+    let before = this.options.peek();
+    this.stops.push(effect(() => {
+      const now = this.options.value;
+      const relit = now.sun !== before.sun || now.water !== before.water || now.exaggeration !== before.exaggeration;
+      if (now.exaggeration !== before.exaggeration) this.world.rescale(now.exaggeration / before.exaggeration);
+      this.litStale ||= relit || now.ground !== before.ground;
+      before = now;
+      this.lightStale ||= relit;
+      this.dirty();
+    }));
+  }
+
+  setPen(target: PenTarget | null): void {
+    if (target === this.pen) return;
+    for (const gestures of this.gestures) gestures.cancel();
+    this.pen?.hover?.(null);
+    this.pen = target;
+    const cursor = target?.cursor ?? "default";
+    for (const view of [this.map, this.world]) view.surface.element.style.cursor = cursor;
+  }
+
+  setOverlayShapes(shapes: OverlayShape[]): void {
+    this.map.shapes = this.world.shapes = shapes;
+    this.map.inkStale = this.world.inkStale = true;
+    this.wake();
+  }
+
+  /** Laid over the ground instead of what `studio.shown` says; "none": that again. */
+  setGroundOverlay(overlay: GroundOverlay): void {
+    this.overlay = overlay;
+    this.applyOverlay();
+  }
+
+  frameAll(): void {
+    if (this.field === null) return;
+    this.map.frame(this.field);
+    this.world.frame(this.field);
+    this.moved();
+  }
+
+  /** Brings a rectangle of the ground into both views: of the shapes that tools show, without one. */
+  frameSelection(rectangle?: { west: number; east: number; south: number; north: number }): void {
+    if (this.field === null) return;
+    const chosen = rectangle ?? this.map.shapesRectangle();
+    if (chosen === null) return this.frameAll();
+    this.map.frameRectangle(chosen);
+    this.world.frameRectangle(this.field, chosen);
+    this.moved();
+  }
+
+  stats(): ViewportStats {
+    const { triangles, calls, software } = this.renderer;
+    return { frame_ms: this.frame_ms, triangles, calls, software, upload_ms: this.upload_ms };
+  }
+
+  /** PNG of a view as it is seen, with what is drawn over it. */
+  async screenshot(view: "map" | "world" = "world"): Promise<Blob> {
+    const { surface } = view === "map" ? this.map : this.world;
+    const { width, height } = surface.pixels;
+    const canvas = new OffscreenCanvas(width, height), to = canvas.getContext("2d")!;
+    to.drawImage(surface.canvas, 0, 0);
+    to.drawImage(surface.ink.canvas, 0, 0, width, height);
+    return canvas.convertToBlob({ type: "image/png" });
+  }
+
+  /** Resolves once both views show the present state, at rest. */
+  async settled(): Promise<void> {
+    while (this.request !== 0 || this.restTimer !== 0) await new Promise((done) => setTimeout(done, 20));
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.request);
+    clearTimeout(this.restTimer);
+    for (const stop of this.stops) stop();
+    for (const part of [...this.followers, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
+    this.legend?.remove();
+  }
+
+  private terrain(raster: Raster | null): void {
+    if (raster === null) return;
+    this.arrived = performance.now();
+    const before = this.field, field = HeightField.of(raster);
+    this.field = field;
+    this.renderer.update(field);
+    this.lightStale = true;
+    this.litStale = true;
+    this.map.field = this.world.field = field;
+    this.drawn.value = { key: raster.key, coarse: raster.coarse };
+    if (before === null || !sameRectangle(before, field)) this.begin(field);
+    this.map.inkStale = this.world.inkStale = true;
+    this.dirty();
+  }
+
+  /** Another terrain: all of it is shown, as high as shows its forms. */
+  private begin(field: HeightField): void {
+    this.options.value = { ...this.options.peek(), exaggeration: suggestedExaggeration(field.typicalSlope) };
+    this.frameAll();
+  }
+
+  private overlaid(raster: Raster | null, kind: string): void {
+    const none = raster === null || (kind !== "labels" && kind !== "field");
+    this.shownOverlay = none ? { overlay: "none" } : { overlay: kind === "labels" ? "labels" : "field", raster: raster! };
+    this.applyOverlay();
+  }
+
+  private get activeOverlay(): GroundOverlay {
+    return this.overlay.overlay === "none" ? this.shownOverlay : this.overlay;
+  }
+
+  private applyOverlay(): void {
+    const overlay = this.activeOverlay;
+    this.litStale = true;
+    this.renderer.updateOverlay(overlay, this.field);
+    this.legend?.remove();
+    const legend = legendOf(overlay);
+    this.legend = legend === null ? null : legendElement(legend);
+    if (this.legend !== null) this.map.surface.element.append(this.legend);
+    this.dirty();
+  }
+
+  private restore(): void {
+    if (this.field !== null) this.renderer.update(this.field);
+    this.lightStale = this.litStale = true;
+    this.dirty();
+  }
+
+  private strokes(under: (event: MouseEvent) => Under | null): Strokes {
+    const at = (event: MouseEvent): GroundPointer | null => {
+      const place = under(event);
+      return place === null ? null : groundPointer(event, place);
+    };
+    let last: GroundPointer | null = null;
+    return {
+      active: () => this.pen !== null,
+      down: (event) => {
+        last = at(event);
+        if (last === null || this.pen === null) return false;
+        this.pointer.value = last;
+        this.pen.down(last);
+        return true;
+      },
+      move: (events) => {
+        const path = events.map(at).filter((p): p is GroundPointer => p !== null);
+        if (path.length === 0) return;
+        this.pointer.value = last = path[path.length - 1]!;
+        this.pen?.move(path);
+      },
+      up: (event) => {
+        last = at(event) ?? last;
+        if (last !== null) this.pen?.up(last);
+      },
+      cancel: () => this.pen?.cancel(),
+      hover: (event) => {
+        this.pointer.value = event === null ? null : at(event);
+        this.pen?.hover?.(this.pointer.value);
+      },
+      double: (event) => {
+        const place = at(event);
+        if (place !== null) this.pen?.double?.(place);
+      },
+    };
+  }
+
+  /** A view moves: quick pictures now, a good one when it rests. */
+  private moved(): void {
+    this.map.inkStale = this.world.inkStale = true;
+    clearTimeout(this.restTimer);
+    this.restTimer = window.setTimeout(() => {
+      this.restTimer = 0;
+      this.dirty();
+    }, restAfter_ms);
+    this.dirty();
+  }
+
+  private dirty(): void {
+    this.map.surface.samples = this.world.surface.samples = 0;
+    this.wake();
+  }
+
+  private wake(): void {
+    if (this.request === 0) this.request = requestAnimationFrame((now) => this.frame(now));
+  }
+
+  private frame(now: number): void {
+    this.request = 0;
+    const moving = this.restTimer !== 0;
+    if (moving && now - this.lastFrame < 400) this.frame_ms += 0.15 * (now - this.lastFrame - this.frame_ms);
+    this.lastFrame = now;
+    const field = this.field;
+    let more = false;
+    if (field !== null) {
+      if (this.litStale) {
+        this.renderer.updateLight(field, this.options.peek(), this.activeOverlay, this.lightStale);
+        this.lightStale = this.litStale = false;
+      }
+      const quick = !moving || this.frame_ms < slow_ms ? 1 : this.frame_ms < 3 * slow_ms ? 0.6 : 0.45;
+      for (const view of [this.map, this.world]) {
+        if (!view.surface.shown) continue;
+        if (view.surface.samples < (moving ? 1 : view.samples(this.renderer.software))) {
+          view.draw(this.renderer, field, this.options.peek(), this.activeOverlay, quick);
+        }
+        more ||= !moving && view.surface.samples < view.samples(this.renderer.software);
+      }
+      if (this.arrived > 0) {
+        this.upload_ms = performance.now() - this.arrived;
+        this.arrived = 0;
+      }
+    }
+    for (const view of [this.map, this.world]) if (view.inkStale) view.drawInk(this.options.peek());
+    if (more) this.wake();
+  }
+}
+
+function sameRectangle(a: HeightField, b: HeightField): boolean {
+  const near = (p: number, q: number): boolean => Math.abs(p - q) < 0.02 * Math.max(a.width_m, b.width_m);
+  return near(a.frame.west, b.frame.west) && near(a.frame.north, b.frame.north) && near(a.width_m, b.width_m) && near(a.height_m, b.height_m);
+}

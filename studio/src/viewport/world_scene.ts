@@ -1,0 +1,149 @@
+// The 3D picture: patches of ground, the sea's plane around them, and the sky.
+import {
+  GLSL3, DoubleSide, Mesh, PerspectiveCamera, PlaneGeometry, RawShaderMaterial, Scene, Vector3, Matrix4, type IUniform,
+  type WebGLRenderer,
+} from "three";
+import type { HeightField } from "./heights";
+import { lamps } from "./light";
+import type { ViewOptions } from "./options";
+import { choosePatches } from "./patches";
+import { PatchGeometry } from "./patch_mesh";
+import common from "./shaders/common.glsl";
+import groundFragment from "./shaders/ground.frag.glsl";
+import groundVertex from "./shaders/ground.vert.glsl";
+import overlayShader from "./shaders/overlay.glsl";
+import seaVertex from "./shaders/sea.vert.glsl";
+import skyFragment from "./shaders/sky.frag.glsl";
+import skyShader from "./shaders/sky.glsl";
+import skyVertex from "./shaders/sky.vert.glsl";
+import wireFragment from "./shaders/wire.frag.glsl";
+import type { SharedUniforms } from "./shared_uniforms";
+import { axes, viewPlanes, type Eye, type Lens } from "./world_camera";
+
+const hazeDepth = 0.022;
+
+export class WorldScene {
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera();
+  private readonly geometry = new PatchGeometry();
+  private readonly uniforms: { [name: string]: IUniform };
+  private readonly ground: Mesh;
+  private readonly sea: Mesh;
+  private readonly wire: Mesh;
+  triangles = 0;
+  /** Of ground that is drawn at most. */
+  patchBudget = 170;
+
+  constructor(shared: SharedUniforms) {
+    this.uniforms = {
+      ...shared,
+      eye: { value: new Vector3() }, base_m: { value: -100 }, border_depth: { value: 1000 }, floor_m: { value: 0 },
+      exaggeration: { value: 1 }, sea_size: { value: [1, 1] }, half_size: { value: [1, 1] }, in_sea: { value: true },
+      to_sun: { value: new Vector3(0, 0, 1) }, sun_light: { value: new Vector3() }, sky_light: { value: new Vector3() },
+      sky_scale: { value: 1 }, haze_density: { value: 0 }, haze_far: { value: 1 }, forward: { value: new Vector3() },
+      right: { value: new Vector3() }, upward: { value: new Vector3() }, pixel_angle: { value: 1 }, sun_path: { value: 1 }, wire_colour: { value: [1, 1, 1, 0.22] },
+    };
+    const fragment = common + skyShader + overlayShader + groundFragment;
+    const groundMaterial = this.material(groundVertex, fragment, { plane_only: { value: false } });
+    this.ground = this.mesh(this.geometry, groundMaterial, 0);
+    const seaMaterial = this.material(seaVertex, fragment, { plane_only: { value: true } });
+    seaMaterial.polygonOffset = true;
+    seaMaterial.polygonOffsetFactor = seaMaterial.polygonOffsetUnits = 2;
+    this.sea = this.mesh(new PlaneGeometry(2, 2), seaMaterial, 1);
+    const skyMaterial = this.material(skyVertex, common + skyShader + skyFragment, {});
+    skyMaterial.depthWrite = false;
+    this.mesh(new PlaneGeometry(2, 2), skyMaterial, 2);
+    const wireMaterial = this.material(groundVertex, common + wireFragment, {});
+    wireMaterial.wireframe = wireMaterial.transparent = true;
+    this.wire = this.mesh(this.geometry, wireMaterial, 3);
+    this.camera.up.set(0, 0, 1);
+  }
+
+  /** Draws into the renderer's current target of the size of the lens. `jitter`: parts of a pixel. */
+  render(renderer: WebGLRenderer, field: HeightField, options: ViewOptions, eye: Eye, lens: Lens, jitter: readonly [number, number]): void {
+    const [cx, cy] = field.centre;
+    const local: [number, number, number] = [eye.at[0] - cx, eye.at[1] - cy, eye.at[2]];
+    this.place(eye, local, lens, field, options, jitter);
+    this.light(field, options, lens);
+    const origin = [field.frame.west, field.frame.north] as const;
+    this.geometry.show(choosePatches(field, {
+      eye: [eye.at[0] - origin[0], origin[1] - eye.at[1], eye.at[2]],
+      planes: viewPlanes(eye, lens, origin),
+      exaggeration: options.exaggeration,
+      floor: options.water ? 0 : -Infinity,
+      budget: this.patchBudget,
+    }));
+    this.ground.visible = this.geometry.instanceCount > 0;
+    this.wire.visible = options.wireframe && this.ground.visible;
+    renderer.render(this.scene, this.camera);
+    this.triangles = renderer.info.render.triangles;
+  }
+
+  dispose(): void {
+    this.scene.traverse((object) => {
+      if (!(object instanceof Mesh)) return;
+      object.geometry.dispose();
+      (object.material as RawShaderMaterial).dispose();
+    });
+  }
+
+  private place(eye: Eye, local: [number, number, number], lens: Lens, field: HeightField, options: ViewOptions, jitter: readonly [number, number]): void {
+    const camera = this.camera, size = Math.max(field.width_m, field.height_m);
+    const { forward, right, up } = axes(eye);
+    camera.fov = (lens.fov * 180) / Math.PI;
+    camera.aspect = lens.width / lens.height;
+    const above = Math.max(local[2] - options.exaggeration * Math.max(0, field.at(eye.at[0], eye.at[1]) ?? 0), 1);
+    camera.near = Math.max(0.5, Math.min(0.3 * above, 0.05 * size));
+    camera.far = 60 * size + 20 * above;
+    camera.setViewOffset(lens.width, lens.height, jitter[0], jitter[1], lens.width, lens.height);
+    camera.updateProjectionMatrix();
+    camera.matrixAutoUpdate = false;
+    camera.matrix.copy(new Matrix4().makeBasis(new Vector3(...right), new Vector3(...up), new Vector3(...forward).negate()));
+    camera.matrix.setPosition(...local);
+    camera.matrixWorld.copy(camera.matrix);
+    camera.matrixWorldInverse.copy(camera.matrix).invert();
+    camera.matrixWorldAutoUpdate = false;
+    (this.uniforms.eye!.value as Vector3).set(...local);
+    const tan = Math.tan(lens.fov / 2);
+    (this.uniforms.forward!.value as Vector3).set(...forward);
+    (this.uniforms.right!.value as Vector3).set(...right).multiplyScalar(tan * camera.aspect);
+    (this.uniforms.upward!.value as Vector3).set(...up).multiplyScalar(tan);
+  }
+
+  private light(field: HeightField, options: ViewOptions, lens: Lens): void {
+    const u = this.uniforms, size = Math.max(field.width_m, field.height_m);
+    const lit = lamps(options.sun);
+    (u.to_sun!.value as Vector3).set(...lit.toSun);
+    (u.sun_light!.value as Vector3).set(...lit.sun);
+    (u.sky_light!.value as Vector3).set(...lit.sky);
+    u.sky_scale!.value = lit.skyScale;
+    u.sun_path!.value = 1 / Math.sqrt(1 - (1 - Math.max(0.02, lit.toSun[2]) ** 2) / 1.777);
+    u.pixel_angle!.value = (2 * Math.tan(lens.fov / 2)) / lens.height;
+    u.haze_density!.value = hazeDepth / size;
+    u.haze_far!.value = 2.5 * size;
+    u.exaggeration!.value = options.exaggeration;
+    u.floor_m!.value = options.water ? 0 : -1e9;
+    const lowest = options.exaggeration * (options.water ? Math.min(0, Math.max(field.min, 0)) : field.min);
+    u.base_m!.value = (options.water && field.min < 0 ? 0 : lowest) - 0.035 * size;
+    if (options.water && field.min >= 0) u.base_m!.value = options.exaggeration * field.min - 0.035 * size;
+    u.border_depth!.value = field.borderDepth;
+    u.half_size!.value = [field.width_m / 2, field.height_m / 2];
+    u.sea_size!.value = field.inSea ? [50 * size, 50 * size] : [field.width_m / 2, field.height_m / 2];
+    u.in_sea!.value = field.inSea && options.water;
+    this.sea.visible = options.water && field.min < 0;
+  }
+
+  private material(vertexShader: string, fragmentShader: string, own: { [name: string]: IUniform }): RawShaderMaterial {
+    return new RawShaderMaterial({
+      glslVersion: GLSL3, vertexShader, fragmentShader, uniforms: { ...this.uniforms, ...own }, side: DoubleSide,
+    });
+  }
+
+  private mesh(geometry: PatchGeometry | PlaneGeometry, material: RawShaderMaterial, order: number): Mesh {
+    const mesh = new Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    mesh.renderOrder = order;
+    this.scene.add(mesh);
+    return mesh;
+  }
+}

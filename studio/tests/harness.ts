@@ -1,0 +1,122 @@
+// The real server and a real browser for tests: starts the program on a recipe in a folder of its own and opens its page
+// in Chromium, whose errors are the test's.
+import { spawn, type ChildProcess } from "node:child_process";
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { createServer } from "node:net";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { createInterface } from "node:readline";
+import { chromium, type Browser, type Page } from "playwright-core";
+import type { DocumentAnswer, Recipe } from "../src/api/types";
+
+const root = resolve(process.cwd(), "..");
+const program = process.env["SEAMOUNT"] ?? join(root, "build/dev/apps/seamount/seamount");
+const browserProgram = process.env["CHROMIUM"] ?? "/usr/bin/chromium";
+
+function freePort(): Promise<number> {
+  return new Promise((done, fail) => {
+    const probe = createServer();
+    probe.once("error", fail);
+    probe.listen(0, "127.0.0.1", () => {
+      const address = probe.address();
+      probe.close(() => (address && typeof address === "object" ? done(address.port) : fail(new Error("no port"))));
+    });
+  });
+}
+
+/** A server on a document in a folder that goes when it ends. */
+export class Server {
+  readonly folder = mkdtempSync(join(tmpdir(), "seamount-studio-"));
+  address = "";
+  private process: ChildProcess | null = null;
+
+  static async start(recipe: Recipe | null): Promise<Server> {
+    const server = new Server();
+    mkdirSync(join(server.folder, "work"));
+    if (recipe) writeFileSync(join(server.folder, "work/test.json"), JSON.stringify(recipe, null, 2));
+    await server.run(recipe !== null);
+    return server;
+  }
+
+  async run(withRecipe = true): Promise<void> {
+    const work = join(this.folder, "work");
+    const rest = ["--no-browser", "--no-cache", "--state", join(this.folder, "state"), "--port", String(await freePort())];
+    const document = withRecipe ? [join(work, "test.json")] : ["--folder", work];
+    this.process = spawn(program, ["studio", ...document, ...rest], { stdio: ["ignore", "pipe", "inherit"] });
+    const lines = createInterface({ input: this.process.stdout! });
+    this.address = await new Promise<string>((done, fail) => {
+      lines.once("line", done);
+      this.process!.once("exit", (code) => fail(new Error(`the server ended with ${code}`)));
+    });
+  }
+
+  kill(): Promise<void> {
+    return new Promise((done) => {
+      this.process!.once("exit", () => done());
+      this.process!.kill("SIGKILL");
+    });
+  }
+
+  async end(): Promise<void> {
+    if (this.process && this.process.exitCode === null) await this.kill();
+    rmSync(this.folder, { recursive: true, force: true });
+  }
+
+  async request(method: string, path: string, body?: unknown): Promise<Response> {
+    const [base, token] = this.address.split("/#") as [string, string];
+    return fetch(base + path, {
+      method,
+      headers: { Authorization: `Bearer ${token}`, "Content-Type": "application/json" },
+      ...(body === undefined ? {} : { body: JSON.stringify(body) }),
+    });
+  }
+
+  async document(): Promise<DocumentAnswer> {
+    return (await this.request("GET", "/api/document")).json() as Promise<DocumentAnswer>;
+  }
+}
+
+export function openBrowser(): Promise<Browser> {
+  return chromium.launch({
+    executablePath: browserProgram,
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--force-color-profile=srgb"],
+  });
+}
+
+export interface OpenedPage {
+  page: Page;
+  /** Errors of scripts and of the console, and what the content security policy refused. */
+  errors: string[];
+}
+
+export async function openPage(
+  browser: Browser,
+  address: string,
+  options: { width?: number; height?: number; dark?: boolean; touch?: boolean } = {},
+): Promise<OpenedPage> {
+  const context = await browser.newContext({
+    viewport: { width: options.width ?? 1280, height: options.height ?? 800 },
+    colorScheme: options.dark === false ? "light" : "dark",
+    hasTouch: options.touch ?? false,
+    reducedMotion: "reduce",
+  });
+  const page = await context.newPage();
+  const errors: string[] = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  page.on("console", (message) => {
+    if (message.type() === "error") errors.push(message.text());
+  });
+  await page.goto(address);
+  return { page, errors };
+}
+
+/** Waits until a question has a true answer; throws after `seconds`. */
+export async function until<T>(what: string, ask: () => Promise<T | null | undefined | false>, seconds = 20): Promise<T> {
+  const end = Date.now() + 1000 * seconds;
+  for (;;) {
+    const answer = await ask();
+    if (answer) return answer;
+    if (Date.now() > end) throw new Error(`not within ${seconds} s: ${what}`);
+    await new Promise((done) => setTimeout(done, 20));
+  }
+}
