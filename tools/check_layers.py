@@ -19,6 +19,7 @@ MAY_INCLUDE = {
 ONLY_IN = {
     "tbb/": "base recipe",
     "thread>": "base server",
+    "httplib": "server",
     "nlohmann/": "io recipe server",
     "gdal": "io",
     "sqlite3": "io",
@@ -28,7 +29,7 @@ ONLY_IN = {
 }
 # Folders with rooms: a room may use itself and those before it.
 ROOMS = {
-    "geom": "scalar grid polygon solve skeleton current tin mesh things contour water",
+    "geom": "scalar grid polygon brush solve skeleton current tin mesh things contour water",
     "ops/contour": "move growth heights convert refine edit",
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+[>"])')

@@ -138,6 +138,7 @@ class ExampleCall {
     if (op.name == "ecosystem.grow") params_["iterations"] = 2;
     if (op.name == "ecosystem.field") params_["of"] = "depth - sand + noise(500)";
     if (op.name == "terrain.mask") give("criteria", R"([{"tool": "slope"}, {"tool": "height"}])");
+    if (op.name == "terrain.sculpt") give("strokes", kSculpting);
     if (op.name == "contour.edit") give("edits", R"([{"tool": "smooth"}, {"tool": "smooth", "rounds": 1}])");
     if (op.name == "island.wind") give("radial_count", "5");
     if (params_.contains("particles") && op.name != "reef.grow") params_["particles"] = extent.particles;
@@ -152,6 +153,14 @@ class ExampleCall {
   Json& params() { return params_; }
 
  private:
+  static constexpr const char* kSculpting = R"([
+    {"tool": "raise", "points": [[-3000, 0], [0, 900], [2000, -800]], "pressure": [0.2, 1, 0.5], "radius_m": 900},
+    {"tool": "smooth", "points": [[-2000, 500], [2500, 700]], "radius_m": 700},
+    {"tool": "flatten", "points": [[1000, -2000], [-2500, -1500]], "radius_m": 800, "hardness": 0.5},
+    {"tool": "ramp", "points": [[-3000, 2000], [0, 2500]]},
+    {"tool": "roughen", "points": [[0, 0], [3000, 3000]], "radius_m": 1200},
+    {"tool": "erase", "points": [[0, -4000], [0, 4000]], "radius_m": 300}])";
+
   void give(const char* param, const char* text) { params_[param] = Json::parse(text); }
 
   /// A raster with a hole that is filled.

@@ -2,8 +2,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <span>
@@ -18,6 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr size_t kHashDigits = 32;
+constexpr const char* kEnding = ".journal";
+constexpr const char* kUnsaved = "unsaved-";
+constexpr size_t kUnsavedKept = 20;  // of documents that were begun and left
 
 std::string hash_of(std::string_view text) { return hash_bytes(std::as_bytes(std::span(text))).hex(); }
 
@@ -92,11 +98,53 @@ std::string default_state_folder() {
   return (fs::temp_directory_path() / "seamount-state").string();
 }
 
+Journal::Journal(Named, std::string path, std::string file) : path_(std::move(path)), file_(std::move(file)) {
+  std::error_code error;
+  fs::create_directories(fs::path(path_).parent_path(), error);
+}
+
 Journal::Journal(const std::string& folder, const std::string& file)
-    : path_((fs::path(folder) / ((file.empty() ? "unsaved" : hash_of(file)) + ".journal")).string()), file_(file) {}
+    : Journal(Named{}, (fs::path(folder) / (hash_of(file) + kEnding)).string(), file) {
+  if (!lock()) throw IoError(file, "is open in another studio");
+}
+
+std::unique_ptr<Journal> Journal::of_unsaved(const std::string& folder) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  for (int64_t i = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();; ++i) {
+    const fs::path path = fs::path(folder) / fmt::format("{}{:014}{}", kUnsaved, i, kEnding);
+    std::unique_ptr<Journal> journal(new Journal(Named{}, path.string(), ""));
+    std::error_code error;
+    if (!fs::exists(path, error) && journal->lock()) return journal;
+  }
+}
+
+std::unique_ptr<Journal> Journal::newest_unsaved(const std::string& folder) {
+  std::vector<fs::path> paths;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(kUnsaved) && name.ends_with(kEnding)) paths.push_back(entry.path());
+  }
+  std::sort(paths.rbegin(), paths.rend());
+  for (size_t i = kUnsavedKept; i < paths.size(); ++i) fs::remove(paths[i], error);
+  for (const fs::path& path : paths) {
+    std::unique_ptr<Journal> journal(new Journal(Named{}, path.string(), ""));
+    if (journal->lock()) return journal;
+  }
+  return nullptr;
+}
+
+/// The system lets go of the lock when this process ends, however it does.
+bool Journal::lock() {
+  lock_ = ::open((path_ + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  return lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) == 0;
+}
 
 Journal::~Journal() {
   if (descriptor_ >= 0) ::close(descriptor_);
+  if (lock_ < 0) return;
+  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) ::unlink((path_ + ".lock").c_str());
+  ::close(lock_);
 }
 
 std::optional<Remembered> Journal::read(const std::string& document_folder, const recipe::Registry& registry) const {

@@ -3,6 +3,7 @@
 // what happened since. A line that was cut off by the crash was never acknowledged and is let go.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,13 @@ struct Remembered {
 
 class Journal {
  public:
-  /// The journal of a document's file (absolute; "": of one that was never saved) in a folder.
+  /// The journal of a document's file (absolute) in a folder. One studio has it at a time. Throws IoError{file} where
+  /// another has.
   Journal(const std::string& folder, const std::string& file);
+  /// A new journal of a document that was never saved.
+  static std::unique_ptr<Journal> of_unsaved(const std::string& folder);
+  /// The newest journal of such a document that no other studio has; nullptr if there is none.
+  static std::unique_ptr<Journal> newest_unsaved(const std::string& folder);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -51,11 +57,15 @@ class Journal {
   const std::string& path() const { return path_; }
 
  private:
+  struct Named {};
+  Journal(Named, std::string path, std::string file);
+  bool lock();
   void append(const recipe::OrderedJson& record);
 
   std::string path_;
   std::string file_;
   int descriptor_ = -1;
+  int lock_ = -1;
   int length_ = 0;
 };
 

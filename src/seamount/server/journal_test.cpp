@@ -16,14 +16,22 @@ class JournalTest : public testing::Test {
  protected:
   void SetUp() override {
     folder_ = (fs::temp_directory_path() / ("seamount_journal_" + std::to_string(::getpid()))).string();
-    fs::remove_all(folder_);
+    TearDown();
   }
-  void TearDown() override { fs::remove_all(folder_); }
+  void TearDown() override {
+    fs::remove_all(folder_);
+    fs::remove_all(folder_ + "2");
+  }
 
   static recipe::Document example() {
     return {R"({"seamount": 1, "steps": [{"id": "a", "op": "terrain.noise"}]})", "x.json", ""};
   }
-  std::optional<Remembered> read() const { return Journal(folder_, "/x.json").read("", recipe::standard_registry()); }
+  /// As another studio would find it, once this one is gone.
+  std::optional<Remembered> read() const {
+    fs::remove_all(folder_ + "2");
+    if (fs::exists(folder_)) fs::copy(folder_, folder_ + "2");
+    return Journal(folder_ + "2", "/x.json").read("", recipe::standard_registry());
+  }
   std::string folder_;
 };
 
@@ -120,6 +128,30 @@ TEST_F(JournalTest, IsPutAside) {
   EXPECT_FALSE(read());
   journal.begin(example(), "");
   EXPECT_NE(journal.put_aside(), aside);
+}
+
+TEST_F(JournalTest, BelongsToOneStudio) {
+  {
+    const Journal journal(folder_, "/x.json");
+    EXPECT_THROW(Journal(folder_, "/x.json"), IoError);
+    const Journal other(folder_, "/y.json");
+  }
+  const Journal again(folder_, "/x.json");
+}
+
+TEST_F(JournalTest, UnsavedDocumentsHaveOneEach) {
+  EXPECT_EQ(Journal::newest_unsaved(folder_), nullptr);
+  std::string newest;
+  for (int i = 0; i < 25; ++i) {
+    const auto journal = Journal::of_unsaved(folder_);
+    journal->begin(example(), "");
+    newest = journal->path();
+  }
+  const auto first = Journal::newest_unsaved(folder_);
+  EXPECT_EQ(first->path(), newest);
+  EXPECT_TRUE(first->read("", recipe::standard_registry()));
+  EXPECT_NE(Journal::newest_unsaved(folder_)->path(), newest);  // another studio has that
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 20 + 1);
 }
 
 }  // namespace

@@ -53,8 +53,8 @@ std::unique_ptr<Session> Session::open_file(const std::string& file, const Sessi
 }
 
 std::unique_ptr<Session> Session::resume_unsaved(const SessionOptions& options, EventHub& hub) {
-  auto journal = std::make_unique<Journal>(options.state_folder, "");
-  auto remembered = journal->read(options.folder, *options.registry);
+  auto journal = Journal::newest_unsaved(options.state_folder);
+  auto remembered = journal ? journal->read(options.folder, *options.registry) : std::nullopt;
   if (!remembered) return nullptr;
   return std::unique_ptr<Session>(
       new Session(std::move(remembered->document), "", remembered->saved_text, std::move(journal), options, hub));
@@ -62,10 +62,7 @@ std::unique_ptr<Session> Session::resume_unsaved(const SessionOptions& options, 
 
 std::unique_ptr<Session> Session::open_text(const std::string& text, const SessionOptions& options, EventHub& hub) {
   recipe::Document document(text, "unsaved", options.folder, *options.registry);
-  auto journal = std::make_unique<Journal>(options.state_folder, "");
-  if (const auto remembered = journal->read(options.folder, *options.registry);
-      remembered && remembered->document.done() > 0)
-    journal->put_aside();
+  auto journal = Journal::of_unsaved(options.state_folder);
   return std::unique_ptr<Session>(new Session(std::move(document), "", text, std::move(journal), options, hub));
 }
 

@@ -51,9 +51,9 @@ class Session {
  public:
   /// Opens a document file (absolute) as its journal left it, else as it is. Throws IoError, RecipeError.
   static std::unique_ptr<Session> open_file(const std::string& file, const SessionOptions& options, EventHub& hub);
-  /// The document that was never saved, as its journal left it; nothing if there is none.
+  /// The newest document that was never saved, as its journal left it; nothing if there is none.
   static std::unique_ptr<Session> resume_unsaved(const SessionOptions& options, EventHub& hub);
-  /// A new document from a recipe's text. What an earlier unsaved one held is put aside.
+  /// A new document from a recipe's text; earlier unsaved ones keep their journals for a while.
   static std::unique_ptr<Session> open_text(const std::string& text, const SessionOptions& options, EventHub& hub);
 
   ~Session();

@@ -169,6 +169,111 @@ export interface OperatorParams {
     /** over what distance it does [m] */
     wander_wavelength_m?: number;
   };
+  /** Strokes of a pen raise, lower, smooth, flatten, slope, roughen the ground, and are erased */
+  "terrain.sculpt": {
+    /** what the pen does, one stroke after another */
+    strokes?: (
+      | {
+          tool: "raise";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** how hard the pen was pressed at each point: share of what the stroke does; none: 1 */
+          pressure?: number[];
+          /** reach to either side, where the stroke ends [m] */
+          radius_m?: number;
+          /** 0: soft from the middle on; 1: the same all over, with a sharp edge */
+          hardness?: number;
+          /** what it adds in the middle of the stroke [m] */
+          height_m?: number;
+        }
+      | {
+          tool: "lower";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** how hard the pen was pressed at each point: share of what the stroke does; none: 1 */
+          pressure?: number[];
+          /** reach to either side, where the stroke ends [m] */
+          radius_m?: number;
+          /** 0: soft from the middle on; 1: the same all over, with a sharp edge */
+          hardness?: number;
+          /** what it takes off in the middle of the stroke [m] */
+          depth_m?: number;
+        }
+      | {
+          tool: "smooth";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** how hard the pen was pressed at each point: share of what the stroke does; none: 1 */
+          pressure?: number[];
+          /** reach to either side, where the stroke ends [m] */
+          radius_m?: number;
+          /** 0: soft from the middle on; 1: the same all over, with a sharp edge */
+          hardness?: number;
+          /** share of the detail that goes */
+          strength?: number;
+        }
+      | {
+          tool: "flatten";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** how hard the pen was pressed at each point: share of what the stroke does; none: 1 */
+          pressure?: number[];
+          /** reach to either side, where the stroke ends [m] */
+          radius_m?: number;
+          /** 0: soft from the middle on; 1: the same all over, with a sharp edge */
+          hardness?: number;
+          /** the height; the ground's where the stroke begins if absent [m] */
+          height_m?: number | null;
+          /** how far it goes in the middle of the stroke: 0 not at all, 1 all the way */
+          strength?: number;
+        }
+      | {
+          tool: "ramp";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** how hard the pen was pressed at each point: share of what the stroke does; none: 1 */
+          pressure?: number[];
+          /** reach to either side, where the stroke ends [m] */
+          radius_m?: number;
+          /** 0: soft from the middle on; 1: the same all over, with a sharp edge */
+          hardness?: number;
+          /** height where the stroke begins; the ground's there if absent [m] */
+          start_m?: number | null;
+          /** height where the stroke ends; the ground's there if absent [m] */
+          end_m?: number | null;
+          /** how far it goes in the middle of the stroke: 0 not at all, 1 all the way */
+          strength?: number;
+        }
+      | {
+          tool: "roughen";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** how hard the pen was pressed at each point: share of what the stroke does; none: 1 */
+          pressure?: number[];
+          /** reach to either side, where the stroke ends [m] */
+          radius_m?: number;
+          /** 0: soft from the middle on; 1: the same all over, with a sharp edge */
+          hardness?: number;
+          /** how far ground goes up or down where it goes furthest [m] */
+          amplitude_m?: number;
+          /** size of the largest forms; detail of half the size follows, and so on [m] */
+          wavelength_m?: number;
+        }
+      | {
+          tool: "erase";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** how hard the pen was pressed at each point: share of what the stroke does; none: 1 */
+          pressure?: number[];
+          /** reach to either side, where the stroke ends [m] */
+          radius_m?: number;
+          /** 0: soft from the middle on; 1: the same all over, with a sharp edge */
+          hardness?: number;
+          /** share of the earlier strokes that goes */
+          strength?: number;
+        }
+    )[];
+  };
   /** A soft selection by height, depth, slope, aspect, curvature, regions, drawn areas and lines, noise or any field */
   "terrain.mask": {
     /** what is selected; none: everything */

@@ -103,8 +103,19 @@ function digit(tools: ToolBox, key: string): boolean {
   return true;
 }
 
+/** Whether a focused control takes the key itself: texts all, number fields those that change or type a number. */
+function isForControl(event: { key: string; target?: EventTarget | null }): boolean {
+  const { target } = event;
+  if (typeof Element === "undefined" || !(target instanceof Element)) return false;
+  if (target.closest("input:not([type=checkbox]), textarea, select, [contenteditable], .cm-editor")) return true;
+  const control = target.closest("[data-number-field], button, [role=menu], [role=dialog], [role=slider]");
+  const name = control?.hasAttribute("data-number-field") ? /^([\d.,-]|Arrow\w+|Backspace|Delete|Enter|Escape|Home|End)$/ : /^(Enter| |Arrow\w+)$/;
+  return control !== null && name.test(event.key);
+}
+
 /** What a pressed key means to the tools; false: nothing. For whoever listens to the page's keys. */
-export function toolKey(studio: Studio, event: Parameters<typeof keysOf>[0]): boolean {
+export function toolKey(studio: Studio, event: Parameters<typeof keysOf>[0] & { target?: EventTarget | null }): boolean {
+  if (isForControl(event)) return false;
   const tools = toolsOf(studio);
   if (tools.key({ key: event.key, ctrl: event.ctrlKey || event.metaKey, shift: event.shiftKey })) return true;
   const keys = keysOf(event);

@@ -58,12 +58,32 @@ export function isReach(member: ParamInfo): boolean {
   return member.name === "radius_m" || member.name === "width_m";
 }
 
+/** What a new thing begins with where the operator's own default does nothing. */
+const kStarts: { [place: string]: Json } = {
+  "ecosystem.grow timeline:ground change_m": 50,
+  "ecosystem.grow timeline:ground end": 10,
+  "ecosystem.grow timeline:storm end": 10,
+};
+
+/** What a member of a new thing is before anybody has chosen. */
+export function startValue(slot: Slot, member: ParamInfo, domain: Domain): Json {
+  const start = kStarts[`${slot.op} ${slot.id} ${member.name}`];
+  if (start !== undefined) return start;
+  const reaches = isReach(member) && slot.geometry !== "ring" && typeof member.default === "number";
+  return reaches ? suitableReach(member.default as number, domain) : member.default;
+}
+
 /** What the next thing gets for a member. */
 export function chosenValue(slot: Slot, member: ParamInfo, domain: Domain): Json {
-  const value = chosen.value[placeOf(slot, member.name)];
-  if (value !== undefined) return value;
-  if (isReach(member) && typeof member.default === "number") return suitableReach(member.default, domain);
-  return member.default;
+  return chosen.value[placeOf(slot, member.name)] ?? startValue(slot, member, domain);
+}
+
+/** A reach between half a cell and half the domain, however far the operator would go. */
+export function practical(member: ParamInfo, domain: Domain): ParamInfo {
+  if (!isReach(member)) return member;
+  const least = Math.max(member.min ?? 0, domain.cell_m / 2);
+  const most = Math.min(domain.width_m, domain.height_m) / 2;
+  return { ...member, min: least, max: Math.max(2 * least, Math.min(member.max ?? Infinity, most)) };
 }
 
 /** Members of a new item: what differs from the operator's default, and always what the hand can see. */
@@ -71,7 +91,7 @@ export function chosenMembers(slot: Slot, domain: Domain): { [name: string]: Jso
   const result: { [name: string]: Json } = {};
   for (const member of slot.members) {
     const value = chosenValue(slot, member, domain);
-    const seen = isReach(member) || /^(strength(_m)?|height_m|depth_m|region|value)$/.test(member.name);
+    const seen = isReach(member) || /^(strength(_m)?|height_m|depth_m|region|value|change_m)$/.test(member.name);
     if (value === null || value === "" || (!seen && value === member.default)) continue;
     result[member.name] = value;
   }

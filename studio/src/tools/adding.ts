@@ -113,12 +113,19 @@ function before(recipe: Recipe, schema: Schema, at: Step, port: string, step: St
   ];
 }
 
+/** Outputs that say no source are of the last step: what that is must be written before another one follows. */
+function keptOutputs(recipe: Recipe): Edit[] {
+  const last = recipe.steps[recipe.steps.length - 1];
+  return (recipe.outputs ?? []).flatMap((output, i): Edit[] =>
+    output.from !== undefined || !last ? [] : [{ do: "set", pointer: `/outputs/${i}/from`, value: last.id }]);
+}
+
 /** Edits that add the step with these parameters. REQUIRES: `selected` is a step unless it is added alone. */
 export function addStep(
   recipe: Recipe, schema: Schema, selected: string | null, adds: Addition, id: string, params: { [name: string]: Json },
 ): Edit[] {
   const step: Step = { id, op: adds.op, params };
   const at = selected === null ? undefined : stepOf(recipe, selected);
-  if (!at || adds.where === "alone") return [{ do: "insert", list: "/steps", value: step as unknown as Json }];
+  if (!at || adds.where === "alone") return [...keptOutputs(recipe), { do: "insert", list: "/steps", value: step as unknown as Json }];
   return adds.where === "behind" ? behind(recipe, schema, at, step) : before(recipe, schema, at, adds.input!, step);
 }

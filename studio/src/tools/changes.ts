@@ -64,6 +64,18 @@ export function fewest(feature: Feature): number {
   return feature.geometry === "line" && !feature.slot.brush && feature.slot.tool !== "slope" && feature.slot.tool !== "add" ? 2 : 1;
 }
 
+/** Compares places as they follow each other in the recipe: "areas/2" before "areas/10". */
+function inOrder(a: string, b: string): number {
+  const [left, right] = [a.split("/"), b.split("/")];
+  for (let i = 0; i < Math.min(left.length, right.length); ++i) {
+    const [p, q] = [left[i]!, right[i]!];
+    if (p === q) continue;
+    const numbers = /^\d+$/.test(p) && /^\d+$/.test(q);
+    return numbers ? Number(p) - Number(q) : p < q ? -1 : 1;
+  }
+  return left.length - right.length;
+}
+
 /** Takes features out, the last of a list first, so that places stay right. */
 export function removeFeatures(features: readonly Feature[]): Edit[] {
   const wholes = new Map<string, Feature>();
@@ -73,10 +85,9 @@ export function removeFeatures(features: readonly Feature[]): Edit[] {
   }
   const gone = [...wholes.keys()];
   const inner = (pointer: string) => gone.some((other) => other !== pointer && pointer.startsWith(`${other}/`));
-  const numbers = (pointer: string) => Number(/\/(\d+)$/.exec(pointer)?.[1] ?? -1);
   return [...wholes]
     .filter(([pointer]) => !inner(pointer))
-    .sort((a, b) => numbers(b[0]) - numbers(a[0]))
+    .sort((a, b) => inOrder(b[0], a[0]))
     .flatMap(([pointer, feature]): Edit[] => {
       if (feature.part.as === "pair" && !feature.slot.list) {
         const below = [feature.item.pointer, ...feature.part.path.map(token)].join("/");

@@ -122,7 +122,7 @@ export class Drawing {
     const answer = this.gesture.finish(() => this.edits(points, members));
     this.selectAdded();
     const key = this.creation?.key;
-    const drawn = this.desk.features().filter((f) => f.key === key || f.key.startsWith(`${key}/`) || f.key.startsWith(`${key}#`));
+    const drawn = this.slot.brush ? [] : this.desk.features().filter((f) => f.key === key || f.key.startsWith(`${key}/`) || f.key.startsWith(`${key}#`));
     this.desk.select(drawn.map((feature) => feature.key));
     this.desk.end(this.desk.offer.adds ? `slot:${this.slot.id}` : undefined);
     return answer;

@@ -87,6 +87,13 @@ export function lookOf(slot: Slot): Look {
   return { title: text[0]!.toUpperCase() + text.slice(1), keys: "", ...kByGeometry[slot.geometry] };
 }
 
+/** What a drawn thing is called: "Ridge", "Wind", "Raise stroke". */
+export function nounOf(slot: Slot): string {
+  const { title, done } = lookOf(slot);
+  const words = done.split(" ").slice(0, -1).join(" ");
+  return slot.brush || words === "" ? `${title}: stroke` : words[0]!.toUpperCase() + words.slice(1);
+}
+
 /** Regions of labels in their order, and how they are called. */
 export const kRegions = ["mountain", "beach", "lagoon", "reef", "abyss"] as const;
 export type Region = (typeof kRegions)[number];

@@ -63,10 +63,11 @@ const kBehind: readonly { op: string; kind: string; title: string; icon: string 
   { op: "classify.paint", kind: "labels", title: "Paint regions", icon: "brush" },
   { op: "contour.edit", kind: "contours", title: "Edit contours", icon: "warp" },
   { op: "reef.grow", kind: "terrain", title: "Reef", icon: "kernel" },
+  { op: "terrain.paint", kind: "field", title: "Paint over it", icon: "brush" },
 ];
 const kBefore: readonly { op: string; kind: string; title: (input: string) => string }[] = [
   { op: "classify.paint", kind: "labels", title: () => "Paint regions" },
-  { op: "terrain.paint", kind: "field", title: (input) => `Paint: ${input}` },
+  { op: "terrain.paint", kind: "field", title: (input) => `Paint the ${input.replace(/_/g, " ")}` },
 ];
 const kAlone: readonly { op: string; slot: string; title: string; icon: string }[] = [
   { op: "island.build", slot: "areas", title: "Draw a coast", icon: "coast" },
@@ -78,7 +79,8 @@ function addOffer(operator: OperatorInfo, adds: Addition, title: string, icon: s
   const slots = slotsOf(operator);
   const slot = slotId ? slots.find((one) => one.id === slotId) : slots[0];
   if (!slot) return null;
-  const target = adds.existing ? `in the step '${adds.existing}'` : `adds a step: ${operator.name}`;
+  const where = { behind: `adds ${operator.name} behind it`, before: `adds ${operator.name} before it`, alone: `adds ${operator.name}` };
+  const target = adds.existing ? `in the step ${adds.existing}` : where[adds.where];
   const id = ["add", adds.op, adds.where, ...(adds.input ? [adds.input] : [])].join(":");
   return { id, look: { ...lookOf(slot), title, icon, keys: "" }, help: target, group: "more", slot, adds };
 }
@@ -99,6 +101,7 @@ function moreOffers(recipe: Recipe, schema: Schema, stepId: string): Offer[] {
   for (const { op, kind, title, icon } of kBehind) {
     const other = operatorOf(schema, op);
     if (!other || op === step.op || !operator.out.some((port) => port.kind === kind)) continue;
+    if (kind === "field" && operator.out.some((port) => port.kind === "terrain")) continue;
     const existing = readerOf(recipe, schema, stepId, op);
     offers.push(addOffer(other, { op, where: "behind", ...(existing ? { existing } : {}) }, title, icon));
   }
@@ -108,6 +111,7 @@ function moreOffers(recipe: Recipe, schema: Schema, stepId: string): Offer[] {
     if (!other || op === step.op) continue;
     for (const { input, from } of connections) {
       if (input.kind !== kind || /_\d+$/.test(input.name)) continue;
+      if (operator.out.some((port) => port.kind === kind && (kind === "labels" || port.name === input.name))) continue;
       const there = from && "step" in from && stepOf(recipe, from.step)?.op === op ? from.step : undefined;
       offers.push(addOffer(other, { op, where: "before", input: input.name, ...(there ? { existing: there } : {}) }, title(input.name), "brush"));
     }

@@ -1,16 +1,18 @@
 // The bar over the map: the active tool's values for what is drawn next; and those of what is selected.
 import type { Studio } from "../document/studio";
 import type { Json, ParamInfo } from "../api/types";
-import { choose, chosenValue, ownReach, reach, readout, selection } from "./active";
+import { choose, chosenValue, ownReach, practical, reach, readout, selection, startValue } from "./active";
 import { itemMembers, type Feature } from "./features";
-import { Field, sliderRange } from "./field";
+import { Field } from "./field";
 import { ToolIcon } from "./icons";
-import { kRegions, lookOf } from "./names";
-import { domainOf, numberAt, type Domain } from "./place";
+import { kRegions, lookOf, nounOf } from "./names";
+import { domainOf, type Domain } from "./place";
 import type { Slot } from "./slots";
 import { toolsOf, type ToolBox } from "./toolbox";
 
 const kMost = 6;
+/** Set in the panel of parameters, where there is room to say what they mean. */
+const kInPanelOnly = new Set(["longitude_deg", "latitude_deg", "file", "on", "step_m", "feature", "peak_m", "invert"]);
 
 function RegionChoice({ value, change }: { value: Json; change(region: string): void }) {
   return (
@@ -31,16 +33,19 @@ const kReach: ParamInfo = { name: "radius_m", kind: "number", unit: "m", min: 0.
 
 function ReachField({ domain, geometry }: { domain: Domain; geometry: string | undefined }) {
   const value = ownReach(geometry, domain);
-  return <Field member={kReach} value={value} range={sliderRange(kReach, domain)} change={(next) => (reach.value = Number(next))} />;
+  return <Field member={practical(kReach, domain)} value={value} usual={null} change={(next) => (reach.value = Number(next))} />;
 }
 
 /** Members that the bar has room for: those that the hand can see first. */
 function shownMembers(slot: Slot): readonly ParamInfo[] {
   const weight = ({ name }: ParamInfo) => {
-    const order = ["region", "class", "name", "value", "height_m", "depth_m", "amplitude_m", "radius_m", "width_m", "strength_m", "strength"];
+    const order = [
+      "region", "class", "name", "value", "height_m", "depth_m", "amplitude_m", "change_m", "rotation_deg", "scale", "height_scale", "raise_m",
+      "radius_m", "width_m", "strength_m", "strength", "speed_m_s", "towards_deg",
+    ];
     return order.indexOf(name) < 0 ? order.length : order.indexOf(name);
   };
-  return [...slot.members].sort((a, b) => weight(a) - weight(b)).slice(0, kMost);
+  return slot.members.filter(({ name }) => !kInPanelOnly.has(name)).sort((a, b) => weight(a) - weight(b)).slice(0, kMost);
 }
 
 interface MembersProps {
@@ -54,8 +59,6 @@ interface MembersProps {
 }
 
 function Members({ tools, slot, domain, features, next }: MembersProps) {
-  const step = tools.studio.selected.value;
-  const iterations = (step === null ? undefined : numberAt(tools.studio.document.value.recipe, step, ["iterations"])) ?? 30;
   return (
     <>
       {shownMembers(slot).map((member) => {
@@ -68,7 +71,8 @@ function Members({ tools, slot, domain, features, next }: MembersProps) {
         if (member.name === "region") {
           return <RegionChoice key={member.name} value={value} change={(to) => change(to, `option-region-${Date.now()}`)} />;
         }
-        return <Field key={member.name} member={member} value={value} range={sliderRange(member, domain, iterations)} change={change} />;
+        const usual = startValue(slot, member, domain);
+        return <Field key={member.name} member={practical(member, domain)} value={value} usual={typeof usual === "number" ? usual : null} change={change} />;
       })}
     </>
   );
@@ -96,16 +100,16 @@ export function ToolOptions({ studio }: { studio: Studio }) {
   const all = selection.value.size > 0 ? tools.selectedOfOneSlot() : [];
   const own = slot ? all.filter((feature) => feature.slot.id === slot.id && !slot.brush) : all;
   const shown = slot ?? own[0]?.slot;
-  const title = slot || own.length === 0 ? offer.look.title : lookOf(own[0]!.slot).title;
+  const title = slot || own.length === 0 ? offer.look.title : nounOf(own[0]!.slot);
   const count = selection.value.size;
   return (
-    <div class="tool-options" role="toolbar" aria-label={`Options: ${title}`}>
+    <div class={`tool-options ${shown ? "with-fields" : ""}`} role="toolbar" aria-label={`Options: ${title}`}>
       <span class="tool-name"><ToolIcon name={slot || own.length === 0 ? offer.look.icon : lookOf(own[0]!.slot).icon} size={16} />{title}</span>
       {offer.adds && <span class="tool-adds">{offer.help}</span>}
       {shown && <Members tools={tools} slot={shown} domain={domain} features={own} next={slot !== undefined} />}
       {(offer.id === "edit:erase" || slot?.geometry === "polar") && <ReachField domain={domain} geometry={slot?.geometry} />}
-      {count > 0 && <span class="tool-count">{count === 1 ? "1 selected" : `${count} selected`}</span>}
-      <span class="tool-readout" aria-live="polite">{readout.value || <span class="muted">{hintOf(slot, offer.id)}</span>}</span>
+      {count > 0 && !slot && <span class="tool-count">{count === 1 ? "1 selected" : `${count} selected`}</span>}
+      <span class="tool-readout" aria-live="polite">{readout.value || <span class="tool-hint muted">{hintOf(slot, offer.id)}</span>}</span>
     </div>
   );
 }

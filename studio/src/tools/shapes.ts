@@ -30,11 +30,11 @@ function lineShapes(feature: Feature, role: Role, selected: boolean): OverlaySha
 }
 
 /** The head of an arrow at a line's end. */
-function headOf(points: readonly Point[], role: Role, width_px: number): OverlayShape[] {
+function headOf(points: readonly Point[], role: Role, width_px: number, share = 0.03): OverlayShape[] {
   const [a, b] = [points[points.length - 2]!, points[points.length - 1]!];
   const way = distance(a, b);
   if (way === 0) return [];
-  const size = Math.max(way * 0.12, totalLength(points) * 0.035);
+  const size = totalLength(points) * share;
   const [ux, uy] = [(b[0] - a[0]) / way, (b[1] - a[1]) / way];
   const wing = (side: number): Point => [b[0] - size * ux - side * size * 0.55 * uy, b[1] - size * uy + side * size * 0.55 * ux];
   return [{ shape: "line", points: [wing(1), b, wing(-1)], role, width_px }];
@@ -51,15 +51,19 @@ function placeShapes(feature: Feature, role: Role, selected: boolean): OverlaySh
   const radius = itemMembers(feature)["radius_m"];
   if (typeof radius === "number" && radius < 1e5) shapes.push({ shape: "circle", at: at!, radius_m: radius, role });
   if (end && distance(at!, end) > 0) {
-    shapes.unshift({ shape: "line", points: [at!, end], role, width_px: 2 }, ...headOf([at!, end], role, 2));
+    shapes.unshift({ shape: "line", points: [at!, end], role, width_px: 2 }, ...headOf([at!, end], role, 2, 0.2));
     shapes.push({ shape: "dot", at: end, role: "handle", handle: true });
   }
   return shapes;
 }
 
+/** Of more points the handles between them would be a string of pearls; they are found by the pointer all the same. */
+const kMostWithMiddles = 16;
+
 function handles(feature: Feature, points: ReadonlySet<string>): OverlayShape[] {
   const shapes: OverlayShape[] = [];
-  for (let i = 0; i < segments(feature.points.length, isClosed(feature)); ++i) {
+  const room = feature.points.length <= kMostWithMiddles;
+  for (let i = 0; room && i < segments(feature.points.length, isClosed(feature)); ++i) {
     shapes.push({ shape: "dot", at: mix(feature.points[i]!, feature.points[(i + 1) % feature.points.length]!, 0.5), role: "guide" });
   }
   feature.points.forEach((at, i) => {

@@ -6,6 +6,7 @@ import type { GroundPointer, OverlayShape, PenTarget } from "../viewport/types";
 import {
   activeTool, chosenMembers, draft, ownReach, readout, selectedPoints, selection,
 } from "./active";
+import { bridge } from "./bridge";
 import type { Desk, Pen, PenKey } from "./desk";
 import { featuresOf, type Feature } from "./features";
 import { Gesture } from "./gesture";
@@ -72,6 +73,7 @@ export class ToolBox {
         for (const viewport of this.viewports) viewport.setOverlayShapes(shapes);
       }),
       effect(() => this.forgetGone(this.features.value)),
+      ...bridge(this),
     ];
   }
 

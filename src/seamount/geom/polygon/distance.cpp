@@ -93,8 +93,7 @@ SEAMOUNT_VECTORISED void root_row(float* row, int count, float scale) {
   for (int x = 0; x < count; ++x) row[x] = std::sqrt(row[x]) * scale;
 }
 
-void distance_row(Envelope& envelope, const int32_t* rows, int width, int y, float cell, float* out) {
-  envelope.build(rows, width, y);
+void distance_row(const Envelope& envelope, const int32_t* rows, int width, int y, float cell, float* out) {
   if (envelope.empty()) {
     std::fill_n(out, width, std::numeric_limits<float>::infinity());
     return;
@@ -110,6 +109,27 @@ void distance_row(Envelope& envelope, const int32_t* rows, int width, int y, flo
   root_row(out, width, cell);
 }
 
+void find_nearest(const Grid<uint8_t>& inside, Grid<int32_t>& nearest, ScalarField* distance, const RunContext& run) {
+  nearest = Grid<int32_t>(inside.frame());
+  if (distance != nullptr) *distance = ScalarField(inside.frame());
+  if (inside.empty()) return;
+  find_nearest_rows(inside, nearest.data(), run.part(0.0, 0.3));
+  const float cell = static_cast<float>(inside.cell_m());
+  parallel_rows(run.part(0.3, 1.0), inside.width(), inside.height(), [&](int begin, int end) {
+    Envelope envelope(inside.width());
+    std::vector<int32_t> rows(static_cast<size_t>(inside.width()));
+    for (int y = begin; y < end; ++y) {
+      int32_t* out = nearest.row(y).data();
+      std::copy_n(out, inside.width(), rows.data());
+      envelope.build(rows.data(), inside.width(), y);
+      envelope.for_each_piece(inside.width(), [&](int column, int from, int to) {
+        std::fill(out + from, out + to, rows[static_cast<size_t>(column)] * inside.width() + column);
+      });
+      if (distance != nullptr) distance_row(envelope, rows.data(), inside.width(), y, cell, distance->row(y).data());
+    }
+  });
+}
+
 }  // namespace
 
 ScalarField distance_to(const Grid<uint8_t>& inside, const RunContext& run) {
@@ -121,6 +141,7 @@ ScalarField distance_to(const Grid<uint8_t>& inside, const RunContext& run) {
   parallel_rows(run.part(0.3, 1.0), inside.width(), inside.height(), [&](int begin, int end) {
     Envelope envelope(inside.width());
     for (int y = begin; y < end; ++y) {
+      envelope.build(rows.row(y).data(), inside.width(), y);
       distance_row(envelope, rows.row(y).data(), inside.width(), y, cell, distance.row(y).data());
     }
   });
@@ -128,21 +149,12 @@ ScalarField distance_to(const Grid<uint8_t>& inside, const RunContext& run) {
 }
 
 void nearest_feature(const Grid<uint8_t>& inside, Grid<int32_t>& nearest, const RunContext& run) {
-  nearest = Grid<int32_t>(inside.frame());
-  if (inside.empty()) return;
-  find_nearest_rows(inside, nearest.data(), run.part(0.0, 0.3));
-  parallel_rows(run.part(0.3, 1.0), inside.width(), inside.height(), [&](int begin, int end) {
-    Envelope envelope(inside.width());
-    std::vector<int32_t> rows(static_cast<size_t>(inside.width()));
-    for (int y = begin; y < end; ++y) {
-      int32_t* out = nearest.row(y).data();
-      std::copy_n(out, inside.width(), rows.data());
-      envelope.build(rows.data(), inside.width(), y);
-      envelope.for_each_piece(inside.width(), [&](int column, int from, int to) {
-        std::fill(out + from, out + to, rows[static_cast<size_t>(column)] * inside.width() + column);
-      });
-    }
-  });
+  find_nearest(inside, nearest, nullptr, run);
+}
+
+void nearest_feature(const Grid<uint8_t>& inside, Grid<int32_t>& nearest, ScalarField& distance,
+                     const RunContext& run) {
+  find_nearest(inside, nearest, &distance, run);
 }
 
 }  // namespace seamount::geom

@@ -21,6 +21,8 @@ ScalarField distance_to(const Grid<uint8_t>& inside, const RunContext& run);
 /// Index (row * width + column) of the nearest cell with inside != 0, -1 everywhere if the set is empty. Of cells at
 /// the same distance any one, always the same. `nearest` gets inside's frame. Parallel, linear time.
 void nearest_feature(const Grid<uint8_t>& inside, Grid<int32_t>& nearest, const RunContext& run);
+/// And how far it is, as distance_to().
+void nearest_feature(const Grid<uint8_t>& inside, Grid<int32_t>& nearest, ScalarField& distance, const RunContext& run);
 
 /// Distance in metres from each cell's centre to the border (outer rings and holes) of the polygons' union, negative
 /// inside, exact to float rounding; +infinity without any edge. Where polygons overlap, borders that lie within another

@@ -38,7 +38,9 @@ TEST(DistanceTo, AgreesWithBruteForceOnOddShapes) {
       set(width / 3, height / 2) = 1;
       const ScalarField distance = distance_to(set, {});
       Grid<int32_t> nearest;
-      nearest_feature(set, nearest, {});
+      ScalarField also;
+      nearest_feature(set, nearest, also, {});
+      ASSERT_EQ(also, distance);
       for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
           const int64_t squared = squared_to_nearest(set, x, y);

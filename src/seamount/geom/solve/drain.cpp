@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "seamount/base/parallel.h"
+#include "seamount/base/simd.h"
 
 namespace seamount::geom {
 namespace {
@@ -23,7 +24,9 @@ struct Waiting {
     return height != other.height ? height > other.height : cell > other.cell;
   }
 };
-using Queue = std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>>;
+struct Queue : std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> {
+  void clear() { c.clear(); }  // and keep its memory
+};
 
 class Drainage {
  public:
@@ -39,13 +42,17 @@ class Drainage {
   }
 
   /// Cuts a channel from each sink, the lowest first.
-  void cut(std::vector<int64_t> sinks) {
-    came_from_.assign(heights_.size(), kUnseen);
-    std::sort(sinks.begin(), sinks.end(),
-              [&](int64_t a, int64_t b) { return height(a) != height(b) ? height(a) < height(b) : a < b; });
+  void cut(const std::vector<int64_t>& sinks) {
+    std::vector<Waiting> in_order;
     for (const int64_t sink : sinks) {
+      // Channels of lower sinks that come near open this one, others do not: what is too deep now stays so.
+      if (lowest_neighbour(sink) <= height(sink) + most_m_) in_order.push_back({height(sink), sink});
+    }
+    std::sort(in_order.begin(), in_order.end(), [](const Waiting& a, const Waiting& b) { return b > a; });
+    if (!in_order.empty()) came_from_.assign(heights_.size(), kUnseen);
+    for (const Waiting& sink : in_order) {
       run_.check_cancelled();
-      if (!has_lower_neighbour(sink)) cut_from(sink);
+      if (lowest_neighbour(sink.cell) >= height(sink.cell)) cut_from(sink.cell);
     }
   }
 
@@ -99,22 +106,22 @@ class Drainage {
     }
   }
 
-  bool has_lower_neighbour(int64_t cell) const {
-    bool lower = false;
-    for_each_neighbour(cell, [&](int64_t next) { lower = lower || height(next) < height(cell); });
-    return lower;
+  float lowest_neighbour(int64_t cell) const {
+    float lowest = std::numeric_limits<float>::infinity();
+    for_each_neighbour(cell, [&](int64_t next) { lowest = std::min(lowest, height(next)); });
+    return lowest;
   }
 
   /// Looks for lower ground, always from the lowest cell seen so far.
   void cut_from(int64_t sink) {
-    std::vector<int64_t> seen = {sink};
+    seen_.assign(1, sink);
     came_from_[static_cast<size_t>(sink)] = kStart;
-    Queue queue;
-    queue.push({height(sink), sink});
-    while (!queue.empty() && seen.size() < kMostSeen) {
-      if (seen.size() % 4096 == 0) run_.check_cancelled();
-      const Waiting here = queue.top();
-      queue.pop();
+    queue_.clear();
+    queue_.push({height(sink), sink});
+    while (!queue_.empty() && seen_.size() < kMostSeen) {
+      if (seen_.size() % 4096 == 0) run_.check_cancelled();
+      const Waiting here = queue_.top();
+      queue_.pop();
       if (here.height > height(sink) + most_m_) break;
       const bool lower = here.height < height(sink);
       const bool stays = here.height <= height(sink) && is_allowed(here.cell);
@@ -127,11 +134,11 @@ class Drainage {
           const int64_t step = static_cast<int64_t>(kDy[k]) * heights_.width() + kDx[k];
           if (here.cell + step == next) from = static_cast<int8_t>(k);
         }
-        seen.push_back(next);
-        queue.push({height(next), next});
+        seen_.push_back(next);
+        queue_.push({height(next), next});
       });
     }
-    for (const int64_t cell : seen) came_from_[static_cast<size_t>(cell)] = kUnseen;
+    for (const int64_t cell : seen_) came_from_[static_cast<size_t>(cell)] = kUnseen;
   }
 
   /// False if the ground falls by too little for as many steps. The border and sinks that are allowed are lowered where
@@ -161,7 +168,19 @@ class Drainage {
   float most_m_;  ///< height over a sink to which a way out of it may climb
   const RunContext& run_;
   std::vector<int8_t> came_from_;  ///< per cell: the direction of the step to it
+  std::vector<int64_t> seen_;      ///< by the search at hand
+  Queue queue_;
 };
+
+SEAMOUNT_VECTORISED void find_sinks_of_row(const float* north, const float* here, const float* south, int width,
+                                           uint8_t* is_sink) {
+  for (int x = 1; x < width - 1; ++x) {
+    const float z = here[x];
+    const int higher = (north[x - 1] >= z) & (north[x] >= z) & (north[x + 1] >= z) & (here[x - 1] >= z) &
+                       (here[x + 1] >= z) & (south[x - 1] >= z) & (south[x] >= z) & (south[x + 1] >= z);
+    is_sink[x] = static_cast<uint8_t>(higher);
+  }
+}
 
 }  // namespace
 
@@ -169,13 +188,13 @@ std::vector<int64_t> find_sinks(const HeightField& heights, const RunContext& ru
   const int width = heights.width();
   std::vector<std::vector<int64_t>> rows(static_cast<size_t>(heights.height()));
   parallel_rows(run, width, heights.height(), [&](int begin, int end) {
+    std::vector<uint8_t> is_sink(static_cast<size_t>(width), 0);
     for (int y = std::max(begin, 1); y < std::min(end, heights.height() - 1); ++y) {
-      for (int x = 1; x + 1 < width; ++x) {
-        const float z = heights(x, y);
-        bool sink = true;
-        for (size_t k = 0; k < 8 && sink; ++k) sink = heights(x + kDx[k], y + kDy[k]) >= z;
-        if (sink) rows[static_cast<size_t>(y)].push_back(static_cast<int64_t>(y) * width + x);
-      }
+      const float* const row = heights.row(y).data();
+      find_sinks_of_row(row - width, row, row + width, width, is_sink.data());
+      for (int x = 1; x + 1 < width; ++x)
+        if (is_sink[static_cast<size_t>(x)] != 0)
+          rows[static_cast<size_t>(y)].push_back(static_cast<int64_t>(y) * width + x);
     }
   });
   std::vector<int64_t> sinks;
@@ -192,8 +211,8 @@ void drain(HeightField& heights, std::span<const int64_t> allowed, const RunCont
   if (!sinks.empty() && !drainage.sinks().empty()) drainage.tilt();
 }
 
-void drain_shallow(HeightField& heights, std::vector<int64_t> sinks, float most_m, const RunContext& run) {
-  if (!sinks.empty()) Drainage(heights, {}, most_m, run).cut(std::move(sinks));
+void drain_shallow(HeightField& heights, const std::vector<int64_t>& sinks, float most_m, const RunContext& run) {
+  if (!sinks.empty()) Drainage(heights, {}, most_m, run).cut(sinks);
 }
 
 }  // namespace seamount::geom

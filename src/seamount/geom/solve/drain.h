@@ -20,6 +20,6 @@ void drain(HeightField& heights, std::span<const int64_t> allowed, const RunCont
 
 /// Cuts a channel from each of `sinks`, of find_sinks(), that lies no more than `most_m` below its way out; deeper ones
 /// stay, and so does flat ground. Linear in the cells that are searched.
-void drain_shallow(HeightField& heights, std::vector<int64_t> sinks, float most_m, const RunContext& run);
+void drain_shallow(HeightField& heights, const std::vector<int64_t>& sinks, float most_m, const RunContext& run);
 
 }  // namespace seamount::geom

@@ -4,8 +4,16 @@
 #include <cmath>
 #include <vector>
 
+#include "seamount/base/parallel.h"
+
 namespace seamount::geom {
 namespace {
+
+/// The steepest slope of a cell that so many cells drain through.
+float steepest_of(const Incision& incision, float drained) {
+  if (incision.hollowed <= 0.0F) return incision.steepest;
+  return incision.steepest / (1.0F + incision.hollowed * std::log2(1.0F + drained / incision.hollow_cells));
+}
 
 /// Every cell, each before the one that it drains to.
 std::vector<int32_t> downstream_order(const FlowDirections& directions) {
@@ -59,7 +67,7 @@ class Sweeps {
       const float rate = incision_.rate * std::sqrt(std::max(0.0F, drained - incision_.channel_cells)) / length;
       const float top = terrain_[i] + incision_.deposition * load[i] / drained;
       const float cut = top > base ? (top + rate * base) / (1 + rate) : base;
-      level[i] = std::min(cut, base + incision_.steepest * length * cell_m_);
+      level[i] = std::min(cut, base + steepest_of(incision_, drained) * length * cell_m_);
     }
   }
 
@@ -102,26 +110,32 @@ Incised incise(const HeightField& terrain, const FlowDirections& directions, con
   return sweeps.take();
 }
 
-void limit_rise(HeightField& heights, float steepest) {
+void limit_rise(HeightField& heights, const Grid<uint32_t>& cells, const Incision& incision, const RunContext& run) {
   const int width = heights.width(), height = heights.height();
-  const float side = steepest * static_cast<float>(heights.cell_m()), corner = side * kFlowLength[1];
-  const auto limit = [&](int x, int y, int dy, int way) {  // by those that a sweep has passed
-    float& z = heights(x, y);
-    if (heights.contains(x - way, y)) z = std::min(z, heights(x - way, y) + side);
-    if (!heights.contains(x, y + dy)) return;
-    z = std::min(z, heights(x, y + dy) + side);
-    for (const int dx : {-1, 1}) {
-      if (heights.contains(x + dx, y + dy)) z = std::min(z, heights(x + dx, y + dy) + corner);
-    }
+  const auto cell_m = static_cast<float>(heights.cell_m());
+  Grid<float> rise(heights.frame());
+  parallel_rows(run, width, height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < width; ++x) rise(x, y) = cell_m * steepest_of(incision, static_cast<float>(cells(x, y)));
+  });
+  const auto limit = [&](int64_t cell, float* z) {
+    constexpr float kLeast = 0.7071F;  // of a cell's rise by which it stands over the lower of two ways at least
+    const float a = std::min(z[-1], z[1]), b = std::min(z[-width], z[width]), most = rise.data()[cell];
+    const float corner = std::min({z[-width - 1], z[-width + 1], z[width - 1], z[width + 1]}) + kFlowLength[1] * most;
+    if (*z <= std::min(corner, std::min(a, b) + kLeast * most)) return;
+    const float apart = a - b;
+    const float straight =
+        std::abs(apart) >= most ? std::min(a, b) + most : 0.5F * (a + b + std::sqrt(2 * most * most - apart * apart));
+    *z = std::min({*z, straight, corner});
   };
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) limit(x, y, -1, 1);
-    for (int x = width; x-- > 0;) limit(x, y, -1, -1);
-  }
-  for (int y = height; y-- > 0;) {
-    for (int x = width; x-- > 0;) limit(x, y, 1, -1);
-    for (int x = 0; x < width; ++x) limit(x, y, 1, 1);
-  }
+  const auto both_ways = [&](int y) {
+    run.check_cancelled();
+    const int64_t row = static_cast<int64_t>(y) * width;
+    for (int x = 1; x + 1 < width; ++x) limit(row + x, heights.data() + row + x);
+    for (int x = width - 1; --x > 0;) limit(row + x, heights.data() + row + x);
+  };
+  for (int y = 1; y + 1 < height; ++y) both_ways(y);
+  for (int y = height - 1; --y > 0;) both_ways(y);
 }
 
 }  // namespace seamount::geom

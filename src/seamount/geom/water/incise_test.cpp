@@ -67,10 +67,12 @@ TEST(Incise, MoreYearsCutDeeperAndNoneCutNothing) {
 TEST(Incise, NoRiseIsSteeperThanTheLimit) {
   HeightField terrain = rough(90, 40);
   const HeightField before = terrain;
-  limit_rise(terrain, 0.3F);
+  Grid<uint32_t> cells(terrain.frame(), 1);
+  cells(40, 20) = 1024;
+  limit_rise(terrain, cells, {.steepest = 0.3F, .hollowed = 0.1F}, {});
   int lowered = 0;
-  for (int y = 0; y < 40; ++y) {
-    for (int x = 0; x < 90; ++x) {
+  for (int y = 1; y < 39; ++y) {
+    for (int x = 1; x < 89; ++x) {
       lowered += terrain(x, y) < before(x, y);
       ASSERT_LE(terrain(x, y), before(x, y));
       for (size_t k = 0; k < 8; ++k) {
@@ -82,6 +84,22 @@ TEST(Incise, NoRiseIsSteeperThanTheLimit) {
     }
   }
   EXPECT_GT(lowered, 200);
+  float lowest = terrain(39, 20);
+  for (const auto& [u, v] : {std::pair{41, 20}, {40, 19}, {40, 21}}) lowest = std::min(lowest, terrain(u, v));
+  EXPECT_LE(terrain(40, 20), lowest + 0.3F * 20 / 2) << "ten doublings";
+}
+
+TEST(Incise, FacesOfAPyramidStandAsSteepInAllDirections) {
+  const Grid<uint32_t> cells(GridFrame::centred(81, 81, 10), 1);
+  HeightField block(cells.frame(), 0.0F);
+  for (int y = 20; y <= 60; ++y)
+    for (int x = 20; x <= 60; ++x) block(x, y) = 1e4F;
+  limit_rise(block, cells, {.steepest = 0.5F}, {});
+  for (const int from : {4, 9, 15}) {
+    EXPECT_NEAR(block(19 + from, 40), 5 * from, 1e-2);
+    EXPECT_NEAR(block(40, 61 - from), 5 * from, 1e-2);
+  }
+  EXPECT_NEAR(block(40, 40), 5 * 21, 6);
 }
 
 }  // namespace

@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "seamount/base/parallel.h"
+#include "seamount/geom/water/facet.h"
 
 namespace seamount::erosion {
 namespace {
 
-constexpr double kGradient = 0.005;           // of a river along the border
-constexpr float kLastDraw = 1.0F - 0x1p-16F;  // a direction (below 16) plus a draw never rounds up to the next
+constexpr double kGradient = 0.005;  // of a river along the border
 constexpr size_t kMinPart = 1 << 13, kMostParts = 100;
 
 /// Border cells in order around the map.
@@ -63,33 +63,6 @@ Grid<uint8_t> refined_outlets(const Grid<uint8_t>& coarse, const HeightField& fi
   return outlets;
 }
 
-namespace {
-
-/// Where water runs from a cell whose neighbours lie `fall` metres lower (geom/water/flow.h's order; none or uphill: <=
-/// 0): down the steepest of the eight facets around it (Tarboton 1997), to one of that facet's two corners: for a
-/// uniform draw in [0, kLastDraw] so that the way follows the slope on average, for 0.5 to the nearer one.
-uint8_t steepest_facet(const std::array<float, 8>& fall, float draw) {
-  float steepest = 0.0F, way = 0.0F;  // squared slope, and its direction in eighths of a circle
-  for (unsigned straight = 0; straight < 8; straight += 2) {
-    const float ahead = fall[straight];
-    for (const int turn : {1, -1}) {
-      const float across = fall[(straight + 8 + static_cast<unsigned>(turn)) & 7U], aside = across - ahead;
-      float square = ahead * std::abs(ahead), turned = 0.0F;
-      if (aside > 0.0F && aside < ahead) {
-        square += aside * aside, turned = aside / ahead;
-      } else if (const float along = 0.5F * across * std::abs(across); along > square) {
-        square = along, turned = 1.0F;
-      }
-      if (square <= steepest) continue;
-      steepest = square;
-      way = static_cast<float>(straight) + static_cast<float>(turn) * turned;
-    }
-  }
-  return steepest > 0.0F ? static_cast<uint8_t>(static_cast<unsigned>(way + 8.0F + draw) & 7U) : geom::kPit;
-}
-
-}  // namespace
-
 void Drainage::choose_receivers(const HeightField& surface, const Grid<uint8_t>& outlets, const Sea& sea,
                                 std::optional<Seed> seed, const RunContext& run) {
   const int width = surface.width(), height = surface.height();
@@ -108,11 +81,7 @@ void Drainage::choose_receivers(const HeightField& surface, const Grid<uint8_t>&
           const auto other = static_cast<size_t>(static_cast<int64_t>(cell) + offset_[d]);
           fall[d] = z[cell] - (sea.covers(other, z[other]) ? sea.level_m : z[other]);
         }
-        const auto draw = [&] {
-          const auto bits = mix_bits(seed->value + cell * 0x9e3779b97f4a7c15ULL) >> 40;
-          return std::min(static_cast<float>(bits) * 0x1p-24F, kLastDraw);
-        };
-        chosen = steepest_facet(fall, seed ? draw() : 0.5F);
+        chosen = geom::steepest_facet(fall, seed ? geom::facet_draw(*seed, cell) : 0.5F);
       }
     }
   });

@@ -6,19 +6,16 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/grid/pyramid.h"
+#include "seamount/base/simd.h"
 #include "seamount/geom/grid/resample.h"
-#include "seamount/geom/water/flow.h"
-#include "seamount/geom/water/incise.h"
+#include "seamount/ops/learned/erosion_estimate.h"
+#include "seamount/ops/learned/plane_lanes.h"
+#include "seamount/ops/learned/plane_math.h"
 
 namespace seamount::learned {
 namespace {
 
-/// K between erosion.run's of bedrock and of debris, which makes the least error; the tangent of what rock stands.
-constexpr double kErodibility = 1.5e-5, kSteepest = 0.84;
-constexpr double kChannel_m2 = 1000;
 constexpr double kMargin = 1.0 / 24;        ///< of the map's longer side: land goes on beyond the border
-constexpr double kLonger = 8.0;             ///< years of the estimate of what will be
 constexpr double kNear = 3.0, kFar = 12.0;  ///< deviation of means of the ground, in cells
 constexpr double kLeastUnit = 1e-6;         ///< metres: what changes less does not change
 
@@ -36,37 +33,12 @@ HeightField extended(const HeightField& map, int cells) {
   return out;
 }
 
-/// Where water runs on a terrain with its margin.
-struct Ways {
-  HeightField ground, filled;
-  geom::FlowDirections directions;
-  Grid<uint32_t> cells;
-
-  Ways(HeightField extended_ground, float sea_m, const RunContext& run)
-      : ground(std::move(extended_ground)),
-        filled(geom::fill_depressions(ground, sea_m, run)),
-        directions(geom::flow_directions(filled, sea_m, run)),
-        cells(geom::flow_accumulation(directions, run)) {}
-
-  geom::Incised incised(double years, const RunContext& run) const {
-    const double cell_m2 = ground.cell_m() * ground.cell_m();
-    geom::Incised out = geom::incise(ground, directions, cells,
-                                     {.rate = static_cast<float>(kErodibility * years),
-                                      .deposition = 1.0F,
-                                      .steepest = static_cast<float>(kSteepest),
-                                      .channel_cells = static_cast<float>(std::min(0.9, kChannel_m2 / cell_m2))},
-                                     run);
-    geom::limit_rise(out.heights, static_cast<float>(kSteepest));
-    return out;
-  }
-};
-
-/// heights - ground over the frame without its margin.
-ScalarField change(const HeightField& heights, const HeightField& ground, const GridFrame& frame, int margin) {
-  ScalarField out(frame);
-  for (int y = 0; y < frame.height; ++y) {
-    for (int x = 0; x < frame.width; ++x) out(x, y) = heights(x + margin, y + margin) - ground(x + margin, y + margin);
-  }
+/// A field without its margin.
+template <class T>
+Grid<T> without_margin(const Grid<T>& field, const GridFrame& frame, int margin) {
+  Grid<T> out(frame);
+  for (int y = 0; y < frame.height; ++y)
+    std::copy_n(field.row(y + margin).begin() + margin, frame.width, out.row(y).begin());
   return out;
 }
 
@@ -76,47 +48,74 @@ ScalarField blurred(ScalarField field, double cells, const RunContext& run) {
 }
 
 /// Large values keep their order and become small.
-float soft(double x) { return static_cast<float>(std::asinh(x)); }
+SEAMOUNT_VECTORISED void soft_row(const float* row, float factor, int width, float* out) {
+  for (int x = 0; x < width; ++x) out[x] = fast_asinh(factor * row[x]);
+}
+
+SEAMOUNT_VECTORISED void soft_difference_row(const float* row, const float* from, float factor, int width, float* out) {
+  for (int x = 0; x < width; ++x) out[x] = fast_asinh(factor * (row[x] - from[x]));
+}
+
+SEAMOUNT_VECTORISED void scale_row(const float* row, float factor, int width, float* out) {
+  for (int x = 0; x < width; ++x) out[x] = factor * row[x];
+}
+
+/// log2 of how much passed.
+SEAMOUNT_VECTORISED void log_row(const float* row, float factor, float plus, int width, float* out) {
+  constexpr float kPerLog = 1.44269504F;
+  for (int x = 0; x < width; ++x) out[x] = kPerLog * fast_log(plus + factor * row[x]);
+}
+
+SEAMOUNT_VECTORISED void slope_row(const float* north, const float* row, const float* south, float per_m, int width,
+                                   float* out) {
+  for (int x = 0; x < width; ++x) {
+    const float east = row[x + 1 < width ? x + 1 : x] - row[x > 0 ? x - 1 : 0], down = south[x] - north[x];
+    out[x] = per_m * std::sqrt(east * east + down * down);
+  }
+}
+
+SEAMOUNT_VECTORISED void sea_row(const float* row, float sea, int width, float* out) {
+  for (int x = 0; x < width; ++x) out[x] = fast_tanh((row[x] - sea) / 60);
+}
 
 }  // namespace
 
 ErodePlanes::ErodePlanes(const HeightField& terrain, double years, double sea_m, const RunContext& run)
     : terrain_(terrain), years_(years), sea_m_(sea_m) {
   const GridFrame& frame = terrain.frame();
-  const auto sea = static_cast<float>(sea_m);
   const int margin = static_cast<int>(std::ceil(kMargin * std::max(frame.width, frame.height)));
-  const Ways ways(extended(terrain, margin), sea, run.part(0, 0.4));
-  const geom::Incised now = ways.incised(years, run);
-  base_ = change(now.heights, ways.ground, frame, margin);
+  const ErosionEstimate estimate = estimate_erosion(extended(terrain, margin), years, sea_m, run.part(0, 0.7));
+  detail_ = without_margin(estimate.made.heights, frame, margin);
+  base_ = coarse_ = ScalarField(frame);
   double sum = 0;
-  for (const float dz : base_.cells()) sum += std::abs(dz);
+  for (size_t i = 0; i < base_.size(); ++i) {
+    base_.data()[i] = detail_.data()[i] - terrain.data()[i];
+    sum += std::abs(base_.data()[i]);
+  }
   unit_m_ = sum / static_cast<double>(frame.cells());
   if (unit_m_ < kLeastUnit) unit_m_ = 0;
   if (unit_m_ == 0) return;
   const auto per_unit = static_cast<float>(1 / unit_m_);
-  later_ = change(ways.incised(kLonger * years, run).heights, ways.ground, frame, margin);
-  const HeightField half = geom::halved(ways.ground, run);
-  const Ways wide(geom::halved(half, run), sea, run);
-  ScalarField coarse = wide.incised(years, run).heights;
-  for (size_t i = 0; i < coarse.size(); ++i) coarse.data()[i] -= wide.ground.data()[i];
-  const ScalarField fine = geom::doubled(geom::doubled(coarse, half.frame(), run), ways.ground.frame(), run);
-  coarse_ = drained_ = water_m_ = descent_ = load_ = ScalarField(frame);
-  const auto steps = geom::flow_steps(ways.ground.width());
+  const ScalarField smooth = blurred(detail_, kNear, run);
+  drained_ = water_m_ = descent_ = load_ = ScalarField(frame);
+  const auto steps = geom::flow_steps(estimate.worn.width());
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < frame.width; ++x) {
-        const int64_t i = static_cast<int64_t>(y + margin) * ways.ground.width() + x + margin;
-        coarse_(x, y) = fine.data()[i] * per_unit;
+        const int64_t i = static_cast<int64_t>(y + margin) * estimate.worn.width() + x + margin;
+        coarse_(x, y) = (estimate.worn.data()[i] - terrain(x, y)) * per_unit;
         base_(x, y) *= per_unit;
-        later_(x, y) *= per_unit;
-        drained_(x, y) = std::log2(static_cast<float>(ways.cells.data()[i]));
-        water_m_(x, y) = ways.filled.data()[i] - ways.ground.data()[i];
-        load_(x, y) = std::log2(1 + now.load.data()[i] * per_unit);
-        const uint8_t way = ways.directions.data()[i];
+        detail_(x, y) = (detail_(x, y) - smooth(x, y)) * per_unit;
+        drained_(x, y) = static_cast<float>(estimate.cells.data()[i]);
+        water_m_(x, y) = estimate.filled.data()[i] - estimate.worn.data()[i];
+        load_(x, y) = estimate.made.load.data()[i];
+        const uint8_t way = estimate.directions.data()[i];
         descent_(x, y) = way >= 8 ? 0.0F
-                                  : (ways.filled.data()[i] - ways.filled.data()[i + steps[way]]) /
+                                  : (estimate.filled.data()[i] - estimate.filled.data()[i + steps[way]]) /
                                         (geom::kFlowLength[way] * static_cast<float>(frame.cell_m));
       }
+      log_row(drained_.row(y).data(), 1, 0, frame.width, drained_.row(y).data());
+      log_row(load_.row(y).data(), per_unit, 1, frame.width, load_.row(y).data());
     }
   });
   near_ = blurred(terrain, kNear, run);
@@ -133,31 +132,27 @@ Planes ErodePlanes::planes() const {
 }
 
 void ErodePlanes::fill_row(int y, float* values) const {
-  const double cell = terrain_.cell_m();
-  const auto age = static_cast<float>(std::log2(std::max(years_, kFewestYears) / 20000) / 3);
-  const auto scale = static_cast<float>(std::log2(cell / 40) / 2),
-             unit = static_cast<float>(std::log2(unit_m_ / cell) / 3);
-  for (int x = 0; x < terrain_.width(); ++x) {
-    float* const p = values + static_cast<size_t>(x) * kErodePlanes;
-    const float z = terrain_(x, y);
-    const float east = terrain_.clamped(x + 1, y) - terrain_.clamped(x - 1, y),
-                south = terrain_.clamped(x, y + 1) - terrain_.clamped(x, y - 1);
-    p[0] = soft(base_(x, y));
-    p[1] = soft(later_(x, y));
-    p[2] = soft(coarse_(x, y));
-    p[3] = soft((z - near_(x, y)) / cell);
-    p[4] = soft((z - near_(x, y)) / unit_m_);
-    p[5] = soft((z - far_(x, y)) / (3 * cell));
-    p[6] = static_cast<float>(std::hypot(east, south) / (2 * cell));
-    p[7] = drained_(x, y) / 6;
-    p[8] = soft(water_m_(x, y) / unit_m_);
-    p[9] = soft(2 * descent_(x, y));
-    p[10] = load_(x, y) / 4;
-    p[11] = std::tanh(static_cast<float>((z - sea_m_) / 60));
-    p[12] = age;
-    p[13] = scale;
-    p[14] = unit;
-  }
+  const int width = terrain_.width();
+  const auto cell = static_cast<float>(terrain_.cell_m()), unit = static_cast<float>(unit_m_);
+  const float* const z = terrain_.row(y).data();
+  PlaneLanes p(width, kErodePlanes);
+  soft_row(base_.row(y).data(), 1, width, p[0]);
+  soft_row(coarse_.row(y).data(), 1, width, p[1]);
+  soft_row(detail_.row(y).data(), 1, width, p[2]);
+  soft_difference_row(z, near_.row(y).data(), 1 / cell, width, p[3]);
+  soft_difference_row(z, near_.row(y).data(), 1 / unit, width, p[4]);
+  soft_difference_row(z, far_.row(y).data(), 1 / (3 * cell), width, p[5]);
+  slope_row(terrain_.row(std::max(y - 1, 0)).data(), z, terrain_.row(std::min(y + 1, terrain_.height() - 1)).data(),
+            1 / (2 * cell), width, p[6]);
+  scale_row(drained_.row(y).data(), 1.0F / 6, width, p[7]);
+  soft_row(water_m_.row(y).data(), 1 / unit, width, p[8]);
+  soft_row(descent_.row(y).data(), 2, width, p[9]);
+  scale_row(load_.row(y).data(), 1.0F / 4, width, p[10]);
+  sea_row(z, static_cast<float>(sea_m_), width, p[11]);
+  std::fill_n(p[12], width, static_cast<float>(std::log2(std::max(years_, kFewestYears) / 20000) / 3));
+  std::fill_n(p[13], width, static_cast<float>(std::log2(terrain_.cell_m() / 40) / 2));
+  std::fill_n(p[14], width, static_cast<float>(std::log2(unit_m_ / terrain_.cell_m()) / 3));
+  p.interleave(values);
 }
 
 }  // namespace seamount::learned

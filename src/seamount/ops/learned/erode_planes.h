@@ -2,9 +2,8 @@
 // rivers will do, and for how long; the same in training and in use.
 //
 // A convolution sees some hundred cells; how deep a river cuts is decided by all that drains to it. So drainage is
-// computed (geom/water/flow.h) and rivers cut along it in one step (geom/water/incise.h): the network adds what the
-// estimate misses. Heights are shares of the mean change that the estimate makes, slopes are true ones, so that one
-// network serves all reliefs, cells and years.
+// computed and rivers cut along it (erosion_estimate.h): the network adds what that misses. Heights are shares of the
+// mean change that the estimate makes, slopes are true ones, so that one network serves all reliefs, cells and years.
 #pragma once
 
 #include "seamount/base/run_context.h"
@@ -18,7 +17,7 @@ inline constexpr double kFewestYears = 1000, kMostYears = 300000;  ///< that tra
 
 class ErodePlanes {
  public:
-  /// years > 0. Part of it in parallel; linear; 0.6 us per cell; 100 bytes per cell.
+  /// years > 0. Part of it in parallel; linear; 0.4 us per cell; 100 bytes per cell.
   ErodePlanes(const HeightField& terrain, double years, double sea_m, const RunContext& run);
 
   Planes planes() const;
@@ -33,8 +32,9 @@ class ErodePlanes {
 
   const HeightField& terrain_;  ///< must outlive this
   double years_, sea_m_, unit_m_ = 0;
-  ScalarField base_, later_, coarse_;  ///< changes in units: of these years, eight times as many, on cells of four
-  ScalarField near_, far_;             ///< means of the ground around
+  ScalarField base_, coarse_;                ///< changes in units: all, and those of the coarser grids
+  ScalarField detail_;                       ///< of the estimate: its height over the mean around, in units
+  ScalarField near_, far_;                   ///< means of the ground around
   ScalarField drained_, water_m_, descent_;  ///< log2 of cells, depth of hollows, slope of the water's way
   ScalarField load_;                         ///< log2 of what passed, in units
 };

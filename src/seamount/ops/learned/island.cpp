@@ -7,6 +7,7 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
+#include "seamount/base/simd.h"
 #include "seamount/geom/grid/pyramid_fill.h"
 
 namespace seamount::learned {
@@ -99,21 +100,30 @@ void meet_reef(const IslandMap& map, HeightField& heights, const RunContext& run
   }
 }
 
+/// Share of a region in the nine cells around each of a row, the middle one counting most. `column`: room for two more.
+SEAMOUNT_VECTORISED void share_row(const Region* const rows[3], Region region, int width, float* column, float* out) {
+  for (int x = 0; x < width; ++x) {
+    column[x + 1] = (rows[0][x] == region ? 0.25F : 0.0F) + (rows[1][x] == region ? 0.5F : 0.0F) +
+                    (rows[2][x] == region ? 0.25F : 0.0F);
+  }
+  column[0] = column[1];
+  column[width + 1] = column[width];
+  for (int x = 0; x < width; ++x) out[x] = 0.25F * column[x] + 0.5F * column[x + 1] + 0.25F * column[x + 2];
+}
+
 }  // namespace
 
 std::array<Mask, kRegionCount> shares_of(const LabelMap& labels, const RunContext& run) {
   std::array<Mask, kRegionCount> shares;
-  for (Mask& share : shares) share = Mask(labels.frame(), 0.0F);
-  parallel_rows(run, labels.width(), labels.height(), [&](int begin, int end) {
+  for (Mask& share : shares) share = Mask(labels.frame());
+  const int width = labels.width(), height = labels.height();
+  parallel_rows(run, width, height, [&](int begin, int end) {
+    std::vector<float> column(static_cast<size_t>(width) + 2);
     for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < labels.width(); ++x) {
-        for (int dy = -1; dy <= 1; ++dy) {
-          for (int dx = -1; dx <= 1; ++dx) {
-            const float weight = (dx == 0 ? 0.5F : 0.25F) * (dy == 0 ? 0.5F : 0.25F);
-            shares[static_cast<size_t>(labels.clamped(x + dx, y + dy))](x, y) += weight;
-          }
-        }
-      }
+      const Region* const rows[3] = {labels.row(std::max(y - 1, 0)).data(), labels.row(y).data(),
+                                     labels.row(std::min(y + 1, height - 1)).data()};
+      for (size_t region = 0; region < kRegionCount; ++region)
+        share_row(rows, kRegions[region], width, column.data(), shares[region].row(y).data());
     }
   });
   return shares;

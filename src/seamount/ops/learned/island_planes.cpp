@@ -2,16 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <optional>
+#include <span>
 
+#include "seamount/base/simd.h"
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/scalar/noise.h"
+#include "seamount/ops/learned/plane_lanes.h"
+#include "seamount/ops/learned/plane_math.h"
 
 namespace seamount::learned {
 namespace {
 
 constexpr double kWaves[] = {6.0, 24.0, 96.0};    ///< of noise, in cells
 constexpr double kReaches_m[] = {300.0, 2500.0};  ///< over which distance to the coast is seen
+
+/// How far inland, of a reach. One of the two distances is 0, and the other infinite where all is of one kind.
+SEAMOUNT_VECTORISED void coast_row(const float* land, const float* water, float per_reach, int width, float* out) {
+  for (int x = 0; x < width; ++x) out[x] = fast_tanh(per_reach * (water[x] - land[x]));
+}
 
 }  // namespace
 
@@ -42,34 +51,32 @@ Planes IslandPlanes::planes() const {
 
 void IslandPlanes::fill_row(int y, float* values) const {
   const int width = map_.frame.width;
-  std::vector<float> waves(static_cast<size_t>(3 * width), 0.0F);
-  for (int k = 0; k < 3; ++k) {
-    geom::fbm_row(seed_.derive("island noise", static_cast<uint64_t>(k)), {.wavelength_m = kWaves[k], .octaves = 1},
-                  0.5, 1.0, y + 0.5,
-                  std::span(waves).subspan(static_cast<size_t>(k * width), static_cast<size_t>(width)));
-  }
+  PlaneLanes lanes(width, kIslandPlanes);
+  for (size_t region = 0; region < kRegionCount; ++region)
+    std::copy_n(map_.shares[region].row(y).begin(), width, lanes[static_cast<int>(region)]);
+  if (!map_.subsidence.empty()) std::copy_n(map_.subsidence.row(y).begin(), width, lanes[5]);
   const Seed cells = seed_.derive("island cell");
-  const double usual_cell = kIslandWidth_m / kIslandCells * map_.scale;
-  const auto cell = static_cast<float>(0.5 * std::log2(map_.frame.cell_m / usual_cell));
-  for (int x = 0; x < width; ++x) {
-    float* const p = values + static_cast<size_t>(x) * kIslandPlanes;
-    std::fill(p, p + kIslandPlanes, 0.0F);
-    for (size_t region = 0; region < kRegionCount; ++region) p[region] = map_.shares[region](x, y);
-    p[5] = map_.subsidence.empty() ? 0.0F : map_.subsidence(x, y);
-    p[6] = cell_noise(cells, x, y);
-    for (int k = 0; k < 3; ++k) p[7 + k] = waves[static_cast<size_t>(k * width + x)] / 0.35F;
-    p[10] = cell;
-    const double inland = std::clamp<double>(water_(x, y) - land_(x, y), -1e9, 1e9);
-    for (int k = 0; k < 2; ++k) p[11 + k] = static_cast<float>(std::tanh(inland / (kReaches_m[k] * map_.scale)));
-    if (map_.peak_m) {
-      p[13] = island_code(*map_.peak_m, map_.scale);
-      p[14] = 1;
-    }
-    if (map_.floor_m) {
-      p[15] = island_code(*map_.floor_m, map_.scale);
-      p[16] = 1;
-    }
+  for (int x = 0; x < width; ++x) lanes[6][x] = cell_noise(cells, x, y);
+  for (int k = 0; k < 3; ++k) {
+    const std::span<float> wave(lanes[7 + k], static_cast<size_t>(width));
+    geom::fbm_row(seed_.derive("island noise", static_cast<uint64_t>(k)), {.wavelength_m = kWaves[k], .octaves = 1},
+                  0.5, 1.0, y + 0.5, wave);
+    for (float& w : wave) w /= 0.35F;
   }
+  const double usual_cell = kIslandWidth_m / kIslandCells * map_.scale;
+  std::fill_n(lanes[10], width, static_cast<float>(0.5 * std::log2(map_.frame.cell_m / usual_cell)));
+  for (int k = 0; k < 2; ++k) {
+    coast_row(land_.row(y).data(), water_.row(y).data(), static_cast<float>(1 / (kReaches_m[k] * map_.scale)), width,
+              lanes[11 + k]);
+  }
+  const auto tell = [&](int plane, const std::optional<double>& height_m) {
+    if (!height_m) return;
+    std::fill_n(lanes[plane], width, island_code(*height_m, map_.scale));
+    std::fill_n(lanes[plane + 1], width, 1.0F);
+  };
+  tell(13, map_.peak_m);
+  tell(15, map_.floor_m);
+  lanes.interleave(values);
 }
 
 }  // namespace seamount::learned

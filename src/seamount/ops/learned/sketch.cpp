@@ -7,11 +7,14 @@
 
 #include "seamount/base/error.h"
 #include "seamount/base/parallel.h"
+#include "seamount/base/simd.h"
 #include "seamount/geom/grid/pyramid_fill.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/solve/continue_surface.h"
 #include "seamount/geom/solve/drain.h"
+#include "seamount/ops/learned/plane_math.h"
+#include "seamount/ops/learned/sketch_level.h"
 #include "seamount/ops/learned/sketch_map.h"
 #include "seamount/ops/learned/sketch_planes.h"
 
@@ -19,7 +22,7 @@ namespace seamount::learned {
 namespace {
 
 constexpr float kLineDepth = 0.015F;  ///< of the relief, by which lines are deepened and sharpened
-constexpr double kLineCells = 1.7;    ///< deviation of that across them
+constexpr float kLineCells = 1.7F;    ///< deviation of that across them
 constexpr double kGuideCells = 16.0;  ///< wide cells that a line of the guide drains
 constexpr float kHollow = 0.012F;     ///< of the relief: hollows no deeper are opened
 
@@ -54,24 +57,39 @@ void meet_heights(const SketchMap& map, double adherence, HeightField& heights, 
   });
 }
 
-/// Deepens drawn rivers and sharpens drawn crests a little, so that water takes and leaves them.
-void meet_lines(const SketchMap& map, double adherence, HeightField& heights, const RunContext& run) {
-  const float depth = kLineDepth * static_cast<float>(adherence * map.relief_m);
-  const auto width = static_cast<float>(kLineCells * map.frame.cell_m);
+/// Adds a profile across lines from which a row lies `distance` cells away.
+SEAMOUNT_VECTORISED void add_profile(const float* distance, int width, float by, float* heights) {
+  for (int x = 0; x < width; ++x) {
+    const float d = distance[x] / kLineCells;
+    heights[x] += d < 4.0F ? by * fast_exp(-0.5F * d * d) : 0.0F;
+  }
+}
+
+/// Deepens drawn rivers and sharpens drawn crests a little, so that water takes and leaves them. Distances in cells.
+void meet_lines(const ScalarField& from_river, const ScalarField& from_ridge, float depth, HeightField& heights,
+                const RunContext& run) {
   if (!(depth > 0)) return;
-  for (const auto& [lines, sign] : {std::pair{&map.river, -1.0F}, std::pair{&map.ridge, 1.0F}}) {
-    if (lines->empty()) continue;
-    const ScalarField distance = geom::distance_to(*lines, run);
+  for (const auto& [distance, sign] : {std::pair{&from_river, -1.0F}, std::pair{&from_ridge, 1.0F}}) {
+    if (distance->empty()) continue;
     const float by = sign * depth;
-    parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
-      for (int y = begin; y < end; ++y) {
-        for (int x = 0; x < map.frame.width; ++x) {
-          const float d = distance(x, y) / width;
-          if (d < 4.0F) heights(x, y) += by * std::exp(-0.5F * d * d);
-        }
-      }
+    parallel_rows(run, heights.width(), heights.height(), [&](int begin, int end) {
+      for (int y = begin; y < end; ++y)
+        add_profile(distance->row(y).data(), heights.width(), by, heights.row(y).data());
     });
   }
+}
+
+/// The same, of a map whose distances are not known.
+void meet_lines(const SketchMap& map, float depth, HeightField& heights, const RunContext& run) {
+  const auto from = [&](const Grid<uint8_t>& lines) {
+    if (lines.empty()) return ScalarField();
+    Grid<uint8_t> cells = lines;
+    GridFrame frame = map.frame;
+    frame.cell_m = 1;
+    cells.set_frame(frame);
+    return geom::distance_to(cells, run);
+  };
+  meet_lines(from(map.river), from(map.ridge), depth, heights, run);
 }
 
 /// Opens hollows that are shallow for the relief, but for those of known ground and of drawn heights: water runs off.
@@ -85,7 +103,7 @@ void open_hollows(const SketchMap& map, HeightField& heights, const RunContext& 
       for (int u = x - 1; u <= x + 1 && !meant; ++u) meant = map.cue.contains(u, v) && map.cue(u, v) != 0;
     return meant;
   });
-  geom::drain_shallow(heights, std::move(sinks), kHollow * static_cast<float>(map.relief_m), run);
+  geom::drain_shallow(heights, sinks, kHollow * static_cast<float>(map.relief_m), run);
   if (map.known_m.empty()) return;
   for (size_t i = 0; i < heights.size(); ++i) {
     if (!std::isnan(map.known_m.data()[i])) heights.data()[i] = map.known_m.data()[i];
@@ -103,7 +121,13 @@ HeightField make(const SketchMap& map, const SketchMap& seen, double adherence, 
       for (int x = 0; x < map.frame.width; ++x) heights(x, y) = low + relief * (planes.base()(x, y) + heights(x, y));
     }
   });
-  meet_lines(map, adherence, heights, run);
+  meet_level(map, adherence, heights, run);
+  const float depth = kLineDepth * static_cast<float>(adherence * map.relief_m);
+  if (&map == &seen) {
+    meet_lines(planes.from_river(), planes.from_ridge(), depth, heights, run);
+  } else {
+    meet_lines(map, depth, heights, run);
+  }
   meet_heights(map, adherence, heights, run);
   return heights;
 }

@@ -9,6 +9,8 @@
 #include "seamount/geom/grid/pyramid_fill.h"
 #include "seamount/geom/polygon/distance.h"
 #include "seamount/geom/scalar/noise.h"
+#include "seamount/ops/learned/plane_lanes.h"
+#include "seamount/ops/learned/plane_math.h"
 
 namespace seamount::learned {
 namespace {
@@ -20,17 +22,38 @@ constexpr float kNothing = 15.0F;                ///< exponent below which a pla
 constexpr double kWaves[] = {6.0, 24.0, 96.0};   ///< of noise, in cells
 constexpr double kCellOfZero = 60.0, kReliefOfZero = 1000.0;
 
+void count_cells(ScalarField& distance) {
+  const auto per_cell = static_cast<float>(1.0 / distance.cell_m());
+  for (float& d : distance.cells()) d *= per_cell;
+}
+
 ScalarField cells_to(const Grid<uint8_t>& cells, const RunContext& run) {
   if (cells.empty()) return {};
   ScalarField distance = geom::distance_to(cells, run);
-  const auto per_cell = static_cast<float>(1.0 / cells.cell_m());
-  for (float& d : distance.cells()) d *= per_cell;
+  count_cells(distance);
   return distance;
 }
 
 /// exp(-x), and 0 where nothing of it is left.
-float fading(float x) { return x > kNothing ? 0.0F : std::exp(-x); }
-float line_near(float d) { return fading((d * d) / (2 * kLine * kLine)); }
+SEAMOUNT_INLINE float fading(float x) { return x < kNothing ? fast_exp(-x) : 0.0F; }
+
+/// The planes of a line: close to it, and around it.
+SEAMOUNT_VECTORISED void line_row(const float* distance, int width, float* close, float* around) {
+  for (int x = 0; x < width; ++x) {
+    const float d = distance[x];
+    close[x] = fading(d * d * (1 / (2 * kLine * kLine)));
+    around[x] = fading(d * (1 / kNear));
+  }
+}
+
+/// Those of heights; `shares`: of the nearest.
+SEAMOUNT_VECTORISED void cue_row(const float* distance, const float* shares, int width, float* close, float* around) {
+  for (int x = 0; x < width; ++x) {
+    const float d = distance[x];
+    close[x] = fading(d * d * (1 / (2 * kPoint * kPoint)));
+    around[x] = shares[x] * fading(d * (1 / kAround));
+  }
+}
 
 }  // namespace
 
@@ -39,7 +62,6 @@ SketchPlanes::SketchPlanes(const SketchMap& map, Seed seed, const RunContext& ru
       seed_(seed),
       river_(cells_to(map.river, run)),
       ridge_(cells_to(map.ridge, run)),
-      cue_(cells_to(map.cue, run)),
       base_(map.frame, 0.0F) {
   if (!(map.relief_m > 0)) throw InvalidArgument("relief_m", "must be above 0");
   Grid<float> weight(map.frame, 0.0F);
@@ -59,7 +81,9 @@ SketchPlanes::SketchPlanes(const SketchMap& map, Seed seed, const RunContext& ru
     }
   });
   geom::pyramid_fill(base_, weight, {.prior = kPrior, .fade = 0.75F}, run);
-  if (cues) geom::nearest_feature(map.cue, nearest_cue_, run);
+  if (!cues) return;
+  geom::nearest_feature(map.cue, nearest_cue_, cue_, run);
+  count_cells(cue_);
 }
 
 Planes SketchPlanes::planes() const {
@@ -73,41 +97,31 @@ Planes SketchPlanes::planes() const {
 
 void SketchPlanes::fill_row(int y, float* values) const {
   const int width = map_.frame.width;
-  std::vector<float> waves(static_cast<size_t>(3 * width), 0.0F);
+  PlaneLanes lanes(width, kSketchPlanes);
+  if (!river_.empty()) line_row(river_.row(y).data(), width, lanes[0], lanes[1]);
+  if (!ridge_.empty()) line_row(ridge_.row(y).data(), width, lanes[2], lanes[3]);
+  if (!cue_.empty()) {
+    std::vector<float> shares(static_cast<size_t>(width), 0.0F);
+    for (int x = 0; x < width; ++x) {
+      const int32_t nearest = nearest_cue_(x, y);
+      if (nearest < 0 || cue_(x, y) > kNothing * kAround) continue;
+      shares[static_cast<size_t>(x)] = static_cast<float>((map_.cue_m.data()[nearest] - map_.low_m) / map_.relief_m);
+    }
+    cue_row(cue_.row(y).data(), shares.data(), width, lanes[4], lanes[5]);
+  }
+  if (!map_.level.empty()) std::copy_n(map_.level.row(y).begin(), width, lanes[6]);
+  std::copy_n(base_.row(y).begin(), width, lanes[9]);
+  const Seed cells = seed_.derive("sketch cell");
+  for (int x = 0; x < width; ++x) lanes[10][x] = cell_noise(cells, x, y);
   for (int k = 0; k < 3; ++k) {  // in cells, so that noise looks the same to the network at any cell size
-    const std::span<float> wave = std::span(waves).subspan(static_cast<size_t>(k * width), static_cast<size_t>(width));
+    const std::span<float> wave(lanes[11 + k], static_cast<size_t>(width));
     geom::fbm_row(seed_.derive("sketch noise", static_cast<uint64_t>(k)), {.wavelength_m = kWaves[k], .octaves = 1},
                   0.5, 1.0, y + 0.5, wave);
+    for (float& w : wave) w /= 0.35F;
   }
-  const Seed cells = seed_.derive("sketch cell");
-  const auto scale = static_cast<float>(0.5 * std::log2(map_.frame.cell_m / kCellOfZero));
-  const auto relief = static_cast<float>(0.5 * std::log2(map_.relief_m / kReliefOfZero));
-  for (int x = 0; x < width; ++x) {
-    float* const p = values + static_cast<size_t>(x) * kSketchPlanes;
-    std::fill(p, p + kSketchPlanes, 0.0F);
-    if (!river_.empty()) {
-      const float d = river_(x, y);
-      p[0] = line_near(d);
-      p[1] = fading(d / kNear);
-    }
-    if (!ridge_.empty()) {
-      const float d = ridge_(x, y);
-      p[2] = line_near(d);
-      p[3] = fading(d / kNear);
-    }
-    if (!cue_.empty() && nearest_cue_(x, y) >= 0) {
-      const float d = cue_(x, y);
-      const float z = map_.cue_m.data()[nearest_cue_(x, y)];
-      p[4] = fading((d * d) / (2 * kPoint * kPoint));
-      p[5] = static_cast<float>((z - map_.low_m) / map_.relief_m) * fading(d / kAround);
-    }
-    if (!map_.level.empty()) p[6] = map_.level(x, y);
-    p[9] = base_(x, y);
-    p[10] = cell_noise(cells, x, y);
-    for (int k = 0; k < 3; ++k) p[11 + k] = waves[static_cast<size_t>(k * width + x)] / 0.35F;
-    p[14] = scale;
-    p[15] = relief;
-  }
+  std::fill_n(lanes[14], width, static_cast<float>(0.5 * std::log2(map_.frame.cell_m / kCellOfZero)));
+  std::fill_n(lanes[15], width, static_cast<float>(0.5 * std::log2(map_.relief_m / kReliefOfZero)));
+  lanes.interleave(values);
 }
 
 }  // namespace seamount::learned

@@ -47,6 +47,10 @@ class SketchPlanes {
   /// the network's result is added to.
   const ScalarField& base() const { return base_; }
 
+  /// Distances in cells from what is drawn; empty where nothing of a kind is.
+  const ScalarField& from_river() const { return river_; }
+  const ScalarField& from_ridge() const { return ridge_; }
+
  private:
   void fill_row(int y, float* values) const;
 

@@ -11,6 +11,7 @@
 #include "seamount/ops/terrain/noise.h"
 #include "seamount/ops/terrain/resample.h"
 #include "seamount/ops/terrain/samples.h"
+#include "seamount/ops/terrain/sculpt.h"
 #include "seamount/ops/terrain/sea_floor.h"
 #include "seamount/ops/terrain/smooth.h"
 #include "seamount/ops/terrain/terrace.h"
@@ -240,6 +241,20 @@ void add_shaping(Registry& registry) {
       }));
 }
 
+/// What a pen draws.
+void add_drawing(Registry& registry) {
+  registry.add(make_operator<terrain::SculptParams>(
+      {.name = "terrain.sculpt",
+       .summary = "Strokes of a pen raise, lower, smooth, flatten, slope, roughen the ground, and are erased",
+       .stochastic = true},
+      inputs(with_voids(in<Terrain>("terrain", kHeights)),
+             optional_in<Field>("mask", "where it is done, 0 to 1; everywhere if open")),
+      outputs(out<Terrain>("terrain", kHeights)),
+      [](const terrain::SculptParams& params, const Call& call, const HeightField& terrain, const ScalarField* mask) {
+        return terrain::sculpt(terrain, mask, params, call.seed, call.run);
+      }));
+}
+
 void add_joining(Registry& registry) {
   registry.add(make_operator<terrain::BlendParams>(
       {.name = "terrain.blend",
@@ -268,6 +283,7 @@ void add_terrain_operators(Registry& registry) {
   add_sampling(registry);
   add_joining(registry);
   add_shaping(registry);
+  add_drawing(registry);
   registry.add(make_operator<terrain::MaskParams>(
       {.name = "terrain.mask",
        .revision = 2,

@@ -4,8 +4,13 @@ import { unitText } from "./units";
 
 const SUFFIX = /_(m|km|m2|km2|deg|px|yr|m_s|m_yr|mm_yr|m2_yr|per_km2|per_km|km2|1_m)$/;
 
+/** Names that say too little by themselves. */
+const TITLES: { readonly [name: string]: string } = { cell_m: "Cell size", crs: "Coordinates", x_m: "East", y_m: "North" };
+
 /** "peak_m" is "Peak": the unit stands beside the number. */
 export function titleOf(name: string): string {
+  const known = TITLES[name];
+  if (known) return known;
   const words = name.replace(SUFFIX, "").replace(/_/g, " ").trim();
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
@@ -46,6 +51,7 @@ export function valueText(value: Json | undefined, info?: Pick<ParamInfo, "unit"
 /** "reef: subsidence 0.2 → 0.4". */
 export function changeLabel(owner: string, info: ParamInfo, before: Json | undefined, after: Json | undefined): string {
   const name = titleOf(info.name).toLowerCase();
+  if (info.kind === "curve" || (Array.isArray(before) && Array.isArray(after) && valueText(before) === valueText(after))) return `${owner}: ${name} changed`;
   return `${owner}: ${name} ${valueText(before, info)} → ${valueText(after, info)}`;
 }
 

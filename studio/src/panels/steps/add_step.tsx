@@ -1,20 +1,21 @@
 // 'Add step': a search over all operators, those that fit the selected step first. The chosen one comes after it and is
 // connected to what fits.
 import type { JSX } from "preact";
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Search, X } from "lucide-preact";
 import type { OperatorInfo } from "../../api/types";
 import type { Studio } from "../../document/studio";
 import type { Origin } from "../graph/connections";
-import { type Fit, connectedNew, fitAfter, insertStep } from "../graph/insert";
+import { type Fit, connectedNew, fitAfter, insertIntoWire, insertStep, readNew } from "../graph/insert";
 import type { AddRequest } from "./adding";
 import { FamilyIcon } from "./family_icon";
 import { findOperators, takesAndMakes } from "./search";
 
-const RANK: { readonly [fit in Fit]: number } = { follows: 0, begins: 1, other: 2 };
+const RANK: { readonly [fit in Fit]: number } = { follows: 0, upstream: 1, begins: 2, other: 3 };
 
 /** Of a loose wire: what can take it up. */
-function fitsWire(op: OperatorInfo, { from, to }: AddRequest): boolean {
+function fitsWire(op: OperatorInfo, { from, to, into }: AddRequest): boolean {
+  if (into) return op.in.some((port) => port.kind === into.kind) && op.out.some((port) => port.kind === into.kind);
   if (from) return op.in.some((port) => port.kind === from.port.kind);
   if (to) return op.out.some((port) => port.kind === to.port.kind);
   return true;
@@ -23,7 +24,13 @@ function fitsWire(op: OperatorInfo, { from, to }: AddRequest): boolean {
 async function add(studio: Studio, op: OperatorInfo, request: AddRequest): Promise<void> {
   const { recipe } = studio.document.value;
   const operators = (name: string) => studio.operator(name);
-  const { from, to } = request;
+  const { from, to, into } = request;
+  const end = into && studio.operator(studio.step(into.to)?.op ?? "")?.in.find((port) => port.name === into.input);
+  if (into && end) {
+    const between = insertIntoWire(op, { step: into.from, port: into.output }, into.to, end, recipe, operators);
+    if (between && await studio.edit(between.edits, `${between.id} added between ${into.from} and ${into.to}`)) studio.selected.value = between.id;
+    return;
+  }
   const after = from?.step ?? request.after;
   let wanted: Map<string, Origin> | undefined;
   if (from) {
@@ -33,9 +40,11 @@ async function add(studio: Studio, op: OperatorInfo, request: AddRequest): Promi
       ?? op.in.find((input) => input.kind === from.port.kind);
     if (port) wanted.set(port.name, { step: from.step, port: from.port.name });
   }
-  const { id, edits } = insertStep(op, after, recipe, operators, wanted);
+  const insertion = insertStep(op, after, recipe, operators, wanted);
+  const { id, edits } = insertion;
   const made = to && (op.out.find((port) => port.name === to.port.name && port.kind === to.port.kind) ?? op.out.find((port) => port.kind === to.port.kind));
-  if (to && made) edits.push({ do: "set", pointer: `/steps/${to.step}/in/${to.port.name}`, value: `${id}.${made.name}` });
+  const index = after === null ? recipe.steps.length : recipe.steps.findIndex((step) => step.id === after) + 1;
+  if (to && made) edits.push(readNew(insertion, op, made.name, to.step, to.port.name, index, recipe, operators));
   if (await studio.edit(edits, `${id} added`)) studio.selected.value = id;
 }
 
@@ -47,9 +56,11 @@ export function AddStep({ studio, request, onDone }: { studio: Studio; request: 
   const steps = studio.document.value.recipe.steps;
   const after = request.from?.step ?? request.after ?? steps[steps.length - 1]?.id;
   const selected = after === undefined ? undefined : studio.operator(studio.step(after)?.op ?? "");
-  const found = useMemo(() => findOperators(query, studio.schema.operators.filter((op) => fitsWire(op, request)),
-    (op) => RANK[fitAfter(op, selected)]), [query, selected, studio.schema, request]);
-  useEffect(() => {
+  const made = useMemo(() => new Set(steps.flatMap((step) => (studio.operator(step.op)?.out ?? []).map((port) => port.kind))), [steps]);
+  const fit = (op: OperatorInfo) => fitAfter(op, selected, made);
+  const found = useMemo(() => findOperators(query, studio.schema.operators.filter((op) => fitsWire(op, request)), (op) => RANK[fit(op)]),
+    [query, selected, studio.schema, request, made]);
+  useLayoutEffect(() => {
     const before = document.activeElement;
     input.current?.focus();
     return () => { if (before instanceof HTMLElement && before.isConnected) before.focus(); };
@@ -80,8 +91,10 @@ export function AddStep({ studio, request, onDone }: { studio: Studio; request: 
           onInput={(event) => { setQuery(event.currentTarget.value); setAt(0); }} onKeyDown={onKeyDown} />
         <button type="button" class="plain icon small" aria-label="Close" onClick={onDone}><X /></button></div>
       <ul id="add-step-list" ref={list} role="listbox" aria-label="Operators">
-        {found.map((op, i) => <Choice key={op.name} id={`add-${i}`} op={op} chosen={i === at} fit={fitAfter(op, selected)}
-          head={query === "" ? headOf(found, i, selected, after) : ""} onChoose={() => choose(op)} onPoint={() => setAt(i)} />)}
+        {found.flatMap((op, i) => [
+          ...(query === "" && (i === 0 || fit(found[i - 1]!) !== fit(op)) ? [<li key={fit(op)} class="add-group" role="presentation">{HEADS[fit(op)](after)}</li>] : []),
+          <Choice key={op.name} id={`add-${i}`} op={op} chosen={i === at} fit={fit(op)} onChoose={() => choose(op)} onPoint={() => setAt(i)} />,
+        ])}
         {found.length === 0 && <li class="empty" role="option" aria-selected="false">Nothing is called so.</li>}
       </ul>
     </div>
@@ -89,34 +102,25 @@ export function AddStep({ studio, request, onDone }: { studio: Studio; request: 
 }
 
 const HEADS: { readonly [fit in Fit]: (after: string | undefined) => string } = {
-  follows: (after) => `Reads ${after ?? "it"}`, begins: () => "Begins anew", other: () => "Needs something else",
+  follows: (after) => `Reads ${after ?? "it"}`, upstream: () => "Reads earlier steps", begins: () => "Begins anew", other: () => "Needs something else",
 };
-
-function headOf(found: readonly OperatorInfo[], i: number, selected: OperatorInfo | undefined, after: string | undefined): string {
-  const fit = fitAfter(found[i]!, selected);
-  return i > 0 && fitAfter(found[i - 1]!, selected) === fit ? "" : HEADS[fit](after);
-}
 
 interface ChoiceProps {
   id: string;
   op: OperatorInfo;
   chosen: boolean;
   fit: Fit;
-  head: string;
   onChoose(): void;
   onPoint(): void;
 }
 
-function Choice({ id, op, chosen, fit, head, onChoose, onPoint }: ChoiceProps): JSX.Element {
+function Choice({ id, op, chosen, fit, onChoose, onPoint }: ChoiceProps): JSX.Element {
   const { takes, makes } = takesAndMakes(op);
   return (
-    <>
-      {head && <li class="add-group" role="presentation">{head}</li>}
-      <li id={id} role="option" aria-selected={chosen} class={`add-choice ${fit}`} onClick={onChoose} onPointerMove={() => { if (!chosen) onPoint(); }}>
-        <FamilyIcon op={op.name} />
-        <span class="add-words"><span class="add-name">{op.name}</span><span class="add-summary">{op.summary}</span>
-          <span class="add-ports">{takes} → {makes}</span></span>
-      </li>
-    </>
+    <li id={id} role="option" aria-selected={chosen} class={`add-choice ${fit}`} onClick={onChoose} onPointerMove={() => { if (!chosen) onPoint(); }}>
+      <FamilyIcon op={op.name} />
+      <span class="add-words"><span class="add-name">{op.name}</span><span class="add-summary">{op.summary}</span>
+        <span class="add-ports">{takes} → {makes}</span></span>
+    </li>
   );
 }

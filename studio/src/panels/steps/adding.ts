@@ -8,6 +8,8 @@ export interface AddRequest {
   /** A loose wire: only what takes (or makes) this is offered. */
   from?: { step: string; port: PortInfo };
   to?: { step: string; port: PortInfo };
+  /** A wire into which it comes. */
+  into?: { from: string; output: string; to: string; input: string; kind: string };
 }
 
 /** Set by the button, by Tab over the views, by the graph. Null: closed. */

@@ -223,7 +223,7 @@ export class SelectPen implements Pen {
     const now = Date.now();
     const goesOn = joined && now - this.lastKey.at < 700 ? this.lastKey.gesture : undefined;
     const gesture = this.desk.begin(what, goesOn);
-    this.lastKey = { at: now, gesture: gesture.id };
+    this.lastKey = { at: joined ? now : 0, gesture: gesture.id };
     void gesture.finish(() => edits);
     this.desk.end();
     return true;

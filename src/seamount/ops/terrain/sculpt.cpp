@@ -1,0 +1,251 @@
+#include "seamount/ops/terrain/sculpt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "seamount/base/parallel.h"
+#include "seamount/geom/brush/brush_rows.h"
+#include "seamount/geom/grid/surface.h"
+#include "seamount/geom/grid/voids.h"
+#include "seamount/geom/scalar/noise.h"
+#include "seamount/geom/solve/fill_voids.h"
+#include "seamount/model/same_size.h"
+
+namespace seamount::terrain {
+namespace {
+
+constexpr double kSmoothedOfRadius = 1.0 / 3.0;  // deviation of the Gaussian; three of them lie within the radius
+constexpr double kNoiseReach = 2.0;              // noise of deviation 0.35 becomes about [-1, 1]
+constexpr int kRowsAtATime_cells = 8192;
+
+/// A stroke that is ready: its way, and what was measured where it begins and ends.
+struct Work {
+  geom::BrushPath path;
+  double start_m = 0.0, end_m = 0.0;
+  HeightField smoothed;     ///< of the cells around, for `smooth`
+  geom::CellWindow window;  ///< where `smoothed` lies
+};
+
+/// Does a stroke have to see the ground as it is when its turn comes?
+bool looks(const SculptStroke& stroke) {
+  if (std::holds_alternative<SmoothTool>(stroke)) return true;
+  if (const auto* flatten = std::get_if<FlattenTool>(&stroke)) return !flatten->height_m;
+  if (const auto* ramp = std::get_if<RampTool>(&stroke)) return !ramp->start_m || !ramp->end_m;
+  return false;
+}
+
+/// Mean ground under a brush at a place; the nearest cell's where there is none under it.
+double ground_at(const HeightField& ground, Vec2 place, const geom::BrushProfile& brush) {
+  const GridFrame& frame = ground.frame();
+  const geom::CellWindow window = geom::cells_of({place, place}, frame, brush.radius_m());
+  double sum = 0.0, weights = 0.0;
+  for (int y = window.top; y < window.bottom; ++y) {
+    for (int x = window.left; x < window.right; ++x) {
+      const double w = brush.weight(std::hypot(frame.x(x) - place.x, frame.y(y) - place.y));
+      sum += w * ground(x, y);
+      weights += w;
+    }
+  }
+  if (weights > 0.0) return sum / weights;
+  const auto nearest = [](double v, int count) {
+    return static_cast<int>(std::clamp(std::round(v), 0.0, count - 1.0));
+  };
+  return ground(nearest(frame.column(place.x), frame.width), nearest(frame.row(place.y), frame.height));
+}
+
+/// A row of cells under a stroke.
+struct Row {
+  int x, y;
+  std::span<const float> weights;
+  float* ground;
+};
+
+class Session {
+ public:
+  Session(const HeightField& before, const Mask* mask, const SculptParams& params, Seed seed, const RunContext& run)
+      : before_(before), ground_(before), mask_(mask), strokes_(params.strokes), seed_(seed), run_(run) {}
+
+  HeightField replay() {
+    prepare();
+    size_t done = 0;
+    for (size_t next = 0; next < strokes_.size(); ++next) {
+      if (!looks(strokes_[next])) continue;
+      apply(done, next);
+      look(next);
+      done = next;
+    }
+    apply(done, strokes_.size());
+    return std::move(ground_);
+  }
+
+ private:
+  const GridFrame& frame() const { return before_.frame(); }
+
+  void prepare() {
+    work_.resize(strokes_.size());
+    constexpr int64_t kAtATime = 16;
+    parallel_blocks(
+        run_.part(0.0, 0.2), static_cast<int64_t>(strokes_.size()), kAtATime, [&](int64_t begin, int64_t end) {
+          for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
+            const Brush& brush = std::visit([](const auto& tool) -> const Brush& { return tool; }, strokes_[i]);
+            work_[i].path = geom::brush_path(brush, frame(), "strokes[" + std::to_string(i) + "]");
+          }
+        });
+  }
+
+  /// Measures what stroke `i` needs of the ground, on which all before it are done.
+  void look(size_t i) {
+    Work& work = work_[i];
+    if (work.path.samples.empty()) return;
+    std::visit([&](const auto& tool) { look(tool, work); }, strokes_[i]);
+  }
+
+  template <class Tool>
+  void look(const Tool&, Work&) const {}
+
+  void look(const SmoothTool& tool, Work& work) const {
+    work.window = geom::cells_of(work.path.box, frame(), tool.radius_m);
+    if (work.window.empty()) return;
+    HeightField part(geom::window_frame(work.window, frame()));
+    for (int y = 0; y < part.height(); ++y) {
+      const float* from = &ground_(work.window.left, work.window.top + y);
+      std::copy(from, from + part.width(), part.row(y).data());
+    }
+    work.smoothed = geom::at_scale(part, 2.0 * kSmoothedOfRadius * tool.radius_m, quietly());
+  }
+
+  void look(const FlattenTool&, Work& work) const {
+    work.start_m = ground_at(ground_, work.path.samples.front().at, work.path.profile);
+  }
+
+  void look(const RampTool&, Work& work) const {
+    work.start_m = ground_at(ground_, work.path.samples.front().at, work.path.profile);
+    work.end_m = ground_at(ground_, work.path.samples.back().at, work.path.profile);
+  }
+
+  /// Strokes [begin, end) on every row that they reach: rows side by side, strokes in their order.
+  void apply(size_t begin, size_t end) {
+    const RunContext run = run_.part(progress(begin), progress(end));
+    int top = frame().height, bottom = 0;
+    for (size_t i = begin; i < end; ++i) {
+      const geom::CellWindow window = geom::cells_of(work_[i].path.box, frame());
+      if (window.empty()) continue;
+      top = std::min(top, window.top);
+      bottom = std::max(bottom, window.bottom);
+    }
+    if (top >= bottom) return;
+    const int64_t grain = std::max(8, kRowsAtATime_cells / frame().width);
+    parallel_blocks(run, bottom - top, grain, [&](int64_t first, int64_t last) {
+      geom::BrushBand band;
+      std::vector<float> weights;
+      for (size_t i = begin; i < end; ++i) {
+        run_.check_cancelled();
+        if (!band.read(work_[i].path, frame(), top + static_cast<int>(first), top + static_cast<int>(last))) continue;
+        band.each_row([&](int y, int x, std::span<const float> touched) {
+          const Row row{x, y, masked(touched, x, y, weights), &ground_(x, y)};
+          std::visit([&](const auto& tool) { draw(tool, work_[i], row); }, strokes_[i]);
+        });
+      }
+    });
+    for (size_t i = begin; i < end; ++i) work_[i] = {};
+  }
+
+  double progress(size_t stroke) const {
+    return 0.2 + 0.8 * static_cast<double>(stroke) / static_cast<double>(std::max<size_t>(1, strokes_.size()));
+  }
+
+  std::span<const float> masked(std::span<const float> weights, int x, int y, std::vector<float>& room) const {
+    if (mask_ == nullptr) return weights;
+    room.resize(weights.size());
+    const float* mask = &(*mask_)(x, y);
+    for (size_t i = 0; i < room.size(); ++i)
+      room[i] = mask[i] > 0.0F ? weights[i] * std::min(mask[i], 1.0F) : 0.0F;  // what is not a number is nothing
+    return room;
+  }
+
+  static void add(double amount, const Row& row) {
+    const auto by = static_cast<float>(amount);
+    for (size_t i = 0; i < row.weights.size(); ++i) row.ground[i] += by * row.weights[i];
+  }
+
+  /// Towards heights that level(i) gives.
+  template <class Level>
+  static void approach(double strength, const Row& row, Level&& level) {
+    const auto share = static_cast<float>(strength);
+    for (size_t i = 0; i < row.weights.size(); ++i)
+      row.ground[i] += share * std::min(row.weights[i], 1.0F) * (level(i) - row.ground[i]);
+  }
+
+  void draw(const RaiseTool& tool, const Work& work, const Row& row) const {
+    add(work.path.thinned * tool.height_m, row);
+  }
+  void draw(const LowerTool& tool, const Work& work, const Row& row) const {
+    add(-work.path.thinned * tool.depth_m, row);
+  }
+
+  void draw(const SmoothTool& tool, const Work& work, const Row& row) const {
+    const float* smoothed = &work.smoothed(row.x - work.window.left, row.y - work.window.top);
+    approach(work.path.thinned * tool.strength, row, [=](size_t i) { return smoothed[i]; });
+  }
+
+  void draw(const FlattenTool& tool, const Work& work, const Row& row) const {
+    const auto level = static_cast<float>(tool.height_m.value_or(work.start_m));
+    approach(work.path.thinned * tool.strength, row, [=](size_t) { return level; });
+  }
+
+  void draw(const RampTool& tool, const Work& work, const Row& row) const {
+    const Vec2 from = work.path.samples.front().at, way = work.path.samples.back().at - from;
+    const double length2 = dot(way, way);
+    const Vec2 per_m = length2 > 0.0 ? (1.0 / length2) * way : Vec2{};
+    const double start = tool.start_m.value_or(work.start_m), rise = tool.end_m.value_or(work.end_m) - start;
+    const double across = per_m.x * frame().cell_m;
+    const double first = dot(per_m, Vec2{frame().x(row.x), frame().y(row.y)} - from);
+    approach(work.path.thinned * tool.strength, row, [=](size_t i) {
+      return static_cast<float>(start + rise * std::clamp(first + across * static_cast<double>(i), 0.0, 1.0));
+    });
+  }
+
+  void draw(const RoughenTool& tool, const Work& work, const Row& row) const {
+    const geom::Fbm shape{.wavelength_m = tool.wavelength_m, .octaves = 12, .cell_m = frame().cell_m};
+    std::vector<float> noise(row.weights.size());
+    geom::fbm_row(seed_, shape, frame().x(row.x), frame().cell_m, frame().y(row.y), noise);
+    const auto by = static_cast<float>(kNoiseReach * work.path.thinned * tool.amplitude_m);
+    for (size_t i = 0; i < noise.size(); ++i) row.ground[i] += by * row.weights[i] * noise[i];
+  }
+
+  void draw(const EraseTool& tool, const Work& work, const Row& row) const {
+    const float* before = &before_(row.x, row.y);
+    approach(work.path.thinned * tool.strength, row, [=](size_t i) { return before[i]; });
+  }
+
+  RunContext quietly() const { return {run_.threads, {}, run_.cancelled, {}}; }
+
+  const HeightField& before_;
+  HeightField ground_;
+  const Mask* mask_;
+  const std::vector<SculptStroke>& strokes_;
+  Seed seed_;
+  const RunContext& run_;
+  std::vector<Work> work_;
+};
+
+}  // namespace
+
+HeightField sculpt(const HeightField& terrain, const Mask* mask, const SculptParams& params, Seed seed,
+                   const RunContext& run) {
+  check_params(params);
+  if (mask != nullptr) check_same_size("mask", mask->frame(), terrain.frame());
+  run.check_cancelled();
+  if (params.strokes.empty()) return terrain;
+  const Seed noise = seed.derive("sculpt");
+  if (geom::count_voids(terrain, run) == 0) return Session(terrain, mask, params, noise, run).replay();
+  HeightField filled = terrain;  // strokes at the rim of a hole need something beyond it
+  geom::fill_voids(filled, run.part(0.0, 0.2));
+  HeightField out = Session(filled, mask, params, noise, run.part(0.2, 1.0)).replay();
+  for (size_t i = 0; i < out.size(); ++i)
+    if (std::isnan(terrain.cells()[i])) out.cells()[i] = std::numeric_limits<float>::quiet_NaN();
+  return out;
+}
+
+}  // namespace seamount::terrain
