@@ -268,7 +268,7 @@ export class Viewport {
       for (const view of [this.map, this.world]) {
         if (!view.surface.shown) continue;
         if (view.surface.samples < (moving ? 1 : view.samples(this.renderer.software))) {
-          view.draw(this.renderer, field, this.options.peek(), this.activeOverlay, quick);
+          view.draw(this.renderer, field, this.options.peek(), this.activeOverlay, quick, moving);
         }
         more ||= !moving && view.surface.samples < view.samples(this.renderer.software);
       }

@@ -14,6 +14,7 @@
 #include "seamount/geom/solve/continue_surface.h"
 #include "seamount/geom/solve/drain.h"
 #include "seamount/ops/learned/plane_math.h"
+#include "seamount/ops/learned/sketch_level.h"
 #include "seamount/ops/learned/sketch_map.h"
 #include "seamount/ops/learned/sketch_planes.h"
 
@@ -120,6 +121,7 @@ HeightField make(const SketchMap& map, const SketchMap& seen, double adherence, 
       for (int x = 0; x < map.frame.width; ++x) heights(x, y) = low + relief * (planes.base()(x, y) + heights(x, y));
     }
   });
+  meet_level(map, adherence, heights, run);
   const float depth = kLineDepth * static_cast<float>(adherence * map.relief_m);
   if (&map == &seen) {
     meet_lines(planes.from_river(), planes.from_ridge(), depth, heights, run);

@@ -72,7 +72,7 @@ HeightField erode(const learned::ErodeParams& params, const Call& call, const He
 void add_learned_operators(Registry& registry) {
   registry.add(make_operator<learned::SketchParams>(
       {.name = "learned.sketch",
-       .revision = 3,
+       .revision = 4,
        .summary = "Terrain from a sketch of ridges, rivers, heights, high ground and known ground in any mix, by a "
                   "network",
        .source = "P1 sec. 4 to 6.1, 6.3",
@@ -87,6 +87,7 @@ void add_learned_operators(Registry& registry) {
       outputs(out<Terrain>("terrain", "heights in metres")), sketch));
   registry.add(make_operator<learned::IslandParams>(
       {.name = "learned.island",
+       .revision = 2,
        .summary = "Island terrain from a map of its regions, painted or made, by a network",
        .source = "P0 sec. 1.5 to 1.7",
        .stochastic = true},

@@ -1,6 +1,6 @@
 // What is connected to what: the recipe's "in" with all its shorthand (docs/guide/recipes.md) as one map per step, and
 // the same shorthand written where it says what is wanted.
-import type { OperatorInfo, PortInfo, Recipe, Source, Step } from "../../api/types";
+import type { Edit, Json, OperatorInfo, PortInfo, Recipe, Source, Step } from "../../api/types";
 
 export type Origin = { step: string; port: string } | { file: string };
 /** By input port. */
@@ -169,4 +169,27 @@ export function writtenIn(op: OperatorInfo, wanted: Connections, before: Step | 
     if (origin) written[input.name] = writtenSource(origin, input, recipe, operators);
   }
   return written;
+}
+
+/** The edit that gives a step these connections, as they are written where it stands in `recipe`. */
+export function inEdit(id: string, wanted: Connections, recipe: Recipe, operators: Operators): Edit {
+  const at = recipe.steps.findIndex((step) => step.id === id);
+  const op = operators(recipe.steps[at]?.op ?? "");
+  const written = op && writtenIn(op, wanted, recipe.steps[at - 1], recipe, operators);
+  const pointer = `/steps/${id}/in`;
+  return written === undefined ? { do: "set", pointer } : { do: "set", pointer, value: written as Json };
+}
+
+/** Edits that connect inputs anew; null: an input is left open. What else the steps read stays. */
+export function connectingEdits(changes: readonly { step: string; input: string; origin: Origin | null }[], recipe: Recipe,
+                                operators: Operators): Edit[] {
+  const wanted = new Map<string, Map<string, Origin>>();
+  for (const { step, input, origin } of changes) {
+    const at = recipe.steps.findIndex((candidate) => candidate.id === step);
+    const connections = wanted.get(step) ?? new Map(connectionsOf(recipe, at, operators));
+    if (origin) connections.set(input, origin);
+    else connections.delete(input);
+    wanted.set(step, connections);
+  }
+  return [...wanted].map(([step, connections]) => inEdit(step, connections, recipe, operators));
 }

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { OperatorInfo, PortInfo, Recipe } from "../../api/types";
 import { NODE_WIDTH, graphOf, neighbour, portPoint, wireDistance } from "./geometry";
-import { bestPort, betweenEdits, connectEdits, fittingPorts } from "./wiring";
+import { bestPort, betweenEdits, connectEdits, disconnectEdits, fittingPorts } from "./wiring";
 
 const port = (text: string): PortInfo => {
   const [name = "", kind = ""] = text.replace("!", "").split(":");
@@ -39,12 +39,13 @@ test("only what fits, and no circles", () => {
 
 test("connecting, moving an end, coming in between", () => {
   const wire = { step: "k", side: "out", port: port("mask:field"), off: { to: "t", input: "mask" } } as const;
-  assert.deepEqual(connectEdits(wire, { step: "s", port: port("mask:field") }).edits, [
-    { do: "set", pointer: "/steps/t/in/mask" }, { do: "set", pointer: "/steps/s/in/mask", value: "k.mask" }]);
+  assert.deepEqual(connectEdits(wire, { step: "s", port: port("mask:field") }, recipe, operators).edits, [
+    { do: "set", pointer: "/steps/t/in", value: "s" }, { do: "set", pointer: "/steps/s/in", value: { terrain: "m", mask: "k" } }]);
   const between = model.wires.find((candidate) => candidate.from === "m" && candidate.to === "k")!;
-  assert.deepEqual(betweenEdits(model.byId.get("s")!, between, model)?.edits, [
-    { do: "set", pointer: "/steps/s/in/terrain", value: "m.terrain" }, { do: "set", pointer: "/steps/k/in/terrain", value: "s.terrain" }]);
-  assert.equal(betweenEdits(model.byId.get("t")!, between, model), null);
+  assert.deepEqual(betweenEdits(model.byId.get("s")!, between, model, recipe, operators)?.edits, [
+    { do: "set", pointer: "/steps/s/in" }, { do: "set", pointer: "/steps/k/in" }]);
+  assert.equal(betweenEdits(model.byId.get("t")!, between, model, recipe, operators), null);
+  assert.deepEqual(disconnectEdits("s", "terrain", recipe, operators).edits, [{ do: "set", pointer: "/steps/s/in", value: {} }]);
 });
 
 test("arrows and distances", () => {

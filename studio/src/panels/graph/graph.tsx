@@ -13,7 +13,7 @@ import { useHand } from "./hand";
 import { kindClass } from "./kind_mark";
 import { Node } from "./node";
 import { type PanZoom, fitted, zoomedAt } from "./pan_zoom";
-import { portKey } from "./wiring";
+import { disconnectEdits, portKey } from "./wiring";
 
 interface Searching {
   request: AddRequest;
@@ -113,7 +113,7 @@ function onNodeKey(event: KeyboardEvent, studio: Studio, model: GraphModel, id: 
     const next = neighbour(model, id, event.key);
     if (next === null) return;
     studio.selected.value = next;
-    requestAnimationFrame(() => root.current?.querySelector<HTMLElement>(`[data-node="${CSS.escape(next)}"] .node-head`)?.focus());
+    root.current?.querySelector<HTMLElement>(`[data-node="${CSS.escape(next)}"] .node-head`)?.focus();
   } else if ((event.key === "Delete" || event.key === "Backspace") && plain) void removeStep(studio, id);
   else if (event.key.toLowerCase() === "b" && plain) toggleBypass(studio, id);
   else if (event.key.toLowerCase() === "d" && (event.ctrlKey || event.metaKey)) void duplicate(studio, id);
@@ -140,7 +140,8 @@ function Wire({ studio, wire, model, dim, over, onSearch }: WireProps): JSX.Elem
     if (event.key !== "Delete" && event.key !== "Backspace") return;
     event.preventDefault();
     event.stopPropagation();
-    void studio.edit([{ do: "set", pointer: `/steps/${wire.to}/in/${wire.input}` }], `${wire.to}: ${wire.input} disconnected`);
+    const { edits, label } = disconnectEdits(wire.to, wire.input, studio.document.value.recipe, (name) => studio.operator(name));
+    void studio.edit(edits, label);
   };
   return (
     <g class={`wire ${kindClass(wire.kind)}${dim ? " dim" : ""}${over ? " over" : ""}`} tabIndex={0} role="button" aria-label={`${wire.from}.${wire.output} to ${wire.to}.${wire.input}; Delete disconnects`}

@@ -5,7 +5,7 @@ import type { Studio } from "../../document/studio";
 import type { AddRequest } from "../steps/adding";
 import { type GraphModel, type GraphNode, type GraphWire, type Point, portPoint, wireDistance } from "./geometry";
 import { type PanZoom, toGraph } from "./pan_zoom";
-import { type LooseWire, type Target, bestPort, betweenEdits, connectEdits, fittingPorts } from "./wiring";
+import { type LooseWire, type Target, bestPort, betweenEdits, connectEdits, disconnectEdits, fittingPorts } from "./wiring";
 
 export interface Hand {
   panning: boolean;
@@ -87,11 +87,11 @@ export function useHand(studio: Studio, root: { current: HTMLElement | null }, m
     let over: GraphWire | null = null;
     follow((now) => {
       const at = place(now);
-      over = wireUnder(latest.current.model, node, at);
+      over = wireUnder(studio, latest.current.model, node, at);
       setState({ what: "node", node, by: [at[0] - start[0], at[1] - start[1]], over });
     }, (up) => {
       setState({ what: "nothing" });
-      const change = up && over ? betweenEdits(node, over, latest.current.model) : null;
+      const change = up && over ? between(studio, node, over, latest.current.model) : null;
       if (change) void studio.edit(change.edits, change.label);
     });
   };
@@ -123,12 +123,16 @@ function looseLine(wire: LooseWire, at: Point, model: GraphModel): Hand["loose"]
   return wire.side === "out" ? { from: end, to: at, kind: wire.port.kind } : { from: at, to: end, kind: wire.port.kind };
 }
 
-function wireUnder(model: GraphModel, node: GraphNode, at: Point): GraphWire | null {
+function between(studio: Studio, node: GraphNode, wire: GraphWire, model: GraphModel) {
+  return betweenEdits(node, wire, model, studio.document.value.recipe, (name) => studio.operator(name));
+}
+
+function wireUnder(studio: Studio, model: GraphModel, node: GraphNode, at: Point): GraphWire | null {
   let found: GraphWire | null = null;
   let least = NEAR;
   for (const wire of model.wires) {
     const [from, to] = [model.byId.get(wire.from), model.byId.get(wire.to)];
-    if (!from || !to || !betweenEdits(node, wire, model)) continue;
+    if (!from || !to || !between(studio, node, wire, model)) continue;
     const away = wireDistance(portPoint(from, "out", wire.output), portPoint(to, "in", wire.input), at);
     if (away < least) [least, found] = [away, wire];
   }
@@ -141,6 +145,8 @@ function dropWire(studio: Studio, model: GraphModel, wire: LooseWire, fits: Read
   const under = document.elementFromPoint(event.clientX, event.clientY);
   const key = under?.closest<HTMLElement>("[data-port]")?.dataset["port"];
   const node = model.byId.get(under?.closest<HTMLElement>("[data-node]")?.dataset["node"] ?? "");
+  const { recipe } = studio.document.value;
+  const operators = (name: string) => studio.operator(name);
   let target = key !== undefined ? fits.get(key) : undefined;
   if (!target && node) {
     const port = bestPort(wire, node, model);
@@ -148,10 +154,11 @@ function dropWire(studio: Studio, model: GraphModel, wire: LooseWire, fits: Read
   }
   if (target) {
     if (wire.off && wire.off.to === target.step && wire.off.input === target.port.name) return;
-    const { edits, label } = connectEdits(wire, target);
+    const { edits, label } = connectEdits(wire, target, recipe, operators);
     void studio.edit(edits, label);
   } else if (!node && wire.off) {
-    void studio.edit([{ do: "set", pointer: `/steps/${wire.off.to}/in/${wire.off.input}` }], `${wire.off.to}: ${wire.off.input} disconnected`);
+    const { edits, label } = disconnectEdits(wire.off.to, wire.off.input, recipe, operators);
+    void studio.edit(edits, label);
   } else if (!node && under?.closest(".graph")) {
     const end = { step: wire.step, port: wire.port };
     search(wire.side === "out" ? { after: wire.step, from: end } : { after: null, to: end }, event.clientX, event.clientY);

@@ -85,7 +85,7 @@ test("blend takes the step for both", () => {
 test("into a wire", () => {
   const insertion = insertIntoWire(get("terrain.smooth"), { step: "reef", port: "terrain" }, "picture",
     port("terrain:terrain!"), chain, operators);
-  assert.deepEqual(insertion?.edits.at(-1), { do: "set", pointer: "/steps/picture/in/terrain", value: "smooth.terrain" });
+  assert.deepEqual(insertion?.edits.at(-1), { do: "set", pointer: "/steps/picture/in" });
   assert.equal(insertIntoWire(get("render.map"), { step: "isle", port: "terrain" }, "reef", port("terrain:terrain!"),
     chain, operators), null);
 });
@@ -102,6 +102,7 @@ test("a copy reads what the original reads, and nobody reads the copy", () => {
 test("ids and fit", () => {
   assert.equal(freeId("island.coral", chain), "coral");
   assert.equal(freeId("reef", chain), "reef_2");
+  assert.equal(freeId("erosion.run", chain), "erosion");
   assert.equal(fitAfter(get("island.coral"), get("island.build")), "follows");
   assert.equal(fitAfter(get("island.coral"), get("terrain.smooth")), "other");
   assert.equal(fitAfter(get("island.build"), get("terrain.smooth")), "begins");

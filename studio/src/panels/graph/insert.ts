@@ -2,17 +2,21 @@
 // has to be written out so that nothing else changes.
 import type { Edit, Json, OperatorInfo, PortInfo, Recipe, Step } from "../../api/types";
 import { type Connections, type Operators, type Origin, connectedBefore, connectionsOf, meantConnections, outputOf,
-         sameConnections, writtenIn } from "./connections";
+         inEdit, sameConnections, writtenIn } from "./connections";
 
 export interface Insertion {
   id: string;
   edits: Edit[];
 }
 
-/** An id that no step has, from the operator's name: "coral", "coral_2". */
+/** Last parts of operators' names that do not say what is made. */
+const VERBS = new Set(["build", "run", "grow", "import"]);
+
+/** An id that no step has, from the operator's name: "coral", "coral_2", "erosion". */
 export function freeId(wanted: string, recipe: Recipe): string {
   const taken = new Set(recipe.steps.map((step) => step.id));
-  const base = wanted.slice(wanted.lastIndexOf(".") + 1).replace(/[^A-Za-z0-9_-]/g, "_").slice(0, 60) || "step";
+  const [family = "", name = family] = wanted.split(".");
+  const base = (VERBS.has(name) ? family : name).replace(/[^A-Za-z0-9_-]/g, "_").slice(0, 60) || "step";
   if (!taken.has(base)) return base;
   for (let number = 2; ; ++number) if (!taken.has(`${base}_${number}`)) return `${base}_${number}`;
 }
@@ -116,8 +120,17 @@ export function insertIntoWire(op: OperatorInfo, origin: { step: string; port: s
   const connections = new Map(connectedNew(op, recipe, index, operators));
   connections.set(taken.name, origin);
   const insertion = insertStep(op, origin.step, recipe, operators, connections);
-  insertion.edits.push({ do: "set", pointer: `/steps/${to}/in/${input.name}`, value: `${insertion.id}.${made.name}` });
+  insertion.edits.push(readNew(insertion, op, made.name, to, input.name, index, recipe, operators));
   return insertion;
+}
+
+/** The edit that lets an input read a step that is just put in at `index`. */
+export function readNew(insertion: Insertion, op: OperatorInfo, output: string, to: string, input: string, index: number, recipe: Recipe,
+                        operators: Operators): Edit {
+  const steps = [...recipe.steps.slice(0, index), { id: insertion.id, op: op.name }, ...recipe.steps.slice(index)];
+  const wanted = new Map(connectionsOf(recipe, recipe.steps.findIndex((step) => step.id === to), operators));
+  wanted.set(input, { step: insertion.id, port: output });
+  return inEdit(to, wanted, { ...recipe, steps }, operators);
 }
 
 /** A copy of a step right after it, which reads the same; what read the original still does. */

@@ -1,7 +1,7 @@
 // Drawing a wire from port to port: what it may end on, and the edits that connect. Cycles cannot be made: what depends
 // on a step is never offered to it.
-import type { Edit, OperatorInfo, PortInfo } from "../../api/types";
-import { downstream } from "./connections";
+import type { Edit, OperatorInfo, PortInfo, Recipe } from "../../api/types";
+import { type Operators, connectingEdits, downstream } from "./connections";
 import type { GraphModel, GraphNode, GraphWire } from "./geometry";
 
 /** A wire in the hand: one end holds to a port, the other looks for one. */
@@ -47,17 +47,20 @@ export function bestPort(wire: LooseWire, node: GraphNode, model: GraphModel): P
 }
 
 /** Edits that connect a loose wire with a port. */
-export function connectEdits(wire: LooseWire, target: Target): { edits: Edit[]; label: string } {
+export function connectEdits(wire: LooseWire, target: Target, recipe: Recipe, operators: Operators): { edits: Edit[]; label: string } {
   const [from, to] = wire.side === "out" ? [{ step: wire.step, port: wire.port }, target] : [target, { step: wire.step, port: wire.port }];
-  const edits: Edit[] = [];
-  if (wire.off && (wire.off.to !== to.step || wire.off.input !== to.port.name))
-    edits.push({ do: "set", pointer: `/steps/${wire.off.to}/in/${wire.off.input}` });
-  edits.push({ do: "set", pointer: `/steps/${to.step}/in/${to.port.name}`, value: `${from.step}.${from.port.name}` });
-  return { edits, label: `${to.step}: ${to.port.name} from ${from.step}.${from.port.name}` };
+  const off = wire.off ? [{ step: wire.off.to, input: wire.off.input, origin: null }] : [];
+  const on = { step: to.step, input: to.port.name, origin: { step: from.step, port: from.port.name } };
+  return { edits: connectingEdits([...off, on], recipe, operators), label: `${to.step}: ${to.port.name} from ${from.step}.${from.port.name}` };
+}
+
+export function disconnectEdits(step: string, input: string, recipe: Recipe, operators: Operators): { edits: Edit[]; label: string } {
+  return { edits: connectingEdits([{ step, input, origin: null }], recipe, operators), label: `${step}: ${input} disconnected` };
 }
 
 /** A node that is dropped on a wire comes in between: null where it does not fit or would close a circle. */
-export function betweenEdits(node: GraphNode, wire: GraphWire, model: GraphModel): { edits: Edit[]; label: string } | null {
+export function betweenEdits(node: GraphNode, wire: GraphWire, model: GraphModel, recipe: Recipe,
+                             operators: Operators): { edits: Edit[]; label: string } | null {
   const op: OperatorInfo | undefined = node.op;
   if (!op || wire.from === node.id || wire.to === node.id) return null;
   const below = downstream(node.id, model.connections);
@@ -68,8 +71,8 @@ export function betweenEdits(node: GraphNode, wire: GraphWire, model: GraphModel
   const made = of(op.out);
   if (!taken || !made) return null;
   return {
-    edits: [{ do: "set", pointer: `/steps/${node.id}/in/${taken.name}`, value: `${wire.from}.${wire.output}` },
-      { do: "set", pointer: `/steps/${wire.to}/in/${wire.input}`, value: `${node.id}.${made.name}` }],
+    edits: connectingEdits([{ step: node.id, input: taken.name, origin: { step: wire.from, port: wire.output } },
+      { step: wire.to, input: wire.input, origin: { step: node.id, port: made.name } }], recipe, operators),
     label: `${node.id} between ${wire.from} and ${wire.to}`,
   };
 }

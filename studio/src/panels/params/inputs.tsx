@@ -2,9 +2,9 @@
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { ChevronRight, CircleDashed, X } from "lucide-preact";
-import type { Edit, OperatorInfo, PortInfo, Step } from "../../api/types";
+import type { OperatorInfo, PortInfo, Step } from "../../api/types";
 import type { Studio } from "../../document/studio";
-import { type Connections, type Origin, connectionsOf, offersFor } from "../graph/connections";
+import { type Connections, type Origin, connectingEdits, connectionsOf, offersFor } from "../graph/connections";
 import { KindMark } from "../graph/kind_mark";
 import { titleOf } from "./words";
 
@@ -13,11 +13,9 @@ export function originText(origin: Origin): string {
 }
 
 /** "reef: terrain from isle.terrain". */
-export function connectEdit(step: string, port: string, origin: Origin | null): { edits: Edit[]; label: string } {
-  const pointer = `/steps/${step}/in/${port}`;
-  if (origin === null) return { edits: [{ do: "set", pointer }], label: `${step}: ${port} disconnected` };
-  const value = "file" in origin ? { file: origin.file } : `${origin.step}.${origin.port}`;
-  return { edits: [{ do: "set", pointer, value }], label: `${step}: ${port} from ${originText(origin)}` };
+function connect(studio: Studio, step: string, input: string, origin: Origin | null): Promise<boolean> {
+  const edits = connectingEdits([{ step, input, origin }], studio.document.value.recipe, (name) => studio.operator(name));
+  return studio.edit(edits, origin ? `${step}: ${input} from ${originText(origin)}` : `${step}: ${input} disconnected`);
 }
 
 const FILE = "\0file";
@@ -30,8 +28,7 @@ function InputRow({ studio, step, input, origin }: { studio: Studio; step: Step;
   const choose = async (value: string) => {
     if (value === FILE) return takeFile(studio, step.id, input, files);
     const [id = "", port = ""] = value.split(".");
-    const { edits, label } = connectEdit(step.id, input.name, value === "" ? null : { step: id, port });
-    await studio.edit(edits, label);
+    await connect(studio, step.id, input.name, value === "" ? null : { step: id, port });
   };
   const open = origin === undefined && input.required;
   return (
@@ -64,8 +61,7 @@ function takeFile(studio: Studio, step: string, input: PortInfo, endings: readon
     if (!file) return;
     try {
       const taken = await studio.api.upload(file.name, file);
-      const { edits, label } = connectEdit(step, input.name, { file: taken.file });
-      await studio.edit(edits, label);
+      await connect(studio, step, input.name, { file: taken.file });
     } catch (problem) {
       studio.message.value = { kind: "error", text: problem instanceof Error ? problem.message : String(problem), step };
     }

@@ -76,7 +76,6 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
       onPointerDown={drag.down} onPointerMove={drag.move} onPointerUp={drag.up} onPointerCancel={drag.cancel}
       onDblClick={() => edit()} onKeyDown={onKeyDown} onEdit={() => edit()}>
       {share !== null && <span class="number-fill" style={{ left: `${100 * Math.min(share, origin)}%`, width: `${100 * Math.abs(share - origin)}%` }} />}
-      {share !== null && <span class="number-thumb" style={{ left: `${100 * share}%` }} />}
       {props.prefix && <span class="number-prefix">{props.prefix}</span>}
       <span class="number-text">{value === null ? "auto" : numberText(value)}</span>
       {value !== null && unit !== "" && <span class="number-unit">{unitText(unit)}</span>}

@@ -1,6 +1,6 @@
 // A number field while it is typed into: sums and units are understood, what they come to is shown beside.
 import type { JSX } from "preact";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { readTyped } from "./expression";
 import { bounded } from "./scale";
 import { amountText, numberText } from "./words";
@@ -28,7 +28,7 @@ export function NumberInput({ label, text, unit, bounds, onDone }: NumberInputPr
   const [typed, setTyped] = useState(text);
   const input = useRef<HTMLInputElement>(null);
   const done = useRef(false);
-  useEffect(() => {
+  useLayoutEffect(() => {
     input.current?.focus();
     if (text.length > 1 || /\d\d/.test(text)) input.current?.select();
   }, []);

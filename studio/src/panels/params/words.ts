@@ -51,6 +51,7 @@ export function valueText(value: Json | undefined, info?: Pick<ParamInfo, "unit"
 /** "reef: subsidence 0.2 → 0.4". */
 export function changeLabel(owner: string, info: ParamInfo, before: Json | undefined, after: Json | undefined): string {
   const name = titleOf(info.name).toLowerCase();
+  if (info.kind === "curve" || (Array.isArray(before) && Array.isArray(after) && valueText(before) === valueText(after))) return `${owner}: ${name} changed`;
   return `${owner}: ${name} ${valueText(before, info)} → ${valueText(after, info)}`;
 }
 

@@ -1,12 +1,12 @@
 // 'Add step': a search over all operators, those that fit the selected step first. The chosen one comes after it and is
 // connected to what fits.
 import type { JSX } from "preact";
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Search, X } from "lucide-preact";
 import type { OperatorInfo } from "../../api/types";
 import type { Studio } from "../../document/studio";
 import type { Origin } from "../graph/connections";
-import { type Fit, connectedNew, fitAfter, insertIntoWire, insertStep } from "../graph/insert";
+import { type Fit, connectedNew, fitAfter, insertIntoWire, insertStep, readNew } from "../graph/insert";
 import type { AddRequest } from "./adding";
 import { FamilyIcon } from "./family_icon";
 import { findOperators, takesAndMakes } from "./search";
@@ -40,9 +40,11 @@ async function add(studio: Studio, op: OperatorInfo, request: AddRequest): Promi
       ?? op.in.find((input) => input.kind === from.port.kind);
     if (port) wanted.set(port.name, { step: from.step, port: from.port.name });
   }
-  const { id, edits } = insertStep(op, after, recipe, operators, wanted);
+  const insertion = insertStep(op, after, recipe, operators, wanted);
+  const { id, edits } = insertion;
   const made = to && (op.out.find((port) => port.name === to.port.name && port.kind === to.port.kind) ?? op.out.find((port) => port.kind === to.port.kind));
-  if (to && made) edits.push({ do: "set", pointer: `/steps/${to.step}/in/${to.port.name}`, value: `${id}.${made.name}` });
+  const index = after === null ? recipe.steps.length : recipe.steps.findIndex((step) => step.id === after) + 1;
+  if (to && made) edits.push(readNew(insertion, op, made.name, to.step, to.port.name, index, recipe, operators));
   if (await studio.edit(edits, `${id} added`)) studio.selected.value = id;
 }
 
@@ -58,7 +60,7 @@ export function AddStep({ studio, request, onDone }: { studio: Studio; request: 
   const fit = (op: OperatorInfo) => fitAfter(op, selected, made);
   const found = useMemo(() => findOperators(query, studio.schema.operators.filter((op) => fitsWire(op, request)), (op) => RANK[fit(op)]),
     [query, selected, studio.schema, request, made]);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const before = document.activeElement;
     input.current?.focus();
     return () => { if (before instanceof HTMLElement && before.isConnected) before.focus(); };
@@ -89,8 +91,10 @@ export function AddStep({ studio, request, onDone }: { studio: Studio; request: 
           onInput={(event) => { setQuery(event.currentTarget.value); setAt(0); }} onKeyDown={onKeyDown} />
         <button type="button" class="plain icon small" aria-label="Close" onClick={onDone}><X /></button></div>
       <ul id="add-step-list" ref={list} role="listbox" aria-label="Operators">
-        {found.map((op, i) => <Choice key={op.name} id={`add-${i}`} op={op} chosen={i === at} fit={fit(op)}
-          head={query === "" ? headOf(found.map(fit), i, after) : ""} onChoose={() => choose(op)} onPoint={() => setAt(i)} />)}
+        {found.flatMap((op, i) => [
+          ...(query === "" && (i === 0 || fit(found[i - 1]!) !== fit(op)) ? [<li key={fit(op)} class="add-group" role="presentation">{HEADS[fit(op)](after)}</li>] : []),
+          <Choice key={op.name} id={`add-${i}`} op={op} chosen={i === at} fit={fit(op)} onChoose={() => choose(op)} onPoint={() => setAt(i)} />,
+        ])}
         {found.length === 0 && <li class="empty" role="option" aria-selected="false">Nothing is called so.</li>}
       </ul>
     </div>
@@ -101,30 +105,22 @@ const HEADS: { readonly [fit in Fit]: (after: string | undefined) => string } = 
   follows: (after) => `Reads ${after ?? "it"}`, upstream: () => "Reads earlier steps", begins: () => "Begins anew", other: () => "Needs something else",
 };
 
-function headOf(fits: readonly Fit[], i: number, after: string | undefined): string {
-  return i > 0 && fits[i - 1] === fits[i] ? "" : HEADS[fits[i]!](after);
-}
-
 interface ChoiceProps {
   id: string;
   op: OperatorInfo;
   chosen: boolean;
   fit: Fit;
-  head: string;
   onChoose(): void;
   onPoint(): void;
 }
 
-function Choice({ id, op, chosen, fit, head, onChoose, onPoint }: ChoiceProps): JSX.Element {
+function Choice({ id, op, chosen, fit, onChoose, onPoint }: ChoiceProps): JSX.Element {
   const { takes, makes } = takesAndMakes(op);
   return (
-    <>
-      {head && <li class="add-group" role="presentation">{head}</li>}
-      <li id={id} role="option" aria-selected={chosen} class={`add-choice ${fit}`} onClick={onChoose} onPointerMove={() => { if (!chosen) onPoint(); }}>
-        <FamilyIcon op={op.name} />
-        <span class="add-words"><span class="add-name">{op.name}</span><span class="add-summary">{op.summary}</span>
-          <span class="add-ports">{takes} → {makes}</span></span>
-      </li>
-    </>
+    <li id={id} role="option" aria-selected={chosen} class={`add-choice ${fit}`} onClick={onChoose} onPointerMove={() => { if (!chosen) onPoint(); }}>
+      <FamilyIcon op={op.name} />
+      <span class="add-words"><span class="add-name">{op.name}</span><span class="add-summary">{op.summary}</span>
+        <span class="add-ports">{takes} → {makes}</span></span>
+    </li>
   );
 }

@@ -1,6 +1,6 @@
 // A step as a card of the list: picture, name, operator, how far it is, and what can be done to it.
 import type { JSX } from "preact";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { CircleSlash, Copy, Pin, Trash2, TriangleAlert } from "lucide-preact";
 import type { OperatorInfo, Step, StepState } from "../../api/types";
 import type { Studio } from "../../document/studio";
@@ -34,19 +34,15 @@ export function StepCard(props: StepCardProps): JSX.Element {
     <li class={classes} data-step={step.id}>
       <div class="step-main">
         <Thumbnail studio={studio} id={step.id} op={op} stale={stale} />
-        <div class="step-words">
-          {naming ? <NameInput studio={studio} id={step.id} onDone={() => setNaming(false)} /> : (
-            <button type="button" class="plain step-select" aria-pressed={selected} tabIndex={selected || (studio.selected.value === null && props.index === 0) ? 0 : -1}
-              aria-label={`${step.id}, ${step.op}`} onPointerDown={props.onGrab} onClick={() => { studio.selected.value = step.id; }} onDblClick={() => setNaming(true)} onKeyDown={onKeyDown}>
-              <FamilyIcon op={step.op} /><span class="step-id ellipsis">{step.id}</span>
-            </button>
-          )}
-          <span class="step-op ellipsis" title={op?.summary}>{step.op}{props.reads.length > 0 && <span class="step-reads"> ← {props.reads.join(", ")}</span>}</span>
-        </div>
-        <div class="step-side">
-          <StandingSign state={state} />
-          <CardActions studio={studio} id={step.id} bypassed={step.bypass === true} />
-        </div>
+        {naming ? <NameInput studio={studio} id={step.id} onDone={() => setNaming(false)} /> : (
+          <button type="button" class="plain step-select" aria-pressed={selected} tabIndex={selected || (studio.selected.value === null && props.index === 0) ? 0 : -1}
+            aria-label={`${step.id}, ${step.op}`} onPointerDown={props.onGrab} onClick={() => { studio.selected.value = step.id; }} onDblClick={() => setNaming(true)} onKeyDown={onKeyDown}>
+            <FamilyIcon op={step.op} /><span class="step-id ellipsis">{step.id}</span>
+          </button>
+        )}
+        <StandingSign state={state} />
+        <span class="step-op ellipsis" title={op?.summary}>{step.op}{props.reads.length > 0 && <span class="step-reads"> ← {props.reads.join(", ")}</span>}</span>
+        <CardActions studio={studio} id={step.id} bypassed={step.bypass === true} />
       </div>
       <Progress state={state} />
       {state?.message && (state.standing === "failed" || state.standing === "incomplete") && <p class="problem"><TriangleAlert />{state.message}</p>}
@@ -76,7 +72,9 @@ function onCardKey(event: KeyboardEvent, { studio, step, index }: StepCardProps,
     if (id === undefined) return;
     studio.selected.value = id;
     const list = (event.currentTarget as HTMLElement).closest("ol");
-    requestAnimationFrame(() => list?.querySelector<HTMLElement>(`[data-step="${CSS.escape(id)}"] .step-select`)?.focus());
+    const focus = () => list?.querySelector<HTMLElement>(`[data-step="${CSS.escape(id)}"] .step-select`)?.focus();
+    focus();
+    requestAnimationFrame(focus);  // a card that was moved has lost it
   };
   const plain = !event.ctrlKey && !event.metaKey && !event.altKey;
   const by = event.key === "ArrowUp" ? -1 : event.key === "ArrowDown" ? 1 : 0;
@@ -98,7 +96,10 @@ function NameInput({ studio, id, onDone }: { studio: Studio; id: string; onDone(
   const [name, setName] = useState(id);
   const input = useRef<HTMLInputElement>(null);
   const done = useRef(false);
-  useEffect(() => input.current?.select(), []);
+  useLayoutEffect(() => {
+    input.current?.focus();
+    input.current?.select();
+  }, []);
   const problem = idProblem(studio, id, name);
   const finish = (keep: boolean) => {
     if (done.current) return;
