@@ -34,7 +34,7 @@ export function FirstScreen() {
             <section key={group} aria-label={group}>
               <h3>{group}</h3>
               <ul class="cards">
-                {examples.value.filter((example) => example.group === group).map((example) => (
+                {examples.value.filter((example) => example.group === group && example.picture).map((example) => (
                   <li key={example.name}><ExampleCard example={example} /></li>
                 ))}
               </ul>
