@@ -1,7 +1,7 @@
 // The height field on the graphics side, shared by both views: heights as they are (R32F, sampled by hand), and what is
 // baked of them once, so that frames are cheap and far ground does not shimmer: gradients, natural colours, light.
 import {
-  ClampToEdgeWrapping, DataTexture, FloatType, GLSL3, HalfFloatType, LinearFilter, LinearMipmapLinearFilter, Mesh,
+  ClampToEdgeWrapping, DataTexture, FloatType, GLSL3, HalfFloatType, LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, Mesh,
   NearestFilter, OrthographicCamera, PlaneGeometry, RawShaderMaterial, RedFormat, RGBAFormat, Scene, UnsignedByteType,
   WebGLRenderTarget, type IUniform, type Texture, type WebGLRenderer,
 } from "three";
@@ -62,6 +62,17 @@ interface Set {
 const keptSets = 3;
 const snowLines = { tropical: 5000, inland: 2850 }, treeLines = { tropical: 3900, inland: 2000 };
 
+/** What suits the machine. */
+export interface TextureBudget {
+  /** Cells along the longer side of the light's texture. */
+  lightCells: number;
+  /** Of the colours' texture. */
+  colourCells: number;
+  anisotropy: number;
+  /** Between levels of a texture, too. */
+  smoothLevels: boolean;
+}
+
 export class GroundTextures {
   private readonly sets: Set[] = [];
   private light: WebGLRenderTarget | null = null;
@@ -69,14 +80,11 @@ export class GroundTextures {
   private readonly albedoBake: Bake;
   private readonly lightBake: Bake;
   private readonly litBake: Bake;
-  /** Cells along the longer side of the light's texture. */
-  lightCells = 512;
 
-  constructor(private readonly renderer: WebGLRenderer, noise: Texture, anisotropy: number) {
-    this.anisotropy = anisotropy;
+  constructor(private readonly renderer: WebGLRenderer, noise: Texture, private readonly budget: TextureBudget) {
     this.surfaceBake = new Bake(surfaceShader, { heights: { value: null }, cell_m: { value: 1 }, relief_scale: { value: 1 } });
     this.albedoBake = new Bake(albedoShader, {
-      surface: { value: null }, noise: { value: noise }, cell_m: { value: 1 }, tropical: { value: true },
+      surface: { value: null }, noise: { value: noise }, cell_m: { value: 1 }, scale: { value: 1 }, tropical: { value: true },
       snow_line: { value: 5000 }, tree_line: { value: 3900 },
     });
     this.lightBake = new Bake(lightShader, {
@@ -89,7 +97,6 @@ export class GroundTextures {
       to_sun: { value: [0, 0, 1] }, sun_light: { value: [1, 1, 1] }, sky_light: { value: [1, 1, 1] }, ground_style: { value: 0 },
     });
   }
-  private readonly anisotropy: number;
 
   get heights(): Texture | null {
     return this.sets[0]?.heights ?? null;
@@ -112,6 +119,7 @@ export class GroundTextures {
     surface.relief_scale!.value = field.typicalSlope > 0 ? Math.min(12, Math.max(0.3, 0.62 / field.typicalSlope)) : 1;
     this.surfaceBake.into(this.renderer, set.surface);
     albedo.surface!.value = set.surface.texture;
+    albedo.scale!.value = set.albedo.width / set.columns;
     albedo.tropical!.value = field.inSea;
     albedo.snow_line!.value = field.inSea ? snowLines.tropical : snowLines.inland;
     albedo.tree_line!.value = field.inSea ? treeLines.tropical : treeLines.inland;
@@ -122,7 +130,7 @@ export class GroundTextures {
   updateLight(field: HeightField, options: ViewOptions): void {
     const set = this.sets[0];
     if (set === undefined) return;
-    const most = field.coarse ? Math.min(160, this.lightCells) : this.lightCells;
+    const most = field.coarse ? Math.min(128, this.budget.lightCells) : this.budget.lightCells;
     const scale = Math.min(1, most / Math.max(field.columns, field.rows));
     const width = Math.max(1, Math.round(field.columns * scale)), height = Math.max(1, Math.round(field.rows * scale));
     if (this.light === null || this.light.width !== width || this.light.height !== height) {
@@ -176,11 +184,16 @@ export class GroundTextures {
     const heights = new DataTexture(null, columns, rows, RedFormat, FloatType);
     heights.minFilter = heights.magFilter = NearestFilter;
     heights.unpackAlignment = 4;
+    const scale = Math.min(1, this.budget.colourCells / Math.max(columns, rows));
     const set: Set = {
-      columns, rows, heights, surface: target(columns, rows, true), albedo: target(columns, rows, false, false),
+      columns, rows, heights, surface: target(columns, rows, true),
+      albedo: target(Math.ceil(columns * scale), Math.ceil(rows * scale), false, false),
       lit: target(columns, rows, false),
     };
-    set.surface.texture.anisotropy = set.lit.texture.anisotropy = this.anisotropy;
+    for (const { texture } of [set.surface, set.lit]) {
+      texture.anisotropy = this.budget.anisotropy;
+      texture.minFilter = this.budget.smoothLevels ? LinearMipmapLinearFilter : LinearMipmapNearestFilter;
+    }
     return set;
   }
 }

@@ -13,7 +13,8 @@ export class MapScene {
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
   private readonly uniforms: { [name: string]: IUniform };
-  private readonly mesh: Mesh<PlaneGeometry, RawShaderMaterial>;
+  private readonly mesh = new Mesh<PlaneGeometry, RawShaderMaterial>(new PlaneGeometry(2, 2));
+  private readonly variants = new Map<string, RawShaderMaterial>();
 
   constructor(shared: SharedUniforms) {
     this.uniforms = {
@@ -22,10 +23,6 @@ export class MapScene {
       tint_scale: { value: new Vector3(1000, 0, 1000) }, paper: { value: new Vector3(0.01, 0.01, 0.01) },
       water: { value: true },
     };
-    this.mesh = new Mesh(new PlaneGeometry(2, 2), new RawShaderMaterial({
-      glslVersion: GLSL3, vertexShader: mapVertex, fragmentShader: common + overlayShader + mapFragment,
-      uniforms: this.uniforms, depthTest: false, depthWrite: false,
-    }));
     this.mesh.frustumCulled = false;
     this.scene.add(this.mesh);
   }
@@ -38,16 +35,32 @@ export class MapScene {
       (0.5 * size.width * eye.pixel_m) / field.width_m, (-0.5 * size.height * eye.pixel_m) / field.height_m,
     ];
     u.pixel_m!.value = pixel_m;
-    const scale = tintScale(field.min, field.max);
+    const scale = water ? tintScale(field.min, field.max) : { deepest: 1, base: field.min, top: Math.max(field.max, field.min + 1) };
     (u.tint_scale!.value as Vector3).set(scale.deepest, scale.base, scale.top);
     (u.paper!.value as Vector3).set(...paper);
     u.water!.value = water;
+    // Cells that are larger than pixels are sampled finely.
+    const names = [u.overlay_strength!.value > 0 ? "OVERLAY" : "", pixel_m < 1.5 * frame.cell_m ? "SMOOTH" : ""];
+    this.mesh.material = this.variant(names.filter((name) => name !== ""));
     renderer.render(this.scene, this.camera);
+  }
+
+  private variant(defines: string[]): RawShaderMaterial {
+    const key = defines.join(" ");
+    let made = this.variants.get(key);
+    if (made === undefined) {
+      made = new RawShaderMaterial({
+        glslVersion: GLSL3, vertexShader: mapVertex, uniforms: this.uniforms, depthTest: false, depthWrite: false,
+        fragmentShader: defines.map((name) => `#define ${name}\n`).join("") + common + overlayShader + mapFragment,
+      });
+      this.variants.set(key, made);
+    }
+    return made;
   }
 
   dispose(): void {
     this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    for (const material of this.variants.values()) material.dispose();
     this.uniforms.tints!.value.dispose();
   }
 }

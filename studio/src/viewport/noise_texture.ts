@@ -1,6 +1,6 @@
 // Tileable noise for the shaders, made once: red a sum of octaves from 8 waves across, blue and alpha its slopes (0.5:
 // level), green another sum. Finer octaves fade out with the mipmaps, so nothing shimmers.
-import { DataTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, RGBAFormat, UnsignedByteType } from "three";
+import { DataTexture, LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, RepeatWrapping, RGBAFormat, UnsignedByteType } from "three";
 
 const size = 256;
 const waves = 8;
@@ -32,7 +32,7 @@ function octaves(seed: number, x: number, y: number): number {
   return sum;
 }
 
-export function noiseTexture(): DataTexture {
+export function noiseTexture(smoothLevels: boolean): DataTexture {
   const first = new Float32Array(size * size), second = new Float32Array(size * size);
   for (let y = 0; y < size; ++y) {
     for (let x = 0; x < size; ++x) {
@@ -53,7 +53,7 @@ export function noiseTexture(): DataTexture {
   const texture = new DataTexture(data, size, size, RGBAFormat, UnsignedByteType);
   texture.wrapS = texture.wrapT = RepeatWrapping;
   texture.magFilter = LinearFilter;
-  texture.minFilter = LinearMipmapLinearFilter;
+  texture.minFilter = smoothLevels ? LinearMipmapLinearFilter : LinearMipmapNearestFilter;
   texture.generateMipmaps = true;
   texture.needsUpdate = true;
   return texture;

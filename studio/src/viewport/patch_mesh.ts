@@ -6,7 +6,7 @@ import { patchCells, patchNumbers, type Patches } from "./patches";
 
 const mostPatches = 1024;
 
-function grid(): { positions: Float32Array; indices: Uint16Array } {
+function grid(): { positions: Float32Array; indices: Uint16Array; inner: number } {
   const side = patchCells + 1, positions: number[] = [], indices: number[] = [];
   for (let j = 0; j < side; ++j) for (let i = 0; i < side; ++i) positions.push(i, j, 0);
   for (let j = 0; j < patchCells; ++j) {
@@ -17,6 +17,7 @@ function grid(): { positions: Float32Array; indices: Uint16Array } {
       else indices.push(a, c, d, a, d, b);
     }
   }
+  const inner = indices.length;
   // Once around the border, each vertex again one storey lower.
   const around: [number, number][] = [];
   for (let i = 0; i < patchCells; ++i) around.push([i, 0]);
@@ -30,7 +31,7 @@ function grid(): { positions: Float32Array; indices: Uint16Array } {
     const top = j * side + i, next = nj * side + ni, low = first + k, lowNext = first + ((k + 1) % around.length);
     indices.push(top, next, low, low, next, lowNext);
   });
-  return { positions: new Float32Array(positions), indices: new Uint16Array(indices) };
+  return { positions: new Float32Array(positions), indices: new Uint16Array(indices), inner };
 }
 
 export class PatchGeometry extends InstancedBufferGeometry {
@@ -41,13 +42,15 @@ export class PatchGeometry extends InstancedBufferGeometry {
 
   constructor() {
     super();
-    const { positions, indices } = grid();
+    const { positions, indices, inner } = grid();
     this.triangles = indices.length / 3;
     this.setAttribute("position", new BufferAttribute(positions, 3));
     this.setIndex(new BufferAttribute(indices, 1));
     this.instances.setUsage(DynamicDrawUsage);
     this.setAttribute("patch_box", new InterleavedBufferAttribute(this.instances, 3, 0));
     this.setAttribute("patch_morph", new InterleavedBufferAttribute(this.instances, 2, 3));
+    this.addGroup(0, inner, 0);
+    this.addGroup(inner, indices.length - inner, 1);
     this.instanceCount = 0;
   }
 

@@ -1,5 +1,5 @@
 // The one WebGL renderer of both views and what it holds: textures of the ground, the scene of the 3D view, the map.
-import { WebGLRenderer } from "three";
+import { WebGLRenderer, type DataTexture } from "three";
 import { GroundTextures } from "./ground_textures";
 import { OverlayTexture } from "./ground_overlay";
 import type { HeightField } from "./heights";
@@ -7,7 +7,7 @@ import type { MapEye, Size } from "./map_camera";
 import { MapScene } from "./map_scene";
 import { noiseTexture } from "./noise_texture";
 import type { ViewOptions } from "./options";
-import { sharedUniforms, showOverlay, showTextures, styleNumber } from "./shared_uniforms";
+import { sharedUniforms, showOverlay, showTextures, styleNumber, type SharedUniforms } from "./shared_uniforms";
 import { contourInterval } from "./ticks";
 import type { GroundOverlay } from "./types";
 import type { Eye, Lens } from "./world_camera";
@@ -20,8 +20,8 @@ export class PictureRenderer {
   readonly overlay = new OverlayTexture();
   readonly world: WorldScene;
   private readonly renderer: WebGLRenderer;
-  private readonly noise = noiseTexture();
-  private readonly shared = sharedUniforms(this.noise);
+  private readonly noise: DataTexture;
+  private readonly shared: SharedUniforms;
   private readonly textures: GroundTextures;
   private readonly map: MapScene;
 
@@ -36,8 +36,11 @@ export class PictureRenderer {
     this.software = /swiftshader|llvmpipe|software|basic render/i.test(name);
     gl.getExtension("EXT_color_buffer_float");
     this.renderer.autoClear = false;
-    this.textures = new GroundTextures(this.renderer, this.noise, this.software ? 1 : 8);
-    this.textures.lightCells = this.software ? 288 : 1024;
+    this.noise = noiseTexture(!this.software);
+    this.shared = sharedUniforms(this.noise);
+    this.textures = new GroundTextures(this.renderer, this.noise, this.software
+      ? { lightCells: 288, colourCells: 1024, anisotropy: 1, smoothLevels: false }
+      : { lightCells: 1024, colourCells: 4096, anisotropy: 8, smoothLevels: true });
     this.world = new WorldScene(this.shared);
     this.world.patchBudget = this.software ? 160 : 420;
     this.map = new MapScene(this.shared);
@@ -67,14 +70,14 @@ export class PictureRenderer {
     if (field !== null) showOverlay(this.shared, this.overlay, field);
   }
 
-  drawWorld(field: HeightField, options: ViewOptions, overlay: GroundOverlay, eye: Eye, lens: Lens, jitter: readonly [number, number]): void {
+  drawWorld(field: HeightField, options: ViewOptions, overlay: GroundOverlay, eye: Eye, lens: Lens, jitter: readonly [number, number], fine: boolean): void {
     this.begin(lens);
     this.shared.ground_style.value = styleNumber(options.ground, overlay);
     // Lines are as far apart as suits the whole terrain, not the changing distance.
     const typical = contourInterval(Math.max(field.width_m, field.height_m) / 900, field.typicalSlope, 18);
     this.shared.contour_m.value = overlay.overlay === "contours" ? overlay.interval_m : options.ground === "contours" ? typical : 0;
     this.renderer.clear(false, true, false);
-    this.world.render(this.renderer, field, options, eye, lens, jitter);
+    this.world.render(this.renderer, field, options, eye, lens, jitter, fine || !this.software);
   }
 
   drawMap(field: HeightField, options: ViewOptions, overlay: GroundOverlay, eye: MapEye, size: Size, pixels: Size, paper: readonly [number, number, number]): void {

@@ -1,6 +1,6 @@
 // The 3D picture: patches of ground, the sea's plane around them, and the sky.
 import {
-  GLSL3, DoubleSide, Mesh, PerspectiveCamera, PlaneGeometry, RawShaderMaterial, Scene, Vector3, Matrix4, type IUniform,
+  GLSL3, DoubleSide, Mesh, PerspectiveCamera, PlaneGeometry, RawShaderMaterial, Scene, Vector3, Matrix4, type BufferGeometry, type IUniform,
   type WebGLRenderer,
 } from "three";
 import type { HeightField } from "./heights";
@@ -16,6 +16,7 @@ import seaVertex from "./shaders/sea.vert.glsl";
 import skyFragment from "./shaders/sky.frag.glsl";
 import skyShader from "./shaders/sky.glsl";
 import skyVertex from "./shaders/sky.vert.glsl";
+import wallFragment from "./shaders/wall.frag.glsl";
 import wireFragment from "./shaders/wire.frag.glsl";
 import type { SharedUniforms } from "./shared_uniforms";
 import { axes, viewPlanes, type Eye, type Lens } from "./world_camera";
@@ -27,6 +28,9 @@ export class WorldScene {
   readonly camera = new PerspectiveCamera();
   private readonly geometry = new PatchGeometry();
   private readonly uniforms: { [name: string]: IUniform };
+  private readonly plain: RawShaderMaterial[] = [];
+  private readonly variants = new Map<string, RawShaderMaterial>();
+  private readonly wall: RawShaderMaterial;
   private readonly ground: Mesh;
   private readonly sea: Mesh;
   private readonly wire: Mesh;
@@ -43,24 +47,21 @@ export class WorldScene {
       sky_scale: { value: 1 }, haze_density: { value: 0 }, haze_far: { value: 1 }, forward: { value: new Vector3() },
       right: { value: new Vector3() }, upward: { value: new Vector3() }, pixel_angle: { value: 1 }, sun_path: { value: 1 }, wire_colour: { value: [1, 1, 1, 0.22] },
     };
-    const fragment = common + skyShader + overlayShader + groundFragment;
-    const groundMaterial = this.material(groundVertex, fragment, { plane_only: { value: false } });
-    this.ground = this.mesh(this.geometry, groundMaterial, 0);
-    const seaMaterial = this.material(seaVertex, fragment, { plane_only: { value: true } });
-    seaMaterial.polygonOffset = true;
-    seaMaterial.polygonOffsetFactor = seaMaterial.polygonOffsetUnits = 2;
-    this.sea = this.mesh(new PlaneGeometry(2, 2), seaMaterial, 1);
-    const skyMaterial = this.material(skyVertex, common + skyShader + skyFragment, {});
+    this.wall = this.material(groundVertex, common + skyShader + wallFragment);
+    this.ground = this.mesh(this.geometry, [], 0);
+    this.sea = this.mesh(new PlaneGeometry(2, 2), [], 1);
+    this.sea.geometry.addGroup(0, Infinity, 0);
+    const skyMaterial = this.material(skyVertex, common + skyShader + skyFragment);
     skyMaterial.depthWrite = false;
     this.mesh(new PlaneGeometry(2, 2), skyMaterial, 2);
-    const wireMaterial = this.material(groundVertex, common + wireFragment, {});
+    const wireMaterial = this.material(groundVertex, common + wireFragment);
     wireMaterial.wireframe = wireMaterial.transparent = true;
     this.wire = this.mesh(this.geometry, wireMaterial, 3);
     this.camera.up.set(0, 0, 1);
   }
 
   /** Draws into the renderer's current target of the size of the lens. `jitter`: parts of a pixel. */
-  render(renderer: WebGLRenderer, field: HeightField, options: ViewOptions, eye: Eye, lens: Lens, jitter: readonly [number, number]): void {
+  render(renderer: WebGLRenderer, field: HeightField, options: ViewOptions, eye: Eye, lens: Lens, jitter: readonly [number, number], fine: boolean): void {
     const [cx, cy] = field.centre;
     const local: [number, number, number] = [eye.at[0] - cx, eye.at[1] - cy, eye.at[2]];
     this.place(eye, local, lens, field, options, jitter);
@@ -73,6 +74,7 @@ export class WorldScene {
       floor: options.water ? 0 : -Infinity,
       budget: this.patchBudget,
     }));
+    this.dress(field, options, eye, fine);
     this.ground.visible = this.geometry.instanceCount > 0;
     this.wire.visible = options.wireframe && this.ground.visible;
     renderer.render(this.scene, this.camera);
@@ -83,8 +85,8 @@ export class WorldScene {
     this.scene.traverse((object) => {
       if (!(object instanceof Mesh)) return;
       object.geometry.dispose();
-      (object.material as RawShaderMaterial).dispose();
     });
+    for (const material of this.plain) material.dispose();
   }
 
   private place(eye: Eye, local: [number, number, number], lens: Lens, field: HeightField, options: ViewOptions, jitter: readonly [number, number]): void {
@@ -133,14 +135,43 @@ export class WorldScene {
     this.sea.visible = options.water && field.min < 0;
   }
 
-  private material(vertexShader: string, fragmentShader: string, own: { [name: string]: IUniform }): RawShaderMaterial {
-    return new RawShaderMaterial({
-      glslVersion: GLSL3, vertexShader, fragmentShader, uniforms: { ...this.uniforms, ...own }, side: DoubleSide,
-    });
+  /** Chooses the shaders that do what this picture needs and no more. */
+  private dress(field: HeightField, options: ViewOptions, eye: Eye, fine: boolean): void {
+    const above = eye.at[2] - options.exaggeration * Math.max(0, field.at(eye.at[0], eye.at[1]) ?? 0);
+    const magnified = fine && above * this.uniforms.pixel_angle!.value * 1.6 < field.frame.cell_m;
+    const names = [
+      fine ? "FINE" : "", magnified ? "SMOOTH" : "", this.uniforms.overlay_strength!.value > 0 ? "OVERLAY" : "",
+      this.uniforms.contour_m!.value > 0 ? "CONTOURS" : "",
+    ].filter((name) => name !== "");
+    const walls = !field.inSea || !options.water;
+    const ground = this.variant(groundVertex, options.water && field.min < 0 ? [...names, "WATER"] : names);
+    this.ground.material = walls ? [ground, this.wall] : [ground];
+    this.sea.material = [this.variant(seaVertex, [...names.filter((name) => name !== "CONTOURS"), "PLANE"])];
   }
 
-  private mesh(geometry: PatchGeometry | PlaneGeometry, material: RawShaderMaterial, order: number): Mesh {
-    const mesh = new Mesh(geometry, material);
+  private variant(vertex: string, defines: string[]): RawShaderMaterial {
+    const key = defines.join(" ");
+    let made = this.variants.get(key);
+    if (made === undefined) {
+      const head = defines.map((name) => `#define ${name}\n`).join("");
+      made = this.material(vertex, head + common + skyShader + overlayShader + groundFragment);
+      if (defines.includes("PLANE")) {
+        made.polygonOffset = true;
+        made.polygonOffsetFactor = made.polygonOffsetUnits = 2;
+      }
+      this.variants.set(key, made);
+    }
+    return made;
+  }
+
+  private material(vertexShader: string, fragmentShader: string): RawShaderMaterial {
+    const made = new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms: this.uniforms, side: DoubleSide });
+    this.plain.push(made);
+    return made;
+  }
+
+  private mesh(geometry: PatchGeometry | PlaneGeometry, material: RawShaderMaterial | RawShaderMaterial[], order: number): Mesh {
+    const mesh = new Mesh<BufferGeometry, RawShaderMaterial | RawShaderMaterial[]>(geometry, material);
     mesh.frustumCulled = false;
     mesh.renderOrder = order;
     this.scene.add(mesh);

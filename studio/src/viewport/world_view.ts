@@ -95,10 +95,10 @@ export class WorldView {
     return { x, y, height: this.field.at(x, y), pixel_m: this.pixelSize(place) };
   }
 
-  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, quick: number): void {
+  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, quick: number, moving: boolean): void {
     const { width, height } = this.surface.pixels;
     const lens = { width: Math.ceil(width * quick), height: Math.ceil(height * quick), fov: fieldOfView };
-    renderer.drawWorld(field, options, overlay, this.eye, lens, jitters[this.surface.samples]!);
+    renderer.drawWorld(field, options, overlay, this.eye, lens, jitters[this.surface.samples]!, !moving);
     this.surface.show(renderer.canvas, lens.width, lens.height);
   }
 
@@ -166,7 +166,7 @@ export class WorldView {
   private box(field: HeightField, r: Rectangle = field.rectangle): Box {
     const raise = this.options().exaggeration;
     const low = this.options().water ? Math.max(0, field.min) : field.min;
-    return { low: [r.west, r.south, raise * low], high: [r.east, r.north, raise * Math.max(low, field.max)] };
+    return { low: [r.west, r.south, raise * low], high: [r.east, r.north, raise * (low + 0.4 * Math.max(0, field.max - low))] };
   }
 
   private kept(eye: Eye): Eye {

@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { ArrowDown, ArrowUp, Copy, Pencil, Plus, RotateCcw, Trash2 } from "lucide-preact";
 import type { Json, ParamInfo } from "../../api/types";
-import { Timeline, hasTimes } from "../timeline/timeline";
+import { EventLines, hasTimes } from "../timeline/event_lines";
 import { activeItem, drawing, drawRequest } from "./active_item";
 import { drawnText } from "./measures";
 import { type ToolInfo, activate, addTool, itemsOf, listEdits } from "./list_edits";
@@ -51,7 +51,7 @@ export function ItemList({ field }: { field: Field }): JSX.Element {
           <Pencil />Draw</button>}
         <AddItem field={field} onAdd={(tool) => addTool(field, tool)} />
       </div>
-      {hasTimes(info) && items.length > 0 && <Timeline field={field} />}
+      {hasTimes(info) && items.length > 0 && <EventLines field={field} />}
       <ol class="item-cards">
         {items.map((item, i) => <ItemCard key={i} field={field} index={i} item={item} count={items.length} />)}
       </ol>

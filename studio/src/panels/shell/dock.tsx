@@ -5,9 +5,8 @@ import { Divider } from "./divider";
 import { HistoryPanel } from "./history_panel";
 import { dockHeight, dockOpen, dockTab } from "./layout";
 import type { DockTab } from "./layout";
-import { Graph } from "./parts";
+import { Graph, Timeline } from "./parts";
 import { useStudio } from "./shell";
-import { TimelinePanel } from "./timeline_panel";
 
 const TextPane = lazy(() => import("./text_pane").then((module) => module.TextPane));
 
@@ -40,7 +39,7 @@ export function Dock() {
       </div>
       <div class="dock-content" role="tabpanel" aria-label={kTitles[tab]}>
         {tab === "graph" && <Graph studio={studio} />}
-        {tab === "timeline" && <TimelinePanel />}
+        {tab === "timeline" && <Timeline studio={studio} />}
         {tab === "history" && <HistoryPanel />}
         {tab === "text" && <TextPane />}
       </div>

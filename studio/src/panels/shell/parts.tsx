@@ -12,6 +12,7 @@ export { Graph } from "../graph/graph";
 export { Parameters } from "../params/parameters";
 export { adding } from "../steps/adding";
 export { Steps } from "../steps/steps";
+export { Timeline } from "../timeline/timeline";
 export { ToolOptions } from "../../tools/options";
 
 export interface PointedPlace {

@@ -3,6 +3,7 @@
 uniform sampler2D surface;
 uniform sampler2D noise;
 uniform float cell_m;
+uniform float scale;  // cells of this picture a cell of the heights
 uniform bool tropical;
 uniform float snow_line, tree_line;
 out vec4 result;
@@ -14,7 +15,7 @@ const vec3 kSeagrass = vec3(0.075, 0.088, 0.042);
 
 struct Breakup { float broad, medium, fine; };
 
-float noise_at(vec2 p, float wavelength) { return (textureGrad(noise, p / (8.0 * wavelength), vec2(cell_m, 0.0) / (8.0 * wavelength), vec2(0.0, cell_m) / (8.0 * wavelength)).r - 0.5) * 1.7; }
+float noise_at(vec2 p, float wavelength) { return (texture(noise, p / (8.0 * wavelength)).r - 0.5) * 1.7; }
 
 vec3 rock(vec4 s, float slope, Breakup n) {
   vec3 dark = tropical ? vec3(0.050, 0.043, 0.037) : vec3(0.070, 0.064, 0.057);
@@ -91,11 +92,11 @@ vec3 sea_floor(vec4 s, float slope, Breakup n) {
 float openness(vec2 p) {
   float reach = max(60.0, 1.8 * cell_m), sum = 0.0;
   vec2 metre = 1.0 / (vec2(textureSize(surface, 0)) * cell_m);
-  for (int i = 0; i < 8; ++i) {
-    float angle = 0.785398 * float(i) + 0.39;
+  for (int i = 0; i < 5; ++i) {
+    float angle = 1.256637 * float(i) + 0.39;
     sum += ramp(6.0, 30.0, -textureLod(surface, p + reach * metre * vec2(cos(angle), sin(angle)), 1.0).a);
   }
-  return ramp(0.4, 2.2, sum);
+  return ramp(0.3, 1.5, sum);
 }
 
 // Positive in hollows: how much lower than its surroundings, over their size.
@@ -104,13 +105,12 @@ float concavity(vec2 p, float height, float level) {
 }
 
 void main() {
-  vec2 size = vec2(textureSize(surface, 0)), p = gl_FragCoord.xy / size;
+  vec2 size = vec2(textureSize(surface, 0)), p = gl_FragCoord.xy / (scale * size);
   vec4 s = textureLod(surface, p, 0.0);
   s.b = 1.6 * concavity(p, s.a, 2.0);
-  vec2 place = (gl_FragCoord.xy - 0.5 * size) * cell_m;
+  vec2 place = (gl_FragCoord.xy / scale - 0.5 * size) * cell_m;
   Breakup n = Breakup(noise_at(mat2(0.92, 0.39, -0.39, 0.92) * place, 2400.0), noise_at(mat2(0.6, 0.8, -0.8, 0.6) * place, max(170.0, 3.2 * cell_m)), noise_at(mat2(0.28, 0.96, -0.96, 0.28) * place, max(18.0, 2.1 * cell_m)));
   float slope = length(s.xy), deep = 1.6 * concavity(p, s.a, 4.0);
-  vec3 colour = s.a > 0.3 ? land(p, s, deep, slope, n) : s.a < -0.3 ? sea_floor(s, slope, n)
-      : mix(sea_floor(s, slope, n), land(p, s, deep, slope, n), (s.a + 0.3) / 0.6);
-  result = vec4(sqrt(clamp(colour, 0.0, 1.0)), s.a < 3.0 ? openness(p) : 0.0);
+  vec3 colour = mix(sea_floor(s, slope, n), land(p, s, deep, slope, n), clamp01((s.a + 0.3) / 0.6));
+  result = vec4(sqrt(clamp(colour, 0.0, 1.0)), openness(p));
 }

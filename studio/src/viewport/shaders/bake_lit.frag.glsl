@@ -8,7 +8,7 @@ out vec4 result;
 
 void main() {
   vec2 p = gl_FragCoord.xy / vec2(textureSize(surface, 0));
-  vec4 s = textureLod(surface, p, 0.0), ground = textureLod(albedo, p, 0.0);
+  vec4 s = textureLod(surface, p, 0.0), ground = texture(albedo, p);
   vec2 light = textureLod(lights, p, 0.0).rg;
   vec3 colour = ground.rgb * ground.rgb;
   float slope = length(s.xy);

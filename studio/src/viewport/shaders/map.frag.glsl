@@ -34,7 +34,11 @@ void main() {
   vec2 clamped = clamp(uv, 0.0, 1.0);
   vec4 s = texture(surface, clamped);
   float texels = pixel_m / cell_m;
-  float height = texels > 1.5 ? s.a : fine_height(clamped);
+#ifdef SMOOTH
+  float height = fine_height(clamped);
+#else
+  float height = s.a;
+#endif
   float change = max(length(s.xy) * pixel_m, 1e-4);
   float shade = s.b;
   // Water flattens the relief of its floor.
@@ -43,10 +47,12 @@ void main() {
   vec3 colour = tint(height);
   if (ground_style == 1) colour = vec3(0.585, 0.585, 0.58);
   if (ground_style == 2) colour = slope_colour(length(s.xy));
+#ifdef OVERLAY
   vec4 over = overlay_at(clamped);
   colour = mix(colour, over.rgb, over.a);
+#endif
   colour = shaded(colour, shade);
-  if (contour_m > 0.0) colour = mix(colour, flooded ? vec3(0.04, 0.12, 0.20) : vec3(0.13, 0.08, 0.04), 0.5 * contours(height, change));
+  colour = mix(colour, flooded ? vec3(0.04, 0.12, 0.20) : vec3(0.13, 0.08, 0.04), 0.5 * contours(height, change));
   if (water) {
     float coast = clamp01(1.3 - abs(height) / change);
     colour = mix(colour, vec3(0.03, 0.06, 0.10), 0.7 * coast * ramp(6.0, 1.0, texels));

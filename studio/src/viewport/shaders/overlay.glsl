@@ -7,9 +7,11 @@ uniform vec3 contour_colour;
 
 vec4 overlay_at(vec2 p) {
   vec2 q = p * overlay_place.zw + overlay_place.xy;
-  if (overlay_strength <= 0.0 || q.x < 0.0 || q.y < 0.0 || q.x > 1.0 || q.y > 1.0) return vec4(0.0);
   vec4 c = texture(overlay, q);
-  return vec4(linear(c.rgb / max(c.a, 1e-3)), c.a * overlay_strength);
+  vec2 inside = step(vec2(0.0), q) * step(q, vec2(1.0));
+  // Square for the display's curve: near enough for legends, and cheap.
+  vec3 colour = c.rgb / max(c.a, 1e-3);
+  return vec4(colour * colour * (0.85 + 0.15 * colour), c.a * overlay_strength * inside.x * inside.y);
 }
 
 vec3 slope_colour(float tangent) {
