@@ -3,6 +3,11 @@ import { signal } from "@preact/signals";
 import type { ParamInfo } from "../../api/types";
 import type { Studio } from "../../document/studio";
 
+export { Steps } from "../steps/steps";
+export { Parameters } from "../params/parameters";
+export { Graph } from "../graph/graph";
+export { Timeline } from "../timeline/timeline";
+
 export interface PointedPlace {
   x: number;
   y: number;
@@ -19,22 +24,6 @@ export const mapScale = signal<number | null>(null);
 /** Draws into the two elements until it is ended. */
 export function startViews(_map: HTMLElement, _world: HTMLElement, _studio: Studio): () => void {
   return () => undefined;
-}
-
-export function Steps(_props: { studio: Studio }) {
-  return null;
-}
-
-export function Parameters(_props: { studio: Studio }) {
-  return null;
-}
-
-export function Graph(_props: { studio: Studio }) {
-  return null;
-}
-
-export function Timeline(_props: { studio: Studio }) {
-  return null;
 }
 
 export function ToolRail(_props: { studio: Studio }) {
