@@ -3,7 +3,6 @@
 import { useEffect, useRef } from "preact/hooks";
 import { useSignal, type Signal } from "@preact/signals";
 import type { Studio } from "../document/studio";
-import { registerTools } from "./actions";
 import { activeTool } from "./active";
 import { ToolIcon } from "./icons";
 import type { Offer } from "./offers";
@@ -110,7 +109,6 @@ export function ToolRail({ studio, viewport }: Props) {
   const tools = toolsOf(studio);
   const hint = useSignal<Hint | null>(null);
   useEffect(() => (viewport ? tools.attach(viewport) : undefined), [tools, viewport]);
-  useEffect(() => registerTools(studio), [studio]);
   const { rail, more } = tools.offers.value;
   const groups = (["edit", "draw", "brush", "measure"] as const).map((group) => rail.filter((offer) => offer.group === group));
   const alone = rail.filter((offer) => offer.group === "more");

@@ -8,7 +8,7 @@ import { openStudio } from "../../document/open_studio";
 import type { Studio } from "../../document/studio";
 import { Viewport } from "../../viewport/viewport";
 import { listenToKeys } from "../../actions/registry";
-import { ToolOptions, ToolRail } from "..";
+import { toolKey, ToolOptions, ToolRail } from "..";
 import { DrawingServer } from "./server";
 
 const recipe: Recipe = {
@@ -37,7 +37,7 @@ function Page({ studio }: { studio: Studio }) {
     const made = new Viewport(map.current!, world.current!, studio);
     Object.assign(window, { viewport: made });
     setViewport(made);
-    return listenToKeys(document);
+    return listenToKeys(document, (event) => toolKey(studio, event));
   }, []);
   const step = studio.step(studio.selected.value ?? "");
   return (

@@ -1,14 +1,24 @@
 // What the keyboard does to the tools: actions for the page's registry, and the keys that are the pen's own.
-import { effect, untracked } from "@preact/signals";
-import { registerActions, type Action } from "../actions/registry";
 import { matches } from "../actions/keys";
 import type { Studio } from "../document/studio";
 import { activeTool, choose, chosenValue, isReach, ownReach, reach, selection, suitableReach } from "./active";
-import { ToolIcon } from "./icons";
 import { kRegions } from "./names";
 import { kEraser, kMeasures, kSelect, type Offer } from "./offers";
 import { domainOf } from "./place";
 import { toolsOf, type ToolBox } from "./toolbox";
+
+/** For the page's registry. */
+export interface ToolAction {
+  id: string;
+  title: string;
+  /** "B", "Shift+R", "["; "" for none. */
+  keys: string;
+  /** Name of a picture of icons.tsx. */
+  icon: string;
+  run(): void;
+  /** False: it has no meaning now, and its key is free. */
+  enabled(): boolean;
+}
 
 /** Finer below, coarser above: the numbers of a brush grow by a fifth. */
 export function scaled(value: number, larger: boolean): number {
@@ -35,12 +45,11 @@ function harden(tools: ToolBox, by: number): void {
   choose(slot, "hardness", Number(Math.min(1, Math.max(0, (typeof value === "number" ? value : 0) + by)).toFixed(2)));
 }
 
-function action(id: string, title: string, keys: string, icon: string, run: () => void, when?: () => boolean): Action {
-  const Icon = () => <ToolIcon name={icon} size={16} />;
-  return { id, title, group: "Tools", icon: Icon, run, ...(keys ? { keys: [keys] } : {}), ...(when ? { when } : {}) };
+function action(id: string, title: string, keys: string, icon: string, run: () => void, enabled = () => true): ToolAction {
+  return { id, title, keys, icon, run, enabled };
 }
 
-function takeByKey(tools: ToolBox, { id, look }: Offer): Action {
+function takeByKey(tools: ToolBox, { id, look }: Offer): ToolAction {
   const offered = () => tools.offers.value.rail.some((one) => one.id === id);
   return action(`tool.${id}`, look.title, look.keys, look.icon, () => tools.take(id), offered);
 }
@@ -48,7 +57,7 @@ function takeByKey(tools: ToolBox, { id, look }: Offer): Action {
 const kFixed = new Set([kSelect, kEraser, ...kMeasures].map((offer) => offer.id));
 
 /** Actions that are always there. Those of the step's own tools follow in `offeredActions`. */
-export function toolActions(studio: Studio): Action[] {
+export function toolActions(studio: Studio): ToolAction[] {
   const tools = toolsOf(studio);
   const selectAll = () => {
     activeTool.value = kSelect.id;
@@ -65,7 +74,7 @@ export function toolActions(studio: Studio): Action[] {
 }
 
 /** Actions of the tools that are offered now. Reads signals: changes with the selection. */
-export function offeredActions(studio: Studio): Action[] {
+export function offeredActions(studio: Studio): ToolAction[] {
   const tools = toolsOf(studio);
   const { rail, more } = tools.offers.value;
   return [...rail, ...more].filter((offer) => !kFixed.has(offer.id)).map((offer) =>
@@ -100,7 +109,7 @@ function isForControl(event: { key: string; target?: EventTarget | null }): bool
 type Press = Pick<KeyboardEvent, "key" | "ctrlKey" | "shiftKey" | "altKey" | "metaKey"> & { target?: EventTarget | null };
 
 /** Keys of what the pen is doing: ends, cancels, deletes, nudges, types a height. False: it means nothing to the pen. */
-export function penKey(studio: Studio, event: Press): boolean {
+function penKey(studio: Studio, event: Press): boolean {
   if (isForControl(event)) return false;
   const tools = toolsOf(studio);
   const ctrl = event.ctrlKey || event.metaKey;
@@ -108,30 +117,10 @@ export function penKey(studio: Studio, event: Press): boolean {
   return !ctrl && !event.altKey && /^\d$/.test(event.key) && digit(tools, event.key);
 }
 
-/** Hands the registry the tools' actions, and the pen its keys before the registry has them. */
-export function registerTools(studio: Studio): () => void {
-  const always = registerActions(toolActions(studio));
-  const offered = effect(() => {
-    const actions = offeredActions(studio);
-    return untracked(() => registerActions(actions));
-  });
-  const listen = (event: KeyboardEvent) => {
-    if (event.defaultPrevented || event.isComposing || document.querySelector("dialog[open]")) return;
-    if (penKey(studio, event)) event.preventDefault();
-  };
-  document.addEventListener("keydown", listen, true);
-  return () => {
-    document.removeEventListener("keydown", listen, true);
-    offered();
-    always();
-  };
-}
-
-/** The tool or brush action of a key, without the registry: for tests. */
+/** What a pressed key means: to the pen, to the brush, to the tools that are offered. */
 export function toolKey(studio: Studio, event: Press): boolean {
   if (penKey(studio, event)) return true;
-  const meant = [...toolActions(studio), ...offeredActions(studio)].find((one) =>
-    one.keys?.some((keys) => matches(event, keys)) && (one.when?.() ?? true));
+  const meant = [...toolActions(studio), ...offeredActions(studio)].find((one) => one.keys !== "" && matches(event, one.keys) && one.enabled());
   meant?.run();
   return meant !== undefined;
 }
