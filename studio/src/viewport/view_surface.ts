@@ -13,7 +13,7 @@ export class ViewSurface {
   private readonly observer: ResizeObserver;
 
   constructor(readonly element: HTMLElement, label: string, private readonly mostRatio: number, resized: () => void) {
-    element.classList.add("view");
+    element.dataset["groundView"] = "";
     const picture = this.layer("view-picture"), ink = this.layer("view-ink");
     picture.setAttribute("role", "img");
     picture.setAttribute("aria-label", label);
@@ -62,7 +62,7 @@ export class ViewSurface {
     this.observer.disconnect();
     this.picture.canvas.remove();
     this.ink.canvas.remove();
-    this.element.classList.remove("view");
+    delete this.element.dataset["groundView"];
   }
 
   private get inkRatio(): number {

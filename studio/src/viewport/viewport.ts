@@ -1,6 +1,6 @@
 // The two views of a terrain: the map and the 3D view, of one height field and through one renderer. Draws when something
 // has changed, and not at all otherwise.
-import { effect, signal, type Signal } from "@preact/signals";
+import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import type { Shown, Studio } from "../document/studio";
 import { Follower } from "./follower";
 import { Gestures, type Strokes } from "./gestures";
@@ -11,7 +11,9 @@ import { legendOf } from "./ground_overlay";
 import { MapView } from "./map_view";
 import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./options";
 import { PictureRenderer } from "./picture_renderer";
+import { ProfileBox } from "./profile_box";
 import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
+import { labelNames } from "./tints";
 import { WorldView } from "./world_view";
 
 export interface ViewportStats {
@@ -31,6 +33,8 @@ const slow_ms = 30;
 export class Viewport {
   /** What is under the pointer, in either view. */
   readonly pointer: Signal<GroundPointer | null> = signal(null);
+  /** Region under the pointer, where labels are laid over the ground. */
+  readonly label: ReadonlySignal<string | null> = computed(() => this.labelAt(this.pointer.value));
   /** Metres a pixel of the map. */
   readonly scale: Signal<number> = signal(1);
   readonly options: Signal<ViewOptions> = signal(defaultOptions);
@@ -48,6 +52,10 @@ export class Viewport {
   private overlay: GroundOverlay = { overlay: "none" };
   private shownOverlay: GroundOverlay = { overlay: "none" };
   private legend: HTMLElement | null = null;
+  private shapes: readonly OverlayShape[] = [];
+  /** Place of the profile that is pointed at. */
+  private profiled: readonly [number, number] | null = null;
+  private readonly profile: ProfileBox;
   private request = 0;
   private restTimer = 0;
   private lastFrame = 0;
@@ -67,6 +75,12 @@ export class Viewport {
       const strokes = this.strokes((event) => view.under(event));
       this.gestures.push(new Gestures(view.surface.element, view.mover, strokes, () => this.options.peek().navigation));
     }
+    const bigger = (): HTMLElement =>
+      this.map.surface.width * this.map.surface.height >= this.world.surface.width * this.world.surface.height ? mapElement : worldElement;
+    this.profile = new ProfileBox(bigger, (x, y) => this.field?.at(x, y) ?? null, (place) => {
+      this.profiled = place;
+      this.ink();
+    });
     this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster)));
     this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
     let before = this.options.peek();
@@ -90,10 +104,14 @@ export class Viewport {
     for (const view of [this.map, this.world]) view.surface.element.style.cursor = cursor;
   }
 
-  setOverlayShapes(shapes: OverlayShape[]): void {
-    this.map.shapes = this.world.shapes = shapes;
-    this.map.inkStale = this.world.inkStale = true;
-    this.wake();
+  setOverlayShapes(shapes: readonly OverlayShape[]): void {
+    this.shapes = shapes;
+    this.ink();
+  }
+
+  /** Shows the ground along a line from the side; null: not any more. */
+  showProfile(line: readonly (readonly [number, number])[] | null): void {
+    this.profile.show(line);
   }
 
   /** Laid over the ground instead of what `studio.shown` says; "none": that again. */
@@ -143,7 +161,7 @@ export class Viewport {
     cancelAnimationFrame(this.request);
     clearTimeout(this.restTimer);
     for (const stop of this.stops) stop();
-    for (const part of [...this.followers, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
+    for (const part of [this.profile, ...this.followers, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
     this.legend?.remove();
   }
 
@@ -159,6 +177,7 @@ export class Viewport {
     this.drawn.value = { key: raster.key, coarse: raster.coarse };
     if (before === null || !sameRectangle(before, field)) this.begin(field);
     this.map.inkStale = this.world.inkStale = true;
+    this.profile.update();
     this.dirty();
   }
 
@@ -178,6 +197,15 @@ export class Viewport {
     return this.overlay.overlay === "none" ? this.shownOverlay : this.overlay;
   }
 
+  private labelAt(place: GroundPointer | null): string | null {
+    const overlay = this.activeOverlay;
+    if (place === null || overlay.overlay !== "labels") return null;
+    const { frame, values } = overlay.raster;
+    const column = Math.floor((place.x - frame.west) / frame.cell_m), row = Math.floor((frame.north - place.y) / frame.cell_m);
+    if (column < 0 || row < 0 || column >= frame.columns || row >= frame.rows) return null;
+    return labelNames[values[row * frame.columns + column]!] ?? null;
+  }
+
   private applyOverlay(): void {
     const overlay = this.activeOverlay;
     this.litStale = true;
@@ -187,6 +215,13 @@ export class Viewport {
     this.legend = legend === null ? null : legendElement(legend);
     if (this.legend !== null) this.map.surface.element.append(this.legend);
     this.dirty();
+  }
+
+  private ink(): void {
+    const shapes: readonly OverlayShape[] = this.profiled === null ? this.shapes : [...this.shapes, { shape: "dot", at: this.profiled, role: "selected" }];
+    this.map.shapes = this.world.shapes = shapes;
+    this.map.inkStale = this.world.inkStale = true;
+    this.wake();
   }
 
   private restore(): void {
