@@ -13,6 +13,7 @@ import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./optio
 import { PictureRenderer } from "./picture_renderer";
 import { ProfileBox } from "./profile_box";
 import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
+import { readThings, type Things } from "./things";
 import { labelNames } from "./tints";
 import { WorldView } from "./world_view";
 
@@ -51,6 +52,7 @@ export class Viewport {
   private pen: PenTarget | null = null;
   private overlay: GroundOverlay = { overlay: "none" };
   private shownOverlay: GroundOverlay = { overlay: "none" };
+  private things: Things | null = null;
   private legend: HTMLElement | null = null;
   private shapes: readonly OverlayShape[] = [];
   /** Place of the profile that is pointed at. */
@@ -83,6 +85,7 @@ export class Viewport {
     });
     this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster)));
     this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
+    this.stops.push(this.followThings(studio));
     let before = this.options.peek();
     this.stops.push(effect(() => {
       const now = this.options.value;
@@ -175,6 +178,7 @@ export class Viewport {
     this.litStale = true;
     this.map.field = this.world.field = field;
     this.drawn.value = { key: raster.key, coarse: raster.coarse };
+    if (before === null && this.things !== null) this.renderer.world.setThings(this.things, field);
     if (before === null || !sameRectangle(before, field)) this.begin(field);
     this.map.inkStale = this.world.inkStale = true;
     this.profile.update();
@@ -195,6 +199,26 @@ export class Viewport {
 
   private get activeOverlay(): GroundOverlay {
     return this.overlay.overlay === "none" ? this.shownOverlay : this.overlay;
+  }
+
+  /** Stands the things of what is laid over the ground on it. */
+  private followThings(studio: Studio): () => void {
+    let key = "";
+    return effect(() => {
+      const source = studio.shown.value.overlay, value = source === null ? undefined : studio.values.value.get(source);
+      const wanted = value?.kind === "things" ? value.key : "";
+      if (wanted === key) return;
+      key = wanted;
+      const show = (things: Things | null): void => {
+        if (key !== wanted) return;
+        this.things = things;
+        if (this.field === null) return;
+        this.renderer.world.setThings(things, this.field);
+        this.dirty();
+      };
+      if (wanted === "" || source === null) return show(null);
+      void studio.content(source, "things").then((answer) => show(answer === null ? null : readThings(answer)), () => show(null));
+    });
   }
 
   private labelAt(place: GroundPointer | null): string | null {
