@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr int kPort = 8421;
 constexpr const char* kExampleFolder = "example-data/";
+constexpr const char* kBeginning = "island";  // names no data
 
 struct Flags {
   std::string recipe, folder, host = "127.0.0.1", state;
@@ -93,6 +94,7 @@ server::StudioOptions options_of(const Flags& flags, const std::string& page, co
   options.state_folder = flags.state.empty() ? server::default_state_folder() : flags.state;
   options.cache_folder = flags.no_cache ? "" : recipe::Cache::default_folder();
   options.threads = flags.threads;
+  options.beginning = find_example(kBeginning).content;
   options.examples = studio_examples();
   options.example_text = write_example;
   options.example_picture = [page](const std::string& name) { return example_picture(page, name); };

@@ -1,4 +1,4 @@
-// The studio's page: waits for the document, then shows it.
-import { render } from "preact";
+// The studio's page.
+import { startWithServer } from "./panels/shell/start";
 
-render(<p>Seamount</p>, document.getElementById("app")!);
+void startWithServer(document.getElementById("app")!);

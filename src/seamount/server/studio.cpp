@@ -139,7 +139,8 @@ Studio::Studio(StudioOptions options)
     session_ = Session::open_file(options_.recipe, session, hub_);
   } else {
     session_ = Session::resume_unsaved(session, hub_);
-    if (session_ == nullptr) session_ = Session::open_text(kBlank, session, hub_);
+    const std::string beginning = options_.beginning.empty() ? kBlank : options_.beginning;
+    if (session_ == nullptr) session_ = Session::open_text(beginning, session, hub_);
   }
 }
 

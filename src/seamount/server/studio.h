@@ -31,6 +31,7 @@ struct StudioOptions {
   std::string state_folder;  ///< of journals
   std::string cache_folder;  ///< of results; empty: none
   int threads = 0;
+  std::string beginning = {};  ///< the recipe's text to begin with where there is nothing to open; empty: a blank one
   std::vector<Example> examples = {};
   /// Writes the files that an example names into a folder; the recipe's text.
   std::function<std::string(const std::string& name, const std::string& folder)> example_text = {};

@@ -1,7 +1,7 @@
 // Puts the window's document, its results and the stream together: the one thing that all parts of the page share.
 import { computed, effect, signal } from "@preact/signals";
-import type { Api } from "../api/api";
-import type { DocumentEvent, JobEvent, StudioEvent } from "../api/types";
+import type { Api, OpenRequest } from "../api/api";
+import type { DocumentAnswer, DocumentEvent, JobEvent, StudioEvent } from "../api/types";
 import { operatorOf, stepOf } from "./connections";
 import { parameterValue } from "./parameters";
 import { equalJson } from "./pointer";
@@ -15,8 +15,10 @@ import type { Message, Shown, Studio } from "./studio";
 export interface OpenedStudio extends Studio {
   /** The server does not know this window's token: it was started anew. */
   readonly refused: EventStream["refused"];
-  /** Runs what changes the document by other ways than edits (the text pane), in its turn. */
+  /** Runs what changes the document by other ways than edits (the text pane), in its turn; says nothing of refusals. */
   command(run: (base: number) => Promise<DocumentEvent>): Promise<boolean>;
+  /** Opens another document, for every window. */
+  open(request: OpenRequest): Promise<void>;
   /** Told of a file that was written. */
   saved(file: string, saved: boolean): void;
   retry(): void;
@@ -48,26 +50,43 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
     return shownBefore;
   });
 
-  async function opened(): Promise<void> {
+  function replace(answer: DocumentAnswer): void {
     store.forget();
     results.clear();
     selected.value = null;
     pinned.value = null;
-    await store.reload();
+    store.replace(answer);
     results.askAgain();
+  }
+
+  let ownOpens = 0;  // of which the stream will tell, too
+  async function open(request: OpenRequest): Promise<void> {
+    ownOpens += 1;
+    try {
+      replace(await api.open(request));
+    } catch (error) {
+      ownOpens -= 1;
+      throw error;
+    }
+  }
+
+  function opened(): void {
+    if (ownOpens > 0) ownOpens -= 1;
+    else api.document().then(replace).catch(() => undefined);
   }
 
   const stream = new EventStream(api, window, receive);
   function receive(event: StudioEvent): void {
     switch (event.event) {
       case "hello":
+        ownOpens = 0;
         store.hello(event.revision);
         store.pause(false);
         return results.askAgain();
       case "document":
         return store.receive(event);
       case "opened":
-        return void opened();
+        return opened();
       case "state": {
         const { event: _name, ...state } = event;
         results.engine.value = state;
@@ -111,7 +130,8 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
     edit: (edits, label, gesture = "") => store.edit(edits, label, gesture),
     undo: () => store.undo(),
     redo: () => store.redo(),
-    command: (run) => store.command(run),
+    command: (run) => store.command(run, true),
+    open,
     saved: (file, saved) => store.saved(file, saved),
     want: (who, sources) => results.want(who, sources),
     raster: (source, level) => results.raster(source, level),

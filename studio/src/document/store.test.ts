@@ -161,3 +161,18 @@ test("three hundred random actions of two windows end alike", async () => {
   a.close();
   b.close();
 });
+
+test("another document takes the place of this one, in every window, and edits made at once are kept", async () => {
+  const server = new FakeServer();
+  const [a, b] = await Promise.all([openStudio(server, "a"), openStudio(server, "b")]);
+  await until(() => a.connected.value && b.connected.value);
+  await a.open({ blank: true, width_m: 1000, cell_m: 10 });
+  const taken = a.edit([{ do: "insert", list: "/steps", value: { id: "hills", op: "terrain.noise" } }], "add");
+  a.selected.value = "hills";
+  assert.equal(await taken, true);
+  await until(() => b.document.value.recipe.steps.length === 1);
+  assert.equal(a.selected.value, "hills");
+  assert.deepEqual(a.document.value.recipe, server.recipe);
+  a.close();
+  b.close();
+});

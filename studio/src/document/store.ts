@@ -14,7 +14,9 @@ import { refusalMessage } from "./refusals";
 import type { DocumentState, Message } from "./studio";
 
 /** What waits to be sent: edits, or something of which the window does not know what it will change. */
-type Task = { kind: "edits"; edits: Waiting } | { kind: "command"; run: Command; settle: (taken: boolean) => void };
+type Task =
+  | { kind: "edits"; edits: Waiting }
+  | { kind: "command"; run: Command; quiet: boolean; settle: (taken: boolean) => void };
 type Command = (base: number) => Promise<DocumentEvent>;
 
 const kMostTries = 20;
@@ -78,10 +80,11 @@ export class DocumentStore {
     return this.command((base) => this.api.redo(this.window, base));
   }
 
-  /** Whatever else changes the document, after all edits that wait. */
-  command(run: Command): Promise<boolean> {
+  /** Whatever else changes the document, after all edits that wait; not tried again where it is out of date. Quiet:
+   * its caller says itself why it was refused. */
+  command(run: Command, quiet = false): Promise<boolean> {
     return new Promise((settle) => {
-      this.tasks.push({ kind: "command", run, settle });
+      this.tasks.push({ kind: "command", run, quiet, settle });
       void this.pump();
     });
   }
@@ -193,9 +196,9 @@ export class DocumentStore {
         }
         if (!(error instanceof ApiError)) throw error;
         if (error.status !== 409) return this.refuse(task, error);
-        const others = await this.catchUp(error);
+        await this.catchUp(error);
         if (this.told) return true;
-        if (task.kind === "command" && others) return this.refuse(task, error);
+        if (task.kind === "command") return this.refuse(task, error);
         this.base = this.confirmed.revision;
       }
     }
@@ -218,18 +221,16 @@ export class DocumentStore {
     return this.api.edits({ window: this.window, base: this.base, gesture, label, edits: [...edits] });
   }
 
-  /** True: others have changed the document meanwhile. */
-  private async catchUp(error: ApiError): Promise<boolean> {
+  private async catchUp(error: ApiError): Promise<void> {
     const missed = error.answer.missed ?? [];
     for (const event of missed) this.receive(event);
     if (missed.length === 0) await this.reload();
     if (this.loading) await this.loading;
-    return missed.some((event) => event.window !== this.window);
   }
 
   private refuse(task: Task, error: ApiError): boolean {
-    const nothingThere = task.kind === "command" && error.status === 404;
-    if (!nothingThere) this.say(refusalMessage(error, this.state.value.recipe));
+    const quiet = task.kind === "command" && (task.quiet || error.status === 404);
+    if (!quiet) this.say(refusalMessage(error, this.state.value.recipe));
     return false;
   }
 }

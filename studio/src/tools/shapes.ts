@@ -72,7 +72,10 @@ function handles(feature: Feature, points: ReadonlySet<string>): OverlayShape[] 
   return shapes;
 }
 
-export function featureShapes(features: readonly Feature[], selected: ReadonlySet<string>, points: ReadonlySet<string>): OverlayShape[] {
+/** `editing`: points can be taken hold of, so they are shown. */
+export function featureShapes(
+  features: readonly Feature[], selected: ReadonlySet<string>, points: ReadonlySet<string>, editing: boolean,
+): OverlayShape[] {
   const shapes: OverlayShape[] = [];
   const over: OverlayShape[] = [];
   for (const feature of features) {
@@ -86,7 +89,7 @@ export function featureShapes(features: readonly Feature[], selected: ReadonlySe
       const label = labelOf(feature);
       if (label) over.push({ shape: "dot", at: feature.points[0]!, role, label });
     }
-    if (chosen && feature.points.length > 1 && feature.geometry !== "vector") over.push(...handles(feature, points));
+    if (editing && chosen && feature.points.length > 1 && feature.geometry !== "vector") over.push(...handles(feature, points));
   }
   return [...shapes, ...over];
 }

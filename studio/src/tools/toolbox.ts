@@ -64,7 +64,9 @@ export class ToolBox {
     this.active = computed(() => offerById(this.offers.value, activeTool.value) ?? kSelect);
     this.features = computed(() => this.readFeatures());
     this.shapes = computed(() => [
-      ...this.outlines(), ...featureShapes(this.features.value, selection.value, selectedPoints.value), ...draft.value,
+      ...this.outlines(),
+      ...featureShapes(this.features.value, selection.value, selectedPoints.value, this.active.value.id === kSelect.id),
+      ...draft.value,
     ]);
     this.stop = [
       effect(() => this.takePen(this.active.value, studio.selected.value, this.busy.value)),

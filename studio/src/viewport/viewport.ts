@@ -311,6 +311,15 @@ export class Viewport {
     if (this.request === 0) this.request = requestAnimationFrame((now) => this.frame(now));
   }
 
+  /** On the page, for who measures it: which result is seen. */
+  private tellDrawn(): void {
+    const { key, coarse } = this.drawn.peek()!;
+    for (const { surface } of [this.map, this.world]) {
+      surface.element.dataset["coarse"] = String(coarse);
+      surface.element.dataset["key"] = key;
+    }
+  }
+
   private frame(now: number): void {
     this.request = 0;
     const moving = this.restTimer !== 0;
@@ -334,6 +343,7 @@ export class Viewport {
       if (this.arrived > 0) {
         this.upload_ms = performance.now() - this.arrived;
         this.arrived = 0;
+        this.tellDrawn();
       }
     }
     for (const view of [this.map, this.world]) if (view.inkStale) view.drawInk(this.options.peek());

@@ -4,20 +4,15 @@ import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { ArrowDown, ArrowUp, Copy, Pencil, Plus, RotateCcw, Trash2 } from "lucide-preact";
 import type { Json, ParamInfo } from "../../api/types";
-import { Timeline, hasTimes } from "../timeline/timeline";
+import { EventLines, hasTimes } from "../timeline/event_lines";
 import { activeItem, drawing, drawRequest } from "./active_item";
 import { drawnText } from "./measures";
+import { type ToolInfo, activate, addTool, itemsOf, listEdits } from "./list_edits";
 import { ParamList } from "./param_row";
 import { type Field, innerScope, isMembers, resetField } from "./scope";
 import { amountText, counted, titleOf, wordOf } from "./words";
 
-type ToolInfo = NonNullable<ParamInfo["tools"]>[number];
-
 const DRAWN = new Set(["points", "strokes", "polygons", "regions", "rivers"]);
-
-export function itemsOf(field: Field): Json[] {
-  return Array.isArray(field.value) ? field.value : [];
-}
 
 export function toolOf(info: ParamInfo, item: Json): ToolInfo | undefined {
   const name = isMembers(item) && typeof item["tool"] === "string" ? item["tool"] : "";
@@ -27,10 +22,10 @@ export function toolOf(info: ParamInfo, item: Json): ToolInfo | undefined {
 /** A few words that tell an item from its neighbours: "1800 m", "3 points, 4.2 km". */
 export function itemText(tool: ToolInfo | undefined, item: Json): string {
   if (!tool || !isMembers(item)) return "";
-  const parts: string[] = [];
+  const parts: string[] = typeof item["start"] === "number" || typeof item["end"] === "number" ? [`${item["start"] ?? 0} to ${item["end"] ?? "…"}`] : [];
   for (const param of tool.params) {
     const value = item[param.name];
-    if (value === undefined || parts.length >= 3) continue;
+    if (value === undefined || parts.length >= 3 || param.name === "start" || param.name === "end") continue;
     if (DRAWN.has(param.kind)) parts.push(drawnText(param.kind, value));
     else if (typeof value === "number") parts.push(parts.length === 0 || param.unit !== "" ? amountText(value, param.unit) : "");
     else if (typeof value === "string" && value !== "") parts.push(wordOf(value));
@@ -38,48 +33,9 @@ export function itemText(tool: ToolInfo | undefined, item: Json): string {
   return parts.filter(Boolean).slice(0, 3).join(", ");
 }
 
-/** The list written anew where it is not stated; edits of single items where it is. */
-export function listEdits(field: Field) {
-  const { studio, owner } = field.scope;
-  const items = itemsOf(field);
-  const stated = Array.isArray(field.stated);
-  const name = titleOf(field.info.name).toLowerCase();
-  const whole = (next: Json[], label: string) => void studio.edit([{ do: "set", pointer: field.pointer, value: next }], label);
-  return {
-    insert(index: number, value: Json, what = "added") {
-      const label = `${owner}: ${name}, ${what}`;
-      if (stated) void studio.edit([{ do: "insert", list: field.pointer, index, value }], label);
-      else whole([...items.slice(0, index), value, ...items.slice(index)], label);
-    },
-    remove(index: number) {
-      const label = `${owner}: ${name}, one removed`;
-      if (items.length === 1) void studio.edit([{ do: "set", pointer: field.pointer }], label);
-      else if (stated) void studio.edit([{ do: "remove", item: `${field.pointer}/${index}` }], label);
-      else whole(items.filter((_, i) => i !== index), label);
-    },
-    move(index: number, to: number) {
-      if (to < 0 || to >= items.length) return;
-      const label = `${owner}: ${name}, order`;
-      if (stated) return void studio.edit([{ do: "move", item: `${field.pointer}/${index}`, index: to }], label);
-      const next = [...items];
-      next.splice(to, 0, ...next.splice(index, 1));
-      whole(next, label);
-    },
-  };
-}
-
-function activate(field: Field, index: number | null): void {
-  activeItem.value = index === null ? null : { step: field.scope.step, pointer: `${field.pointer}/${index}` };
-}
-
 export function ItemList({ field }: { field: Field }): JSX.Element {
   const { info } = field;
   const items = itemsOf(field);
-  const edits = listEdits(field);
-  const add = (tool: ToolInfo) => {
-    edits.insert(items.length, info.kind === "tools" ? { tool: tool.name } : {}, tool.name ? `${wordOf(tool.name)} added` : "added");
-    activate(field, items.length);
-  };
   const drawn = info.kind === "groups" && (info.tools?.[0]?.params.some((param) => DRAWN.has(param.kind)) ?? false);
   const pressed = drawing.value === field.pointer;
   const title = titleOf(info.name);
@@ -93,9 +49,9 @@ export function ItemList({ field }: { field: Field }): JSX.Element {
         {drawn && <button type="button" class="compact draw" aria-pressed={pressed} aria-label={`Draw ${title.toLowerCase()}`}
           onClick={() => { drawRequest.value = { step: field.scope.step, pointer: field.pointer, kind: info.kind, name: info.name }; }}>
           <Pencil />Draw</button>}
-        <AddItem field={field} onAdd={add} />
+        <AddItem field={field} onAdd={(tool) => addTool(field, tool)} />
       </div>
-      {hasTimes(info) && items.length > 0 && <Timeline field={field} />}
+      {hasTimes(info) && items.length > 0 && <EventLines field={field} />}
       <ol class="item-cards">
         {items.map((item, i) => <ItemCard key={i} field={field} index={i} item={item} count={items.length} />)}
       </ol>
@@ -103,7 +59,7 @@ export function ItemList({ field }: { field: Field }): JSX.Element {
   );
 }
 
-function AddItem({ field, onAdd }: { field: Field; onAdd(tool: ToolInfo): void }): JSX.Element | null {
+export function AddItem({ field, onAdd }: { field: Field; onAdd(tool: ToolInfo): void }): JSX.Element | null {
   const tools = field.info.tools ?? [];
   const title = titleOf(field.info.name).toLowerCase();
   if (field.info.kind === "groups") {

@@ -1,6 +1,6 @@
 // A step as a card of the list: picture, name, operator, how far it is, and what can be done to it.
 import type { JSX } from "preact";
-import { useLayoutEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { CircleSlash, Copy, Pin, Trash2, TriangleAlert } from "lucide-preact";
 import type { OperatorInfo, Step, StepState } from "../../api/types";
 import type { Studio } from "../../document/studio";
@@ -30,8 +30,10 @@ export function StepCard(props: StepCardProps): JSX.Element {
   const classes = ["step-card", selected && "selected", step.bypass && "bypassed", state?.standing === "failed" && "failed",
     props.drop && `drop-${props.drop}`, props.dragged && "dragged"].filter(Boolean).join(" ");
   const onKeyDown = (event: KeyboardEvent) => onCardKey(event, props, () => setNaming(true));
+  const card = useRef<HTMLLIElement>(null);
+  useEffect(() => { if (selected) card.current?.scrollIntoView({ block: "nearest" }); }, [selected]);
   return (
-    <li class={classes} data-step={step.id}>
+    <li class={classes} data-step={step.id} ref={card}>
       <div class="step-main">
         <Thumbnail studio={studio} id={step.id} op={op} stale={stale} />
         {naming ? <NameInput studio={studio} id={step.id} onDone={() => setNaming(false)} /> : (

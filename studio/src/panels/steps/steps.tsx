@@ -1,8 +1,9 @@
 // The steps of the document as cards in order, with what adds one, and the outputs below.
 import type { JSX } from "preact";
-import { useRef, useState } from "preact/hooks";
-import { Plus } from "lucide-preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { Plus, SlidersHorizontal } from "lucide-preact";
 import type { Recipe } from "../../api/types";
+import { registerActions } from "../../actions/registry";
 import type { Studio } from "../../document/studio";
 import { type Operators, allConnections } from "../graph/connections";
 import { HelpTips } from "../params/help_tip";
@@ -10,6 +11,7 @@ import { AddStep } from "./add_step";
 import { adding } from "./adding";
 import { OutputList } from "./outputs";
 import { StepCard } from "./step_card";
+import { stepActions } from "./step_actions";
 import { moveStep } from "./step_edits";
 
 /** Of each step the steps that it reads, unless that is just the one before. */
@@ -36,17 +38,15 @@ export function Steps({ studio }: { studio: Studio }): JSX.Element {
   const states = new Map(studio.engine.value.steps.map((state) => [state.id, state]));
   const reads = readsOf(recipe, (name) => studio.operator(name));
   const [grab, setGrab] = useDrag(studio, root);
+  useEffect(() => registerActions(stepActions(studio)), [studio]);
   const at = grab ? recipe.steps.findIndex((step) => step.id === grab.id) : -1;
   const drop = (index: number) => (!grab?.moved || grab.to !== index || index === at ? null : index < at ? "before" as const : "after" as const);
   return (
-    <div class="steps" ref={root} onKeyDown={(event) => {
-      const target = event.target as HTMLElement;
-      if (event.key !== "Tab" || event.shiftKey || !target.matches(".step-select") || !event.ctrlKey) return;
-      event.preventDefault();
-      adding.value = { after: studio.selected.value };
-    }}>
+    <div class="steps" ref={root}>
       <header class="panel-head"><h2>Steps</h2><span class="muted">{recipe.steps.length || ""}</span>
-        <button type="button" class="compact" aria-haspopup="dialog" aria-expanded={adding.value !== null} data-help="Add a step after the selected one (Tab over the views)"
+        <button type="button" class="plain icon small" aria-pressed={studio.selected.value === null} aria-label="Document" data-help="The document: size, cells, seed, variables"
+          onClick={() => { studio.selected.value = null; }}><SlidersHorizontal /></button>
+        <button type="button" class="compact" aria-haspopup="dialog" aria-expanded={adding.value !== null} data-help="Add a step after the selected one (Shift+A)"
           onClick={() => { adding.value = adding.value ? null : { after: studio.selected.value }; }}><Plus />Add step</button></header>
       {adding.value && <AddStep studio={studio} request={adding.value} onDone={() => { adding.value = null; }} />}
       {recipe.steps.length === 0 && <p class="empty">Nothing yet. Add a step, or open an example.</p>}
@@ -54,8 +54,6 @@ export function Steps({ studio }: { studio: Studio }): JSX.Element {
         {recipe.steps.map((step, i) => <StepCard key={step.id} studio={studio} step={step} index={i} op={studio.operator(step.op)} state={states.get(step.id)}
           reads={reads.get(step.id) ?? []} drop={drop(i)} dragged={grab?.moved === true && grab.id === step.id} onGrab={(event) => setGrab(step.id, event)} />)}
       </ol>
-      <button type="button" class={`plain document-row${studio.selected.value === null ? " selected" : ""}`} aria-pressed={studio.selected.value === null}
-        onClick={() => { studio.selected.value = null; }}>Document: size, seed, variables</button>
       <OutputList studio={studio} />
       <HelpTips within={root} />
     </div>

@@ -1,12 +1,14 @@
-// A development page: the tools over a plain map, the recipe beside it.
+// A development page: the tools over the views, the steps and the recipe beside them. With a token in the address it
+// works on the real server, else on the one in the page.
 import { render } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
+import { createClient, takeToken } from "../../api/client";
 import type { Recipe } from "../../api/types";
 import { openStudio } from "../../document/open_studio";
 import type { Studio } from "../../document/studio";
+import { Viewport } from "../../viewport/viewport";
 import { toolKey, ToolOptions, ToolRail } from "..";
 import { DrawingServer } from "./server";
-import { SvgMap } from "./svg_map";
 
 const recipe: Recipe = {
   seamount: 1,
@@ -27,12 +29,14 @@ const recipe: Recipe = {
 };
 
 function Page({ studio }: { studio: Studio }) {
-  const place = useRef<HTMLDivElement>(null);
-  const [map, setMap] = useState<SvgMap | null>(null);
-  useEffect(() => setMap(new SvgMap(place.current!, 24000)), []);
+  const map = useRef<HTMLDivElement>(null);
+  const world = useRef<HTMLDivElement>(null);
+  const [viewport, setViewport] = useState<Viewport | null>(null);
   useEffect(() => {
+    const made = new Viewport(map.current!, world.current!, studio);
+    Object.assign(window, { viewport: made });
+    setViewport(made);
     const press = (event: KeyboardEvent) => {
-      if (event.target instanceof HTMLInputElement && event.target.type === "text") return;
       if (toolKey(studio, event)) event.preventDefault();
     };
     document.addEventListener("keydown", press);
@@ -40,21 +44,30 @@ function Page({ studio }: { studio: Studio }) {
   }, []);
   const step = studio.step(studio.selected.value ?? "");
   return (
-    <div style={{ display: "grid", gridTemplateColumns: "44px 1fr 320px", gridTemplateRows: "auto 1fr", height: "100%" }}>
-      <div style={{ gridRow: "1 / 3" }}><ToolRail studio={studio} viewport={map} /></div>
+    <div style={{ display: "grid", gridTemplateColumns: "44px 1fr 300px", gridTemplateRows: "auto 1fr", height: "100%" }}>
+      <div style={{ gridRow: "1 / 3" }}><ToolRail studio={studio} viewport={viewport} /></div>
       <ToolOptions studio={studio} />
       <div style={{ gridRow: "1 / 3", gridColumn: 3, overflow: "auto", padding: "8px", background: "var(--panel)" }}>
-        {recipe.steps.map((one) => one.id).concat(studio.document.value.recipe.steps.filter((s) => !recipe.steps.some((r) => r.id === s.id)).map((s) => s.id)).map((id) => (
+        {studio.document.value.recipe.steps.map(({ id }) => (
           <button key={id} data-step={id} aria-pressed={studio.selected.value === id} onClick={() => (studio.selected.value = id)}>{id}</button>
         ))}
+        <pre style={{ whiteSpace: "pre-wrap", fontSize: "11px" }}>{studio.message.value?.text}</pre>
         <pre style={{ whiteSpace: "pre-wrap", fontSize: "11px" }}>{JSON.stringify(step?.params ?? {}, null, 1)}</pre>
       </div>
-      <div ref={place} style={{ minHeight: 0, background: "radial-gradient(circle, #4a5a45 0 18%, #2b4d5c 40%, #1a2d38 70%)" }} />
+      <div style={{ position: "relative", minHeight: 0 }}>
+        <div ref={map} data-map="" style={{ position: "absolute", inset: 0 }} />
+        <div ref={world} style={{ position: "absolute", right: "12px", bottom: "12px", width: "280px", height: "200px" }} />
+      </div>
     </div>
   );
 }
 
-const studio = await openStudio(new DrawingServer(structuredClone(recipe)));
-Object.assign(window, { studio });
-studio.selected.value = "isle";
-render(<Page studio={studio} />, document.getElementById("app")!);
+async function begin(): Promise<void> {
+  const token = takeToken(location, history, sessionStorage);
+  const studio = await openStudio(token ? createClient(token) : new DrawingServer(structuredClone(recipe)));
+  Object.assign(window, { studio });
+  studio.selected.value = studio.document.value.recipe.steps[0]?.id ?? null;
+  render(<Page studio={studio} />, document.getElementById("app")!);
+}
+
+void begin();

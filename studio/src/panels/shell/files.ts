@@ -1,0 +1,92 @@
+// Opening, saving and importing: what the menus, the first screen and a dropped file do.
+import { signal } from "@preact/signals";
+import { ApiError } from "../../api/api";
+import type { OpenRequest } from "../../api/api";
+import type { OpenedStudio } from "../../document/open_studio";
+import { importPlan } from "./import_edits";
+import { afterUnsaved, closeDialog, openDialog } from "./shell";
+import { showToast } from "./toasts";
+import { baseName, bytesText } from "./words";
+
+/** What is on its way to the server: a line for the drop zone. */
+export const uploading = signal<string | null>(null);
+
+export function problemText(error: unknown): string {
+  if (error instanceof ApiError) return error.answer.diagnostics?.[0]?.message ?? error.message;
+  return error instanceof Error ? error.message : String(error);
+}
+
+async function trying(what: string, work: () => Promise<void>): Promise<boolean> {
+  try {
+    await work();
+    return true;
+  } catch (error) {
+    showToast({ kind: "error", text: `${what}: ${problemText(error)}` });
+    return false;
+  }
+}
+
+/** At once, or after asking about changes that no file has. */
+export function unlessUnsaved(studio: OpenedStudio, go: () => void): void {
+  const { saved, history } = studio.document.value;
+  if (saved || history.length === 0) go();
+  else afterUnsaved.value = go;
+}
+
+/** True once the window has the opened document. */
+export function openDocument(studio: OpenedStudio, request: OpenRequest): Promise<boolean> {
+  return trying("This could not be opened", async () => {
+    await studio.open(request);
+    closeDialog();
+  });
+}
+
+export async function save(studio: OpenedStudio, path?: string): Promise<boolean> {
+  const { file } = studio.document.value;
+  if (path === undefined && file === "") {
+    openDialog("save_as");
+    return false;
+  }
+  return trying("This could not be saved", async () => {
+    const answer = await studio.api.save(path);
+    studio.saved(answer.file, answer.saved);
+    closeDialog();
+    showToast({ kind: "note", text: `Saved to ${answer.file}` });
+  });
+}
+
+/** Sends the files and does with each what its kind and the document suggest. */
+export async function importFiles(studio: OpenedStudio, files: readonly File[]): Promise<void> {
+  for (const file of files) {
+    uploading.value = `${file.name}, ${bytesText(file.size)}`;
+    await trying(`${file.name} could not be taken in`, async () => {
+      const uploaded = await studio.api.upload(file.name, file);
+      if (uploaded.kind === "recipe") return unlessUnsaved(studio, () => void openDocument(studio, { path: uploaded.file }));
+      const { recipe } = studio.document.value;
+      const plan = importPlan(studio.schema, recipe, studio.selected.value, uploaded.file, uploaded.kind);
+      if (!plan) throw new Error(`nothing here begins with ${uploaded.kind === "" ? "such a file" : `a file of ${uploaded.kind}`}`);
+      if (!(await studio.edit(plan.edits, plan.label))) return;
+      studio.selected.value = plan.select;
+      closeDialog();
+      showToast({ kind: "note", text: [plan.told, uploaded.about].filter(Boolean).join(": ") });
+    });
+    uploading.value = null;
+  }
+}
+
+export function pickFiles(accept: string, multiple: boolean): Promise<File[]> {
+  return new Promise((resolve) => {
+    const input = document.createElement("input");
+    input.type = "file";
+    input.accept = accept;
+    input.multiple = multiple;
+    input.addEventListener("change", () => resolve([...(input.files ?? [])]));
+    input.addEventListener("cancel", () => resolve([]));
+    input.click();
+  });
+}
+
+/** A name to propose for a document that has none. */
+export function proposedName(file: string): string {
+  return file === "" ? "terrain.json" : baseName(file);
+}
