@@ -1,6 +1,7 @@
 // The two views of a terrain: the map and the 3D view, of one height field and through one renderer. Draws when something
 // has changed, and not at all otherwise.
 import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
+import { registerActions } from "../actions/registry";
 import type { Shown, Studio } from "../document/studio";
 import { Follower } from "./follower";
 import { Gestures, type Strokes } from "./gestures";
@@ -15,6 +16,8 @@ import { ProfileBox } from "./profile_box";
 import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
 import { readThings, type Things } from "./things";
 import { labelNames } from "./tints";
+import { viewActions } from "./view_actions";
+import { mountControls } from "./view_controls";
 import { WorldView } from "./world_view";
 
 export interface ViewportStats {
@@ -85,7 +88,7 @@ export class Viewport {
     });
     this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster)));
     this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
-    this.stops.push(this.followThings(studio));
+    this.stops.push(this.followThings(studio), registerActions(viewActions(this)), mountControls(this, worldElement));
     let before = this.options.peek();
     this.stops.push(effect(() => {
       const now = this.options.value;
