@@ -89,6 +89,12 @@ export class Viewport {
     this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster)));
     this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
     this.stops.push(this.followThings(studio), registerActions(viewActions(this)), mountControls(this, worldElement));
+    const themes = new MutationObserver(() => {
+      this.map.inkStale = true;
+      this.dirty();
+    });
+    themes.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
+    this.stops.push(() => themes.disconnect());
     let before = this.options.peek();
     this.stops.push(effect(() => {
       const now = this.options.value;
