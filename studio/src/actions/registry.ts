@@ -29,15 +29,18 @@ export interface Action {
   run: () => void;
 }
 
-const lists = signal<readonly (readonly Action[])[]>([]);
+/** A list, or what makes one of the signals that it reads. */
+type ActionSource = readonly Action[] | (() => readonly Action[]);
+
+const sources = signal<readonly ActionSource[]>([]);
 
 /** In the order in which they were registered. */
-export const allActions = computed(() => lists.value.flat());
+export const allActions = computed(() => sources.value.flatMap((source) => (typeof source === "function" ? source() : source)));
 
 /** Returns what takes them out again. */
-export function registerActions(actions: readonly Action[]): () => void {
-  lists.value = [...lists.value, actions];
-  return () => (lists.value = lists.value.filter((list) => list !== actions));
+export function registerActions(actions: ActionSource): () => void {
+  sources.value = [...sources.value, actions];
+  return () => (sources.value = sources.value.filter((source) => source !== actions));
 }
 
 export function findAction(id: string): Action | undefined {
@@ -71,15 +74,31 @@ export function actionFor(press: KeyPress, typing: boolean): Action | undefined 
   return meant[meant.length - 1];
 }
 
-/** Keys of the whole page. While a dialog is open only its own keys count. */
-export function listenToKeys(target: Document): () => void {
+/** Keys of the whole page. While a dialog is open only its own keys count; while the view is moved by a held button
+ * letters fly it. `first` is asked before the actions, while nothing is typed: true, it was its key. */
+export function listenToKeys(target: Document, first: (event: KeyboardEvent) => boolean): () => void {
+  let held = 0;
+  const pointer = (event: PointerEvent): void => {
+    held = event.buttons & 6;
+  };
   const listen = (event: KeyboardEvent): void => {
     if (event.defaultPrevented || event.isComposing || target.querySelector("dialog[open]")) return;
-    const action = actionFor(event, isTyping(event.composedPath()[0] ?? event.target));
+    if (held !== 0 && event.key.length === 1 && !event.ctrlKey) return;
+    const typing = isTyping(event.composedPath()[0] ?? event.target);
+    if (!typing && first(event)) {
+      event.preventDefault();
+      return;
+    }
+    const action = actionFor(event, typing);
     if (!action) return;
     event.preventDefault();
     if (!event.repeat || action.group === "Edit") action.run();
   };
+  const pointers = ["pointerdown", "pointerup", "pointercancel"] as const;
+  for (const name of pointers) target.addEventListener(name, pointer, true);
   target.addEventListener("keydown", listen);
-  return () => target.removeEventListener("keydown", listen);
+  return () => {
+    for (const name of pointers) target.removeEventListener(name, pointer, true);
+    target.removeEventListener("keydown", listen);
+  };
 }

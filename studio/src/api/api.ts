@@ -24,6 +24,8 @@ export interface ExampleInfo {
   title: string;
   about: string;
   group: string;
+  /** There is a picture of it. */
+  picture?: boolean;
 }
 
 export interface FileInfo {
@@ -33,9 +35,12 @@ export interface FileInfo {
 }
 
 export interface Uploaded {
+  /** As a recipe beside the document's names it. */
   file: string;
+  /** "": of none that can be read. */
   kind: string;
-  about: string;
+  /** What is known of it, by name; "problem": why it cannot be read. */
+  info: { [name: string]: string };
 }
 
 export type OpenRequest = { example: string } | { path: string } | { blank: true; width_m: number; cell_m: number };
@@ -51,7 +56,7 @@ export interface Api {
   undo(window: string, base: number): Promise<DocumentEvent>;
   redo(window: string, base: number): Promise<DocumentEvent>;
   text(window: string, base: number, text: string): Promise<DocumentEvent>;
-  check(text: string): Promise<{ diagnostics: Diagnostic[]; text: string }>;
+  check(text: string): Promise<{ diagnostics: Diagnostic[] }>;
   want(request: WantRequest): Promise<void>;
   /** Ends when the server or `signal` ends the stream; rejects where there is none. */
   events(window: string, receive: (event: StudioEvent) => void, signal: AbortSignal): Promise<void>;
@@ -62,7 +67,8 @@ export interface Api {
   examplePicture(name: string): Promise<Blob | null>;
   files(): Promise<{ folder: string; files: FileInfo[] }>;
   open(request: OpenRequest): Promise<DocumentAnswer>;
-  save(path?: string): Promise<{ file: string; saved: boolean }>;
+  /** Without a path: to the file that it came from. */
+  save(window: string, base: number, path?: string): Promise<DocumentEvent>;
   upload(name: string, content: Blob): Promise<Uploaded>;
   download(path: string): Promise<Blob>;
   exportOutputs(window: string, outputs: Output[], folder: string): Promise<{ job: string }>;

@@ -94,7 +94,7 @@ export function createClient(token: string, origin = ""): Api {
     },
     files: () => get("/api/files"),
     open: (body) => post("/api/open", body),
-    save: (path) => post("/api/save", path === undefined ? {} : { path }),
+    save: (window, base, path) => post("/api/save", { window, base, ...(path === undefined ? {} : { path }) }),
     upload: async (name, content) => {
       const init = { method: "POST", headers: { "Content-Type": "application/octet-stream" }, body: content };
       return (await request(`/api/upload?name=${encodeURIComponent(name)}`, init)).json();

@@ -103,9 +103,9 @@ export class FakeServer implements Api {
     return this.answer("check", { text }, () => {
       try {
         this.parse(text);
-        return { diagnostics: [], text };
+        return { diagnostics: [] };
       } catch (error) {
-        return { diagnostics: (error as ApiError).answer.diagnostics ?? [], text };
+        return { diagnostics: (error as ApiError).answer.diagnostics ?? [] };
       }
     });
   }
@@ -192,17 +192,23 @@ export class FakeServer implements Api {
     });
   }
 
-  save(path?: string): Promise<{ file: string; saved: boolean }> {
+  save(window: string, base: number, path?: string): Promise<DocumentEvent> {
     return this.answer("save", { path }, () => {
+      this.checkBase(base);
       this.file = path ?? this.file;
       this.isSaved = true;
-      return { file: this.file, saved: true };
+      const event: DocumentEvent = {
+        event: "document", revision: this.revision, window, changes: [], label: "saved", done: this.done,
+        undone: this.history.length - this.done, saved: true, missing: [],
+      };
+      this.emit(event);
+      return event;
     });
   }
 
   upload(name: string, content: Blob): ReturnType<Api["upload"]> {
     const kind = /\.(tif|asc|hgt|exr)$/.test(name) ? "terrain" : /\.json$/.test(name) ? "recipe" : "drawing";
-    return this.answer("upload", { name, size: content.size }, () => ({ file: `files/${name}`, kind, about: name }));
+    return this.answer("upload", { name, size: content.size }, () => ({ file: `files/${name}`, kind, info: {} }));
   }
 
   download(): Promise<Blob> {

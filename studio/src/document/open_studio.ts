@@ -19,8 +19,8 @@ export interface OpenedStudio extends Studio {
   command(run: (base: number) => Promise<DocumentEvent>): Promise<boolean>;
   /** Opens another document, for every window. */
   open(request: OpenRequest): Promise<void>;
-  /** Told of a file that was written. */
-  saved(file: string, saved: boolean): void;
+  /** Rejects with the server's refusal. */
+  save(path?: string): Promise<boolean>;
   retry(): void;
   close(): void;
 }
@@ -30,6 +30,11 @@ export function randomName(): string {
   return Array.from(bytes, (byte) => byte.toString(36).padStart(2, "0")).join("");
 }
 
+/** What the server has to say about how it opened the document. */
+function noticeOf({ notice }: DocumentAnswer & { notice?: string }): Message | null {
+  return notice ? { kind: "warning", text: notice } : null;
+}
+
 function upsertJob(jobs: readonly JobEvent[], job: JobEvent): JobEvent[] {
   const known = jobs.some((one) => one.job === job.job);
   return known ? jobs.map((one) => (one.job === job.job ? job : one)) : [...jobs, job];
@@ -37,7 +42,7 @@ function upsertJob(jobs: readonly JobEvent[], job: JobEvent): JobEvent[] {
 
 export async function openStudio(api: Api, window = randomName()): Promise<OpenedStudio> {
   const [schema, answer] = await Promise.all([api.schema(), api.document()]);
-  const message = signal<Message | null>(null);
+  const message = signal<Message | null>(noticeOf(answer));
   const store = new DocumentStore(api, window, answer, (said) => (message.value = said));
   const results = new Results(api, window);
   const jobs = signal<readonly JobEvent[]>([]);
@@ -56,6 +61,7 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
     selected.value = null;
     pinned.value = null;
     store.replace(answer);
+    message.value = noticeOf(answer) ?? message.value;
     results.askAgain();
   }
 
@@ -132,7 +138,7 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
     redo: () => store.redo(),
     command: (run) => store.command(run, true),
     open,
-    saved: (file, saved) => store.saved(file, saved),
+    save: (path) => store.save(path),
     want: (who, sources) => results.want(who, sources),
     raster: (source, level) => results.raster(source, level),
     content: (source, form) => results.content(source, form),

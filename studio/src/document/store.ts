@@ -92,10 +92,7 @@ export class DocumentStore {
   /** An event of the stream, or of an answer: in the order of revisions, and each at most once. */
   receive(event: DocumentEvent): void {
     if (event.window === this.window && this.sending && event.revision > this.base) this.told = true;
-    if (event.revision <= this.confirmed.revision) {
-      this.show();
-      return;
-    }
+    if (event.revision <= this.confirmed.revision) return this.receiveAgain(event);
     const history = followHistory(this.confirmed, event);
     if (event.revision !== this.confirmed.revision + 1 || !history) {
       void this.reload();
@@ -109,6 +106,15 @@ export class DocumentStore {
     } catch {
       void this.reload();
     }
+  }
+
+  /** What is known already, or what changes nothing but whether it is saved; where is known to the window that did it. */
+  private receiveAgain(event: DocumentEvent): void {
+    if (event.revision === this.confirmed.revision && event.changes.length === 0) {
+      this.confirmed = { ...this.confirmed, saved: event.saved, missing: event.missing };
+      if (event.window !== this.window) void this.reload();
+    }
+    this.show();
   }
 
   /** The document as the server has it, from scratch. */
@@ -126,9 +132,20 @@ export class DocumentStore {
     this.show();
   }
 
-  saved(file: string, saved: boolean): void {
-    this.confirmed = { ...this.confirmed, file, saved };
-    this.show();
+  /** After all edits that wait. Without a path: to the file that it came from. */
+  async save(path?: string): Promise<boolean> {
+    let refusal: unknown = null;
+    const taken = await this.command(async (base) => {
+      try {
+        return await this.api.save(this.window, base, path);
+      } catch (error) {
+        refusal = error;
+        throw error;
+      }
+    }, true);
+    if (!taken && refusal instanceof ApiError) throw refusal;
+    if (taken && path !== undefined) await this.reload();
+    return taken;
   }
 
   /** Another document was opened: what waits belongs to the one before. */

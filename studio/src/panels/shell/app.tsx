@@ -2,17 +2,20 @@
 import { useEffect } from "preact/hooks";
 import { listenToKeys, registerActions } from "../../actions/registry";
 import type { OpenedStudio } from "../../document/open_studio";
+import { toolKey } from "../../tools/actions";
 import { ConnectionBar } from "./connection";
 import { Dock } from "./dock";
 import { DropZone } from "./drop_zone";
 import { ExportDialog } from "./export_dialog";
 import { BlankDialog, OpenDialog, SaveAsDialog, UnsavedDialog } from "./file_dialogs";
 import { FirstScreen } from "./first_screen";
+import { followLabels } from "./label_under";
 import { viewsAlone } from "./layout";
 import { Palette } from "./palette";
 import { ToolOptions, ToolRail } from "./parts";
 import { dialog, openDialog, StudioContext } from "./shell";
 import { shellActions } from "./shell_actions";
+import { stepKey, toolEntries } from "./tool_entries";
 import { ShortcutsSheet } from "./shortcuts_sheet";
 import { SidePanel } from "./side_panel";
 import { StatusLine } from "./status_line";
@@ -31,7 +34,12 @@ function isFirst(studio: OpenedStudio): boolean {
 
 export function App({ studio }: { studio: OpenedStudio }) {
   useEffect(() => {
-    const ends = [registerActions(shellActions(studio)), listenToKeys(document)];
+    const ends = [
+      registerActions(shellActions(studio)),
+      registerActions(() => toolEntries(studio)),
+      listenToKeys(document, (event) => stepKey(studio, event) || toolKey(studio, event)),
+      followLabels(studio),
+    ];
     if (isFirst(studio)) openDialog("examples");
     sessionStorage.setItem(kStarted, "yes");
     return () => ends.forEach((end) => end());
@@ -44,10 +52,10 @@ export function App({ studio }: { studio: OpenedStudio }) {
     <StudioContext.Provider value={studio}>
       <div class={`app ${viewsAlone.value ? "alone" : ""}`}>
         <TopBar />
-        <nav class="tool-rail" aria-label="Tools"><ToolRail studio={studio} /></nav>
+        <div class="rail-place"><ToolRail studio={studio} /></div>
         <main class="main">
           <ConnectionBar />
-          <div class="tool-options"><ToolOptions studio={studio} /></div>
+          <div class="options-place"><ToolOptions studio={studio} /></div>
           <Views />
           <Dock />
         </main>

@@ -23,7 +23,7 @@ async function begin(studio: OpenedStudio, { width_m, cell_m, step, draw, hint }
   if (!(await openDocument(studio, { blank: true, width_m, cell_m }))) return;
   if (!(await studio.edit([{ do: "insert", list: "/steps", value: step as unknown as Json }], `${step.id}: added`))) return;
   studio.selected.value = step.id;
-  askToDraw(step.id, param);
+  askToDraw(studio, step.id, param);
   showToast({ kind: "note", text: hint });
 }
 

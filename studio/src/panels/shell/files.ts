@@ -1,7 +1,7 @@
 // Opening, saving and importing: what the menus, the first screen and a dropped file do.
 import { signal } from "@preact/signals";
 import { ApiError } from "../../api/api";
-import type { OpenRequest } from "../../api/api";
+import type { OpenRequest, Uploaded } from "../../api/api";
 import type { OpenedStudio } from "../../document/open_studio";
 import { importPlan } from "./import_edits";
 import { afterUnsaved, closeDialog, openDialog } from "./shell";
@@ -48,11 +48,19 @@ export async function save(studio: OpenedStudio, path?: string): Promise<boolean
     return false;
   }
   return trying("This could not be saved", async () => {
-    const answer = await studio.api.save(path);
-    studio.saved(answer.file, answer.saved);
+    if (!(await studio.save(path))) return;
     closeDialog();
-    showToast({ kind: "note", text: `Saved to ${answer.file}` });
+    showToast({ kind: "note", text: `Saved to ${studio.document.value.file}` });
   });
+}
+
+/** What else is JSON has a kind: a coast, contours. */
+function isRecipe(file: File, uploaded: Uploaded): boolean {
+  return uploaded.kind === "recipe" || (uploaded.kind === "" && file.name.toLowerCase().endsWith(".json"));
+}
+
+function folderOf(path: string): string {
+  return path.slice(0, path.lastIndexOf("/") + 1);
 }
 
 /** Sends the files and does with each what its kind and the document suggest. */
@@ -61,14 +69,17 @@ export async function importFiles(studio: OpenedStudio, files: readonly File[]):
     uploading.value = `${file.name}, ${bytesText(file.size)}`;
     await trying(`${file.name} could not be taken in`, async () => {
       const uploaded = await studio.api.upload(file.name, file);
-      if (uploaded.kind === "recipe") return unlessUnsaved(studio, () => void openDocument(studio, { path: uploaded.file }));
+      if (isRecipe(file, uploaded)) {
+        const path = folderOf(studio.document.value.file) + uploaded.file;
+        return unlessUnsaved(studio, () => void openDocument(studio, { path }));
+      }
       const { recipe } = studio.document.value;
       const plan = importPlan(studio.schema, recipe, studio.selected.value, uploaded.file, uploaded.kind);
-      if (!plan) throw new Error(`nothing here begins with ${uploaded.kind === "" ? "such a file" : `a file of ${uploaded.kind}`}`);
+      if (!plan) throw new Error(uploaded.info["problem"] ?? `nothing here begins with ${uploaded.kind || "such a file"}`);
       if (!(await studio.edit(plan.edits, plan.label))) return;
       studio.selected.value = plan.select;
       closeDialog();
-      showToast({ kind: "note", text: [plan.told, uploaded.about].filter(Boolean).join(": ") });
+      showToast({ kind: "note", text: plan.told });
     });
     uploading.value = null;
   }

@@ -1,6 +1,6 @@
 // The parts of the window that F6 goes through.
 
-const kRegions = [".top-bar", ".tool-rail", ".view.whole, .view.half", ".side-panel", ".dock", ".status-line"];
+const kRegions = [".top-bar", ".rail-place", ".view.whole, .view.half", ".side-panel", ".dock", ".status-line"];
 const kFocusable = "button:not(:disabled):not([tabindex='-1']), input:not(:disabled), select, textarea, a[href], [tabindex='0']";
 
 /** The focus goes to what can take it in the next part that is there. */

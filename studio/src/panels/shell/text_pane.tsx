@@ -44,7 +44,7 @@ export function TextPane() {
   const diagnostics = sync.value?.diagnostics.value ?? [];
   return (
     <div class="text-pane">
-      <div class="text-editor" ref={frame} />
+      <div class="text-editor cm-editor" ref={frame} />
       <div class={`text-foot ${standing}`} role="status">
         {problem.value || kWords[standing]}
         {diagnostics.slice(0, 3).map(({ line, column, message }) => (

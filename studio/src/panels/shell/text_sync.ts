@@ -107,19 +107,22 @@ export class TextSync {
     if (this.meansSame(text, this.base)) return this.settle([]);
     this.pushing = true;
     try {
-      const { diagnostics } = await this.studio.api.check(text);
-      if (this.ended) return;
-      if (diagnostics.length > 0) {
-        if (this.editor.text === text) this.settle(diagnostics);
-      } else {
-        await this.send(text, revision);
-      }
+      await this.send(text, revision);
+      await this.markOpenInputs();
     } catch {
       this.standing.value = "offline";
     } finally {
       this.pushing = false;
     }
     if (!this.ended && (this.again || this.editor.text !== text)) this.typed();
+  }
+
+  /** An open input is no error, but its place is worth seeing. */
+  private async markOpenInputs(): Promise<void> {
+    if (this.ended || this.standing.value !== "same" || this.studio.document.value.missing.length === 0) return;
+    const text = this.editor.text;
+    const { diagnostics } = await this.studio.api.check(text);
+    if (!this.ended && this.editor.text === text) this.editor.mark(diagnostics);
   }
 
   /** Out of date: the document's change is fetched, put under what was typed, and it is sent again. */
@@ -129,7 +132,7 @@ export class TextSync {
       try {
         return await api.text(window, revision, text);
       } catch (error) {
-        if (error instanceof ApiError && error.status === 422) this.settle(error.answer.diagnostics ?? []);
+        if (error instanceof ApiError && error.status === 422 && !this.ended) this.settle(error.answer.diagnostics ?? []);
         throw error;
       }
     });
