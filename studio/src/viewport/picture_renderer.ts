@@ -54,6 +54,11 @@ export class PictureRenderer {
     return this.renderer.info.render.calls;
   }
 
+  /** There is light to be seen by. */
+  get lit(): boolean {
+    return this.textures.hasLight;
+  }
+
   update(field: HeightField): void {
     this.textures.update(field);
     showTextures(this.shared, this.textures, field);

@@ -3,7 +3,7 @@
 import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { registerActions } from "../actions/registry";
 import type { Shown, Studio } from "../document/studio";
-import { Follower } from "./follower";
+import { Follower, mostCells } from "./follower";
 import { Gestures, type Strokes } from "./gestures";
 import { groundPointer, type Under } from "./ground_pointer";
 import { HeightField } from "./heights";
@@ -73,6 +73,7 @@ export class Viewport {
   constructor(mapElement: HTMLElement, worldElement: HTMLElement, studio: Studio) {
     this.renderer = new PictureRenderer(() => this.restore());
     const mostRatio = this.renderer.software ? 1 : 2;
+    this.frame_ms = this.renderer.software ? 2 * slow_ms : 16;
     const changed = (): void => this.moved();
     this.map = new MapView(mapElement, mostRatio, changed, (pixel_m) => (this.scale.value = pixel_m));
     this.world = new WorldView(worldElement, mostRatio, changed, () => this.options.peek());
@@ -86,7 +87,7 @@ export class Viewport {
       this.profiled = place;
       this.ink();
     });
-    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster)));
+    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster), mostCells(this.renderer.software)));
     this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
     this.stops.push(this.followThings(studio), registerActions(viewActions(this)), mountControls(this, worldElement));
     const themes = new MutationObserver(() => {
@@ -191,7 +192,9 @@ export class Viewport {
     if (before === null || !sameRectangle(before, field)) this.begin(field);
     this.map.inkStale = this.world.inkStale = true;
     this.profile.update();
-    this.dirty();
+    // Coarse results come in a row: quick pictures until they rest.
+    if (raster.coarse) this.moved();
+    else this.dirty();
   }
 
   /** Another terrain: all of it is shown, as high as shows its forms. */
@@ -337,9 +340,11 @@ export class Viewport {
     const field = this.field;
     let more = false;
     if (field !== null) {
-      if (this.litStale) {
-        this.renderer.updateLight(field, this.options.peek(), this.activeOverlay, this.lightStale);
-        this.lightStale = this.litStale = false;
+      if (this.litStale || (this.lightStale && !moving)) {
+        const sunToo = this.lightStale && (!moving || !this.renderer.lit);
+        this.renderer.updateLight(field, this.options.peek(), this.activeOverlay, sunToo);
+        this.litStale = false;
+        if (sunToo) this.lightStale = false;
       }
       const quick = !moving || this.frame_ms < slow_ms ? 1 : this.frame_ms < 3 * slow_ms ? 0.6 : 0.45;
       for (const view of [this.map, this.world]) {
@@ -347,6 +352,7 @@ export class Viewport {
         if (view.surface.samples < (moving ? 1 : view.samples(this.renderer.software))) {
           view.draw(this.renderer, field, this.options.peek(), this.activeOverlay, quick, moving);
         }
+        view.surface.element.dataset["key"] = this.drawn.peek()?.key ?? "";
         more ||= !moving && view.surface.samples < view.samples(this.renderer.software);
       }
       if (this.arrived > 0) {
