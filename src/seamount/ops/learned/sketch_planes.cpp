@@ -15,11 +15,11 @@
 namespace seamount::learned {
 namespace {
 
-constexpr float kLine = 1.5F, kNear = 14.0F;     ///< reach of a line's two planes, in cells
-constexpr float kPoint = 2.0F, kAround = 10.0F;  ///< of a cue's two planes
-constexpr float kPrior = 0.35F;                  ///< mean ground, as a share of the relief
-constexpr float kNothing = 15.0F;                ///< exponent below which a plane is 0
-constexpr double kWaves[] = {6.0, 24.0, 96.0};   ///< of noise, in cells
+constexpr float kLine = 1.5F, kNear = 14.0F;      ///< reach of a line's two planes, in cells
+constexpr float kPoint = 2.0F, kAround = 10.0F;   ///< of a cue's two planes
+constexpr float kPrior = 0.35F;                   ///< mean ground, as a share of the relief
+constexpr float kNothing = 15.0F, kLast = 3e-7F;  ///< exponent from which on a plane is 0, and what is left there
+constexpr double kWaves[] = {6.0, 24.0, 96.0};    ///< of noise, in cells
 constexpr double kCellOfZero = 60.0, kReliefOfZero = 1000.0;
 
 void count_cells(ScalarField& distance) {
@@ -34,8 +34,8 @@ ScalarField cells_to(const Grid<uint8_t>& cells, const RunContext& run) {
   return distance;
 }
 
-/// exp(-x), and 0 where nothing of it is left.
-SEAMOUNT_INLINE float fading(float x) { return x < kNothing ? fast_exp(-x) : 0.0F; }
+/// exp(-x), and 0 where nothing of it is left. No branch: vectors have none.
+SEAMOUNT_INLINE float fading(float x) { return std::max(0.0F, fast_exp(-x) - kLast); }
 
 /// The planes of a line: close to it, and around it.
 SEAMOUNT_VECTORISED void line_row(const float* distance, int width, float* close, float* around) {
