@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "seamount/base/parallel.h"
@@ -94,7 +95,7 @@ struct Rim {
         }
       }
     });
-    pyramid_fill(bend, weight, {.prior = 0.0F, .fade = 0.9F}, run);
+    pyramid_fill(bend, std::move(weight), {.prior = 0.0F, .fade = 0.9F}, run);
     parallel_rows(run, known.width(), known.height(), [&](int begin, int end) {
       for (int y = begin; y < end; ++y) {
         for (int x = 0; x < known.width(); ++x) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "seamount/base/error.h"
@@ -44,7 +45,7 @@ void meet_coast(const IslandMap& map, HeightField& heights, const RunContext& ru
       }
     }
   });
-  geom::pyramid_fill(residual, weight, {.prior = 0.0F, .fade = 0.7F}, run);
+  geom::pyramid_fill(residual, std::move(weight), {.prior = 0.0F, .fade = 0.7F}, run);
   parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < map.frame.width; ++x) {
@@ -93,7 +94,7 @@ void meet_reef(const IslandMap& map, HeightField& heights, const RunContext& run
       weight(x, y) = 1;
     }
   }
-  geom::pyramid_fill(residual, weight, {.prior = 0.0F, .fade = 0.3F}, run);
+  geom::pyramid_fill(residual, std::move(weight), {.prior = 0.0F, .fade = 0.3F}, run);
   for (size_t i = 0; i < heights.size(); ++i) {
     const float moved = heights.data()[i] + residual.data()[i];
     heights.data()[i] = (moved > 0) == (heights.data()[i] > 0) ? moved : heights.data()[i];  // coasts stay

@@ -48,7 +48,7 @@ void meet_heights(const SketchMap& map, double adherence, HeightField& heights, 
       }
     }
   });
-  geom::pyramid_fill(residual, weight, {.prior = 0.0F, .fade = 0.7F}, run);
+  geom::pyramid_fill(residual, std::move(weight), {.prior = 0.0F, .fade = 0.7F}, run);
   parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < map.frame.width; ++x) {

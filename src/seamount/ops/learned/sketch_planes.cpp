@@ -80,7 +80,7 @@ SketchPlanes::SketchPlanes(const SketchMap& map, Seed seed, const RunContext& ru
       }
     }
   });
-  geom::pyramid_fill(base_, weight, {.prior = kPrior, .fade = 0.75F}, run);
+  geom::pyramid_fill(base_, std::move(weight), {.prior = kPrior, .fade = 0.75F}, run);
   if (!cues) return;
   geom::nearest_feature(map.cue, nearest_cue_, cue_, run);
   count_cells(cue_);
