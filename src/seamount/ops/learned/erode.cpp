@@ -92,7 +92,7 @@ HeightField erode(const HeightField& terrain, const Mask* mask, const ErodeParam
   const ErodePlanes planes(terrain, std::max(params.years, kFewestYears), params.sea_m, run.part(0, 0.5));
   if (planes.unit_m() == 0) return terrain;
   HeightField heights = network.evaluate(planes.planes(), terrain.frame(), run.part(0.5, 1));
-  if (getenv("NODRIFT") == nullptr) take_drift(planes.base(), heights, run);
+  take_drift(planes.base(), heights, run);
   const Grid<Bounds> bounds = bounds_of(terrain, run);
   const auto unit = static_cast<float>(planes.unit_m()),
              strength = static_cast<float>(params.strength * std::min(1.0, params.years / kFewestYears));

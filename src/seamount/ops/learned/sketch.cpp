@@ -32,11 +32,12 @@ constexpr float kHollow = 0.012F;     ///< of the relief: hollows no deeper are 
 void meet_heights(const SketchMap& map, double adherence, HeightField& heights, const RunContext& run) {
   const bool known = !map.known_m.empty(), cues = !map.cue.empty() && adherence > 0;
   if (!known && !cues) return;
-  ScalarField residual(map.frame, 0.0F);
-  Grid<float> weight(map.frame, 0.0F);
+  ScalarField residual(map.frame);
+  Grid<float> weight(map.frame);
   parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < map.frame.width; ++x) {
+        residual(x, y) = weight(x, y) = 0;
         if (known && !std::isnan(map.known_m(x, y))) {
           residual(x, y) = map.known_m(x, y) - heights(x, y);
         } else if (cues && map.cue(x, y) != 0) {
