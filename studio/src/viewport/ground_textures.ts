@@ -104,6 +104,9 @@ export class GroundTextures {
   get surface(): Texture | null {
     return this.sets[0]?.surface.texture ?? null;
   }
+  get hasLight(): boolean {
+    return this.light !== null;
+  }
   get lit(): Texture | null {
     return this.sets[0]?.lit.texture ?? null;
   }

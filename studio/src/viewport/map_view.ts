@@ -94,6 +94,7 @@ export class MapView {
     const { frame, height_m } = this.field;
     drawFurniture(ink, this.eye, this.surface, {
       grid: options.grid,
+      light: paperOf(this.surface.element)[1] > 0.3,
       origin: frame.crs === "" ? [frame.west, frame.north - height_m] : [0, 0],
     });
     const by: Projector = {

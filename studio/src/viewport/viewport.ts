@@ -1,8 +1,9 @@
 // The two views of a terrain: the map and the 3D view, of one height field and through one renderer. Draws when something
 // has changed, and not at all otherwise.
-import { effect, signal, type Signal } from "@preact/signals";
+import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
+import { registerActions } from "../actions/registry";
 import type { Shown, Studio } from "../document/studio";
-import { Follower } from "./follower";
+import { Follower, mostCells } from "./follower";
 import { Gestures, type Strokes } from "./gestures";
 import { groundPointer, type Under } from "./ground_pointer";
 import { HeightField } from "./heights";
@@ -11,7 +12,12 @@ import { legendOf } from "./ground_overlay";
 import { MapView } from "./map_view";
 import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./options";
 import { PictureRenderer } from "./picture_renderer";
+import { ProfileBox } from "./profile_box";
 import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
+import { readThings, type Things } from "./things";
+import { labelNames } from "./tints";
+import { viewActions } from "./view_actions";
+import { mountControls } from "./view_controls";
 import { WorldView } from "./world_view";
 
 export interface ViewportStats {
@@ -31,6 +37,8 @@ const slow_ms = 30;
 export class Viewport {
   /** What is under the pointer, in either view. */
   readonly pointer: Signal<GroundPointer | null> = signal(null);
+  /** Region under the pointer, where labels are laid over the ground. */
+  readonly label: ReadonlySignal<string | null> = computed(() => this.labelAt(this.pointer.value));
   /** Metres a pixel of the map. */
   readonly scale: Signal<number> = signal(1);
   readonly options: Signal<ViewOptions> = signal(defaultOptions);
@@ -47,7 +55,12 @@ export class Viewport {
   private pen: PenTarget | null = null;
   private overlay: GroundOverlay = { overlay: "none" };
   private shownOverlay: GroundOverlay = { overlay: "none" };
+  private things: Things | null = null;
   private legend: HTMLElement | null = null;
+  private shapes: readonly OverlayShape[] = [];
+  /** Place of the profile that is pointed at. */
+  private profiled: readonly [number, number] | null = null;
+  private readonly profile: ProfileBox;
   private request = 0;
   private restTimer = 0;
   private lastFrame = 0;
@@ -60,6 +73,7 @@ export class Viewport {
   constructor(mapElement: HTMLElement, worldElement: HTMLElement, studio: Studio) {
     this.renderer = new PictureRenderer(() => this.restore());
     const mostRatio = this.renderer.software ? 1 : 2;
+    this.frame_ms = this.renderer.software ? 2 * slow_ms : 16;
     const changed = (): void => this.moved();
     this.map = new MapView(mapElement, mostRatio, changed, (pixel_m) => (this.scale.value = pixel_m));
     this.world = new WorldView(worldElement, mostRatio, changed, () => this.options.peek());
@@ -67,8 +81,21 @@ export class Viewport {
       const strokes = this.strokes((event) => view.under(event));
       this.gestures.push(new Gestures(view.surface.element, view.mover, strokes, () => this.options.peek().navigation));
     }
-    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster)));
+    const bigger = (): HTMLElement =>
+      this.map.surface.width * this.map.surface.height >= this.world.surface.width * this.world.surface.height ? mapElement : worldElement;
+    this.profile = new ProfileBox(bigger, (x, y) => this.field?.at(x, y) ?? null, (place) => {
+      this.profiled = place;
+      this.ink();
+    });
+    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster), mostCells(this.renderer.software)));
     this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
+    this.stops.push(this.followThings(studio), registerActions(viewActions(this)), mountControls(this, worldElement));
+    const themes = new MutationObserver(() => {
+      this.map.inkStale = true;
+      this.dirty();
+    });
+    themes.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
+    this.stops.push(() => themes.disconnect());
     let before = this.options.peek();
     this.stops.push(effect(() => {
       const now = this.options.value;
@@ -90,10 +117,14 @@ export class Viewport {
     for (const view of [this.map, this.world]) view.surface.element.style.cursor = cursor;
   }
 
-  setOverlayShapes(shapes: OverlayShape[]): void {
-    this.map.shapes = this.world.shapes = shapes;
-    this.map.inkStale = this.world.inkStale = true;
-    this.wake();
+  setOverlayShapes(shapes: readonly OverlayShape[]): void {
+    this.shapes = shapes;
+    this.ink();
+  }
+
+  /** Shows the ground along a line from the side; null: not any more. */
+  showProfile(line: readonly (readonly [number, number])[] | null): void {
+    this.profile.show(line);
   }
 
   /** Laid over the ground instead of what `studio.shown` says; "none": that again. */
@@ -143,7 +174,7 @@ export class Viewport {
     cancelAnimationFrame(this.request);
     clearTimeout(this.restTimer);
     for (const stop of this.stops) stop();
-    for (const part of [...this.followers, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
+    for (const part of [this.profile, ...this.followers, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
     this.legend?.remove();
   }
 
@@ -157,9 +188,13 @@ export class Viewport {
     this.litStale = true;
     this.map.field = this.world.field = field;
     this.drawn.value = { key: raster.key, coarse: raster.coarse };
+    if (before === null && this.things !== null) this.renderer.world.setThings(this.things, field);
     if (before === null || !sameRectangle(before, field)) this.begin(field);
     this.map.inkStale = this.world.inkStale = true;
-    this.dirty();
+    this.profile.update();
+    // Coarse results come in a row: quick pictures until they rest.
+    if (raster.coarse) this.moved();
+    else this.dirty();
   }
 
   /** Another terrain: all of it is shown, as high as shows its forms. */
@@ -178,6 +213,35 @@ export class Viewport {
     return this.overlay.overlay === "none" ? this.shownOverlay : this.overlay;
   }
 
+  /** Stands the things of what is laid over the ground on it. */
+  private followThings(studio: Studio): () => void {
+    let key = "";
+    return effect(() => {
+      const source = studio.shown.value.overlay, value = source === null ? undefined : studio.values.value.get(source);
+      const wanted = value?.kind === "things" ? value.key : "";
+      if (wanted === key) return;
+      key = wanted;
+      const show = (things: Things | null): void => {
+        if (key !== wanted) return;
+        this.things = things;
+        if (this.field === null) return;
+        this.renderer.world.setThings(things, this.field);
+        this.dirty();
+      };
+      if (wanted === "" || source === null) return show(null);
+      void studio.content(source, "things").then((answer) => show(answer === null ? null : readThings(answer)), () => show(null));
+    });
+  }
+
+  private labelAt(place: GroundPointer | null): string | null {
+    const overlay = this.activeOverlay;
+    if (place === null || overlay.overlay !== "labels") return null;
+    const { frame, values } = overlay.raster;
+    const column = Math.floor((place.x - frame.west) / frame.cell_m), row = Math.floor((frame.north - place.y) / frame.cell_m);
+    if (column < 0 || row < 0 || column >= frame.columns || row >= frame.rows) return null;
+    return labelNames[values[row * frame.columns + column]!] ?? null;
+  }
+
   private applyOverlay(): void {
     const overlay = this.activeOverlay;
     this.litStale = true;
@@ -187,6 +251,13 @@ export class Viewport {
     this.legend = legend === null ? null : legendElement(legend);
     if (this.legend !== null) this.map.surface.element.append(this.legend);
     this.dirty();
+  }
+
+  private ink(): void {
+    const shapes: readonly OverlayShape[] = this.profiled === null ? this.shapes : [...this.shapes, { shape: "dot", at: this.profiled, role: "selected" }];
+    this.map.shapes = this.world.shapes = shapes;
+    this.map.inkStale = this.world.inkStale = true;
+    this.wake();
   }
 
   private restore(): void {
@@ -269,9 +340,11 @@ export class Viewport {
     const field = this.field;
     let more = false;
     if (field !== null) {
-      if (this.litStale) {
-        this.renderer.updateLight(field, this.options.peek(), this.activeOverlay, this.lightStale);
-        this.lightStale = this.litStale = false;
+      if (this.litStale || (this.lightStale && !moving)) {
+        const sunToo = this.lightStale && (!moving || !this.renderer.lit);
+        this.renderer.updateLight(field, this.options.peek(), this.activeOverlay, sunToo);
+        this.litStale = false;
+        if (sunToo) this.lightStale = false;
       }
       const quick = !moving || this.frame_ms < slow_ms ? 1 : this.frame_ms < 3 * slow_ms ? 0.6 : 0.45;
       for (const view of [this.map, this.world]) {
@@ -279,6 +352,7 @@ export class Viewport {
         if (view.surface.samples < (moving ? 1 : view.samples(this.renderer.software))) {
           view.draw(this.renderer, field, this.options.peek(), this.activeOverlay, quick, moving);
         }
+        view.surface.element.dataset["key"] = this.drawn.peek()?.key ?? "";
         more ||= !moving && view.surface.samples < view.samples(this.renderer.software);
       }
       if (this.arrived > 0) {

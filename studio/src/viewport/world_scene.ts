@@ -19,6 +19,8 @@ import skyVertex from "./shaders/sky.vert.glsl";
 import wallFragment from "./shaders/wall.frag.glsl";
 import wireFragment from "./shaders/wire.frag.glsl";
 import type { SharedUniforms } from "./shared_uniforms";
+import type { Things } from "./things";
+import { ThingsMesh } from "./things_mesh";
 import { axes, viewPlanes, type Eye, type Lens } from "./world_camera";
 
 const hazeDepth = 0.022;
@@ -34,9 +36,12 @@ export class WorldScene {
   private readonly ground: Mesh;
   private readonly sea: Mesh;
   private readonly wire: Mesh;
+  private things: ThingsMesh | null = null;
   triangles = 0;
   /** Of ground that is drawn at most. */
   patchBudget = 170;
+  /** Triangles of things. */
+  thingBudget = 120_000;
 
   constructor(shared: SharedUniforms) {
     this.uniforms = {
@@ -60,6 +65,13 @@ export class WorldScene {
     this.camera.up.set(0, 0, 1);
   }
 
+  /** Stands things on the ground; null: none. */
+  setThings(things: Things | null, field: HeightField): void {
+    this.things?.dispose();
+    this.things = things === null ? null : new ThingsMesh(things, field, this.uniforms);
+    if (this.things !== null) this.scene.add(this.things.group);
+  }
+
   /** Draws into the renderer's current target of the size of the lens. `jitter`: parts of a pixel. */
   render(renderer: WebGLRenderer, field: HeightField, options: ViewOptions, eye: Eye, lens: Lens, jitter: readonly [number, number], fine: boolean): void {
     const [cx, cy] = field.centre;
@@ -74,6 +86,10 @@ export class WorldScene {
       floor: options.water ? 0 : -Infinity,
       budget: this.patchBudget,
     }));
+    this.things?.choose(field, {
+      eye: eye.at, planes: viewPlanes(eye, lens, [0, 0], 1), exaggeration: options.exaggeration,
+      pixel: (2 * Math.tan(lens.fov / 2)) / lens.height, budget: fine ? this.thingBudget : this.thingBudget / 3,
+    });
     this.dress(field, options, eye, fine);
     this.ground.visible = this.geometry.instanceCount > 0;
     this.wire.visible = options.wireframe && this.ground.visible;
@@ -82,6 +98,7 @@ export class WorldScene {
   }
 
   dispose(): void {
+    this.things?.dispose();
     this.scene.traverse((object) => {
       if (!(object instanceof Mesh)) return;
       object.geometry.dispose();

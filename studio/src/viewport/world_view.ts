@@ -48,7 +48,7 @@ export class WorldView {
 
   /** Pictures that are averaged at rest. */
   samples(software: boolean): number {
-    return software ? 4 : jitters.length;
+    return software ? 3 : jitters.length;
   }
 
   /** Present eye, for tests and for coming back to it. */
