@@ -64,7 +64,8 @@ const kFieldsOwn = ["Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+A", "Ctrl+C", "Ctr
 function isMeant(action: Action, press: KeyPress, typing: boolean): boolean {
   return (action.keys ?? []).some((keys) => {
     if (!matches(press, keys)) return false;
-    return !typing || action.typing === true || (keys.startsWith("Ctrl+") && !kFieldsOwn.includes(keys));
+    const isLetter = !/^(Ctrl\+|Alt\+|F\d)/.test(keys);
+    return !typing || action.typing === true || (!isLetter && !kFieldsOwn.includes(keys));
   });
 }
 

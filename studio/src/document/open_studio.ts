@@ -81,14 +81,16 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
     else api.document().then(replace).catch(() => undefined);
   }
 
-  const stream = new EventStream(api, window, receive);
+  const stream = new EventStream(api, window, receive, began);
+  /** What was said while there was no stream is not known. */
+  function began(): void {
+    ownOpens = 0;
+    store.resume();
+    results.askAgain();
+  }
+
   function receive(event: StudioEvent): void {
     switch (event.event) {
-      case "hello":
-        ownOpens = 0;
-        store.hello(event.revision);
-        store.pause(false);
-        return results.askAgain();
       case "document":
         return store.receive(event);
       case "opened":
@@ -105,6 +107,7 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
       case "job":
         jobs.value = upsertJob(jobs.value, event);
         return;
+      case "hello":
       case "alive":
         return;
     }
@@ -120,7 +123,7 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
       if (pinned.value !== null && !stepOf(recipe, pinned.value.split(".")[0]!)) pinned.value = null;
     }),
     effect(() => {
-      if (!stream.connected.value) store.pause(true);
+      if (!stream.connected.value) store.pause();
     }),
   ];
   void stream.run();

@@ -121,7 +121,9 @@ export class DocumentStore {
   reload(): Promise<void> {
     this.loading ??= this.api
       .document()
-      .then((answer) => this.replace(answer))
+      .then((answer) => {
+        if (answer.revision >= this.confirmed.revision) this.replace(answer);
+      })
       .catch(() => undefined)
       .finally(() => (this.loading = null));
     return this.loading;
@@ -155,15 +157,16 @@ export class DocumentStore {
   }
 
   /** While the server is gone nothing is sent, and what waits is kept. */
-  pause(paused: boolean): void {
-    this.paused = paused;
-    if (!paused) void this.pump();
+  pause(): void {
+    this.paused = true;
   }
 
-  /** What the server has at the beginning of a stream. */
-  hello(revision: number): void {
-    const known = this.confirmed.revision;
-    if (revision < known || (revision > known && !this.sending)) void this.reload();
+  /** The server is there: what waits is sent, and what it has become meanwhile is fetched. A request that was not
+   * answered is sent again: whether it was carried out, and what else was, is told by its refusal. */
+  resume(): void {
+    if (this.unanswered === null) void this.reload();
+    this.paused = false;
+    void this.pump();
   }
 
   private show(): void {

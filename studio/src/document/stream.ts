@@ -23,7 +23,8 @@ export class EventStream {
 
   constructor(
     private api: Pick<Api, "events">, private window: string, private receive: (event: StudioEvent) => void,
-    private times: StreamTimes = kTimes,
+    /** A stream is there: with the page, or again. */
+    private began: () => void, private times: StreamTimes = kTimes,
   ) {}
 
   async run(): Promise<void> {
@@ -58,8 +59,11 @@ export class EventStream {
       await this.api.events(this.window, (event) => {
         clearTimeout(silence);
         silence = setTimeout(() => controller.abort(), this.times.silence_ms);
-        heard = true;
-        this.connected.value = true;
+        if (!heard) {
+          heard = true;
+          this.connected.value = true;
+          this.began();
+        }
         this.receive(event);
       }, controller.signal);
     } catch (error) {

@@ -1,4 +1,5 @@
-// What the keyboard does to the tools, as a list that the page's registry of actions takes over.
+// What the keyboard does to the tools: actions for the page's registry, and the keys that are the pen's own.
+import { matches } from "../actions/keys";
 import type { Studio } from "../document/studio";
 import { activeTool, choose, chosenValue, isReach, ownReach, reach, selection, suitableReach } from "./active";
 import { kRegions } from "./names";
@@ -6,11 +7,13 @@ import { kEraser, kMeasures, kSelect, type Offer } from "./offers";
 import { domainOf } from "./place";
 import { toolsOf, type ToolBox } from "./toolbox";
 
+/** For the page's registry. */
 export interface ToolAction {
   id: string;
   title: string;
   /** "B", "Shift+R", "["; "" for none. */
   keys: string;
+  /** Name of a picture of icons.tsx. */
   icon: string;
   run(): void;
   /** False: it has no meaning now, and its key is free. */
@@ -42,11 +45,13 @@ function harden(tools: ToolBox, by: number): void {
   choose(slot, "hardness", Number(Math.min(1, Math.max(0, (typeof value === "number" ? value : 0) + by)).toFixed(2)));
 }
 
-function takeByKey(tools: ToolBox, offer: Offer): ToolAction {
-  return {
-    id: `tool:${offer.id}`, title: offer.look.title, keys: offer.look.keys, icon: offer.look.icon,
-    run: () => tools.take(offer.id), enabled: () => tools.offers.peek().rail.some((one) => one.id === offer.id),
-  };
+function action(id: string, title: string, keys: string, icon: string, run: () => void, enabled = () => true): ToolAction {
+  return { id, title, keys, icon, run, enabled };
+}
+
+function takeByKey(tools: ToolBox, { id, look }: Offer): ToolAction {
+  const offered = () => tools.offers.value.rail.some((one) => one.id === id);
+  return action(`tool.${id}`, look.title, look.keys, look.icon, () => tools.take(id), offered);
 }
 
 const kFixed = new Set([kSelect, kEraser, ...kMeasures].map((offer) => offer.id));
@@ -54,38 +59,26 @@ const kFixed = new Set([kSelect, kEraser, ...kMeasures].map((offer) => offer.id)
 /** Actions that are always there. Those of the step's own tools follow in `offeredActions`. */
 export function toolActions(studio: Studio): ToolAction[] {
   const tools = toolsOf(studio);
-  const always = { enabled: () => true };
+  const selectAll = () => {
+    activeTool.value = kSelect.id;
+    selection.value = new Set(tools.features.peek().map((feature) => feature.key));
+  };
   return [
-    takeByKey(tools, kSelect), takeByKey(tools, kEraser), ...kMeasures.map((offer) => takeByKey(tools, offer)),
-    { id: "brush:smaller", title: "Smaller brush", keys: "[", icon: "brush", run: () => resize(tools, false), ...always },
-    { id: "brush:larger", title: "Larger brush", keys: "]", icon: "brush", run: () => resize(tools, true), ...always },
-    { id: "brush:softer", title: "Softer brush", keys: "Shift+[", icon: "brush", run: () => harden(tools, -0.1), ...always },
-    { id: "brush:harder", title: "Harder brush", keys: "Shift+]", icon: "brush", run: () => harden(tools, 0.1), ...always },
-    {
-      id: "drawing:select_all", title: "Select all that is drawn", keys: "Ctrl+A", icon: "select",
-      run: () => {
-        activeTool.value = kSelect.id;
-        selection.value = new Set(tools.features.peek().map((feature) => feature.key));
-      },
-      enabled: () => tools.features.peek().length > 0,
-    },
+    ...[kSelect, kEraser, ...kMeasures].map((offer) => takeByKey(tools, offer)),
+    action("brush.smaller", "Smaller brush", "[", "brush", () => resize(tools, false)),
+    action("brush.larger", "Larger brush", "]", "brush", () => resize(tools, true)),
+    action("brush.softer", "Softer brush", "{", "brush", () => harden(tools, -0.1)),
+    action("brush.harder", "Harder brush", "}", "brush", () => harden(tools, 0.1)),
+    action("drawing.select_all", "Select all that is drawn", "Ctrl+A", "select", selectAll, () => tools.features.value.length > 0),
   ];
 }
 
-/** Actions of the tools that are offered now, each of which has its own key. Reads signals: changes with the selection. */
+/** Actions of the tools that are offered now. Reads signals: changes with the selection. */
 export function offeredActions(studio: Studio): ToolAction[] {
   const tools = toolsOf(studio);
-  const taken = new Set<string>();
-  return tools.offers.value.rail
-    .filter((offer) => !kFixed.has(offer.id) && !(offer.look.keys && taken.has(offer.look.keys)) && taken.add(offer.look.keys))
-    .map((offer) => takeByKey(tools, offer));
-}
-
-/** "Shift+[" of a pressed key. */
-export function keysOf(event: { key: string; code?: string; ctrlKey: boolean; shiftKey: boolean; altKey: boolean; metaKey: boolean }): string {
-  const bracket = event.code === "BracketLeft" ? "[" : event.code === "BracketRight" ? "]" : null;
-  const key = bracket ?? (event.key.length === 1 ? event.key.toUpperCase() : event.key);
-  return `${event.ctrlKey || event.metaKey ? "Ctrl+" : ""}${event.altKey ? "Alt+" : ""}${event.shiftKey ? "Shift+" : ""}${key}`;
+  const { rail, more } = tools.offers.value;
+  return [...rail, ...more].filter((offer) => !kFixed.has(offer.id)).map((offer) =>
+    rail.includes(offer) ? takeByKey(tools, offer) : action(`tool.${offer.id}`, `${offer.look.title}: ${offer.help}`, "", offer.look.icon, () => tools.take(offer.id)));
 }
 
 function digit(tools: ToolBox, key: string): boolean {
@@ -113,14 +106,21 @@ function isForControl(event: { key: string; target?: EventTarget | null }): bool
   return control !== null && name.test(event.key);
 }
 
-/** What a pressed key means to the tools; false: nothing. For whoever listens to the page's keys. */
-export function toolKey(studio: Studio, event: Parameters<typeof keysOf>[0] & { target?: EventTarget | null }): boolean {
+type Press = Pick<KeyboardEvent, "key" | "ctrlKey" | "shiftKey" | "altKey" | "metaKey"> & { target?: EventTarget | null };
+
+/** Keys of what the pen is doing: ends, cancels, deletes, nudges, types a height. False: it means nothing to the pen. */
+function penKey(studio: Studio, event: Press): boolean {
   if (isForControl(event)) return false;
   const tools = toolsOf(studio);
-  if (tools.key({ key: event.key, ctrl: event.ctrlKey || event.metaKey, shift: event.shiftKey })) return true;
-  const keys = keysOf(event);
-  if (/^\d$/.test(keys) && digit(tools, keys)) return true;
-  const action = [...toolActions(studio), ...offeredActions(studio)].find((one) => one.keys === keys && one.enabled());
-  action?.run();
-  return action !== undefined;
+  const ctrl = event.ctrlKey || event.metaKey;
+  if (tools.key({ key: event.key, ctrl, shift: event.shiftKey })) return true;
+  return !ctrl && !event.altKey && /^\d$/.test(event.key) && digit(tools, event.key);
+}
+
+/** What a pressed key means: to the pen, to the brush, to the tools that are offered. */
+export function toolKey(studio: Studio, event: Press): boolean {
+  if (penKey(studio, event)) return true;
+  const meant = [...toolActions(studio), ...offeredActions(studio)].find((one) => one.keys !== "" && matches(event, one.keys) && one.enabled());
+  meant?.run();
+  return meant !== undefined;
 }

@@ -120,12 +120,10 @@ function keptOutputs(recipe: Recipe): Edit[] {
     output.from !== undefined || !last ? [] : [{ do: "set", pointer: `/outputs/${i}/from`, value: last.id }]);
 }
 
-/** Edits that add the step with these parameters. REQUIRES: `selected` is a step unless it is added alone. */
-export function addStep(
-  recipe: Recipe, schema: Schema, selected: string | null, adds: Addition, id: string, params: { [name: string]: Json },
-): Edit[] {
+/** Edits that add the step with these parameters. */
+export function addStep(recipe: Recipe, schema: Schema, adds: Addition, id: string, params: { [name: string]: Json }): Edit[] {
   const step: Step = { id, op: adds.op, params };
-  const at = selected === null ? undefined : stepOf(recipe, selected);
+  const at = adds.at === undefined ? undefined : stepOf(recipe, adds.at);
   if (!at || adds.where === "alone") return [...keptOutputs(recipe), { do: "insert", list: "/steps", value: step as unknown as Json }];
   return adds.where === "behind" ? behind(recipe, schema, at, step) : before(recipe, schema, at, adds.input!, step);
 }

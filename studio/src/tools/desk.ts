@@ -98,7 +98,7 @@ export class Drawing {
     }
     this.added = freshId(recipe, adds.op);
     const params = paramsWith(slot, part, points, members);
-    const edits = addStep(recipe, desk.studio.schema, this.before, adds, this.added, params);
+    const edits = addStep(recipe, desk.studio.schema, adds, this.added, params);
     const empty: Recipe = { ...recipe, steps: [{ id: this.added, op: adds.op }] };
     const there = create(empty, this.added, slot, part, points, members);
     this.creation = there;

@@ -2,4 +2,4 @@
 export { ToolRail } from "./rail";
 export { ToolOptions } from "./options";
 export { toolsOf, type PenViewport } from "./toolbox";
-export { toolActions, offeredActions, toolKey, type ToolAction } from "./actions";
+export { offeredActions, toolActions, toolKey, type ToolAction } from "./actions";

@@ -8,6 +8,8 @@ import { slotsOf, type Slot } from "./slots";
 /** Where a step is added for a tool, and how it is connected. */
 export interface Addition {
   op: string;
+  /** The step behind or before which it comes. */
+  at?: string;
   /** "behind": it takes an output of the selected step, and all that read it read the new step. "before": its output
    * goes to an input of the selected step. "alone": it begins something new. */
   where: "behind" | "before" | "alone";
@@ -79,7 +81,9 @@ function addOffer(operator: OperatorInfo, adds: Addition, title: string, icon: s
   const slots = slotsOf(operator);
   const slot = slotId ? slots.find((one) => one.id === slotId) : slots[0];
   if (!slot) return null;
-  const where = { behind: `adds ${operator.name} behind it`, before: `adds ${operator.name} before it`, alone: `adds ${operator.name}` };
+  const where = {
+    behind: `adds ${operator.name} behind ${adds.at}`, before: `adds ${operator.name} before ${adds.at}`, alone: `adds ${operator.name}`,
+  };
   const target = adds.existing ? `in the step ${adds.existing}` : where[adds.where];
   const id = ["add", adds.op, adds.where, ...(adds.input ? [adds.input] : [])].join(":");
   return { id, look: { ...lookOf(slot), title, icon, keys: "" }, help: target, group: "more", slot, adds };
@@ -103,7 +107,7 @@ function moreOffers(recipe: Recipe, schema: Schema, stepId: string): Offer[] {
     if (!other || op === step.op || !operator.out.some((port) => port.kind === kind)) continue;
     if (kind === "field" && operator.out.some((port) => port.kind === "terrain")) continue;
     const existing = readerOf(recipe, schema, stepId, op);
-    offers.push(addOffer(other, { op, where: "behind", ...(existing ? { existing } : {}) }, title, icon));
+    offers.push(addOffer(other, { op, at: stepId, where: "behind", ...(existing ? { existing } : {}) }, title, icon));
   }
   const connections = connectionsOf(recipe, schema, step);
   for (const { op, kind, title } of kBefore) {
@@ -113,7 +117,7 @@ function moreOffers(recipe: Recipe, schema: Schema, stepId: string): Offer[] {
       if (input.kind !== kind || /_\d+$/.test(input.name)) continue;
       if (operator.out.some((port) => port.kind === kind && (kind === "labels" || port.name === input.name))) continue;
       const there = from && "step" in from && stepOf(recipe, from.step)?.op === op ? from.step : undefined;
-      offers.push(addOffer(other, { op, where: "before", input: input.name, ...(there ? { existing: there } : {}) }, title(input.name), "brush"));
+      offers.push(addOffer(other, { op, at: stepId, where: "before", input: input.name, ...(there ? { existing: there } : {}) }, title(input.name), "brush"));
     }
   }
   return offers.filter((offer): offer is Offer => offer !== null);
@@ -136,10 +140,14 @@ export interface Offers {
   more: Offer[];
 }
 
-export function offersFor(recipe: Recipe, schema: Schema, stepId: string | null): Offers {
+/** `shown`: the step whose result is seen; without a selection the pen may go on behind it. */
+export function offersFor(recipe: Recipe, schema: Schema, stepId: string | null, shown: string | null = null): Offers {
   const step = stepId === null ? undefined : stepOf(recipe, stepId);
   const operator = step && operatorOf(schema, step.op);
-  if (!operator) return { rail: [kSelect, ...aloneOffers(schema), ...kMeasures], more: [] };
+  if (!operator) {
+    const behind = shown === null ? [] : moreOffers(recipe, schema, shown).filter((offer) => offer.adds!.where === "behind");
+    return { rail: [kSelect, ...aloneOffers(schema), ...kMeasures], more: behind };
+  }
   const own = slotOffers(operator);
   const erasable = own.some(({ slot }) => slot!.geometry === "line" || slot!.geometry === "ring");
   const ownEraser = own.some(({ look }) => look.keys === "E");

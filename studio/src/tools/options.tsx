@@ -103,7 +103,7 @@ export function ToolOptions({ studio }: { studio: Studio }) {
   const title = slot || own.length === 0 ? offer.look.title : nounOf(own[0]!.slot);
   const count = selection.value.size;
   return (
-    <div class={`tool-options ${shown ? "with-fields" : ""}`} role="toolbar" aria-label={`Options: ${title}`}>
+    <div class="tool-bar" role="toolbar" aria-label={`Options: ${title}`}>
       <span class="tool-name"><ToolIcon name={slot || own.length === 0 ? offer.look.icon : lookOf(own[0]!.slot).icon} size={16} />{title}</span>
       {offer.adds && <span class="tool-adds">{offer.help}</span>}
       {shown && <Members tools={tools} slot={shown} domain={domain} features={own} next={slot !== undefined} />}

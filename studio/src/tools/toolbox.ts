@@ -60,7 +60,10 @@ export class ToolBox {
   private readonly stop: (() => void)[];
 
   constructor(readonly studio: Studio) {
-    this.offers = computed(() => offersFor(studio.document.value.recipe, studio.schema, studio.selected.value));
+    this.offers = computed(() => {
+      const shown = studio.shown.value.terrain?.split(".")[0] ?? null;
+      return offersFor(studio.document.value.recipe, studio.schema, studio.selected.value, shown);
+    });
     this.active = computed(() => offerById(this.offers.value, activeTool.value) ?? kSelect);
     this.features = computed(() => this.readFeatures());
     this.shapes = computed(() => [
@@ -142,7 +145,7 @@ export class ToolBox {
       fitting: (at: GroundPointer) => ({ pixel_m: at.pixel_m, cell_m: this.cell_m() }),
       begin: (what, name) => {
         this.busy.value = true;
-        const step = offer.adds?.existing ?? studio.selected.peek();
+        const step = offer.adds?.existing ?? offer.adds?.at ?? studio.selected.peek();
         return new Gesture(studio, step === null ? what : `${step}: ${what}`, undefined, name);
       },
       end: (then) => {

@@ -15,7 +15,7 @@ import { Palette } from "./palette";
 import { ToolOptions, ToolRail } from "./parts";
 import { dialog, openDialog, StudioContext } from "./shell";
 import { shellActions } from "./shell_actions";
-import { stepKey, toolEntries } from "./tool_entries";
+import { toolEntries } from "./tool_entries";
 import { ShortcutsSheet } from "./shortcuts_sheet";
 import { SidePanel } from "./side_panel";
 import { StatusLine } from "./status_line";
@@ -37,7 +37,7 @@ export function App({ studio }: { studio: OpenedStudio }) {
     const ends = [
       registerActions(shellActions(studio)),
       registerActions(() => toolEntries(studio)),
-      listenToKeys(document, (event) => stepKey(studio, event) || toolKey(studio, event)),
+      listenToKeys(document, (event) => toolKey(studio, event)),
       followLabels(studio),
     ];
     if (isFirst(studio)) openDialog("examples");

@@ -1,19 +1,20 @@
 // What the shell can do, for menus, palette and keys.
 import {
   ArrowLeftRight, CircleQuestionMark, CircleStop, ClockArrowUp, Columns2, Expand, FileBraces, FileOutput, FilePlus, FileUp, FolderOpen,
-  Images, ListVideo, Maximize, PictureInPicture2, Pin, Plus, Redo2, Scan, Save, SaveAll, Search, Square, SunMoon, Undo2, Workflow,
+  Images, ListVideo, Maximize, PictureInPicture2, Redo2, Scan, Save, SaveAll, Search, Square, SunMoon, Undo2, Workflow,
 } from "lucide-preact";
 import type { Action } from "../../actions/registry";
 import type { OpenedStudio } from "../../document/open_studio";
 import { importFiles, pickFiles, save, unlessUnsaved } from "./files";
 import { arrangement, chooseArrangement, dockOpen, dockTab, swapViews, toggleDock, viewsAlone } from "./layout";
 import type { Arrangement, DockTab } from "./layout";
-import { adding, viewport } from "./parts";
+import { viewport } from "./parts";
+import { stepActions } from "../steps/step_actions";
 import { goToRegion } from "./regions";
 import { openDialog } from "./shell";
 import { theme, themeChoice } from "./theme";
 
-function stepActions(studio: OpenedStudio): Action[] {
+function moveActions(studio: OpenedStudio): Action[] {
   const group = "Steps";
   const selectBy = (by: number) => (): void => {
     const { steps } = studio.document.value.recipe;
@@ -22,13 +23,8 @@ function stepActions(studio: OpenedStudio): Action[] {
     if (next) studio.selected.value = next.id;
   };
   return [
-    {
-      id: "step.add", title: "Add a step…", group, icon: Plus, keys: ["Shift+A"], words: "insert node operator search",
-      run: () => (adding.value = { after: studio.selected.value }),
-    },
     { id: "step.next", title: "Step below", group, keys: ["Alt+Down"], run: selectBy(1) },
     { id: "step.previous", title: "Step above", group, keys: ["Alt+Up"], run: selectBy(-1) },
-    { id: "step.none", title: "The document itself", group, words: "domain seed deselect", run: () => (studio.selected.value = null) },
     {
       id: "engine.stop", title: "Stop computing", group, icon: CircleStop, keys: ["P"], words: "cancel suspend pause",
       when: () => !studio.engine.value.settled, run: () => void studio.api.cancel().catch(() => undefined),
@@ -77,7 +73,7 @@ function arrange(to: Arrangement, title: string, icon: Action["icon"], words: st
   };
 }
 
-function viewActions(studio: OpenedStudio): Action[] {
+function viewActions(): Action[] {
   const group = "View";
   return [
     { id: "view.swap", title: "Swap the views", group, icon: ArrowLeftRight, keys: ["V"], words: "map 3d", run: swapViews },
@@ -85,7 +81,7 @@ function viewActions(studio: OpenedStudio): Action[] {
     arrange("split", "Views side by side", Columns2, "layout split"),
     arrange("single", "One view alone", Square, "layout single"),
     {
-      id: "view.alone", title: "Views only", group, icon: Expand, keys: ["Ctrl+B"], words: "full hide panels zen",
+      id: "view.alone", title: "Views only", group, icon: Expand, keys: ["Ctrl+."], words: "full hide panels zen",
       checked: () => viewsAlone.value, run: () => (viewsAlone.value = !viewsAlone.value),
     },
     {
@@ -100,11 +96,6 @@ function viewActions(studio: OpenedStudio): Action[] {
     {
       id: "view.frame_all", title: "Frame all", group, icon: Maximize, keys: ["Home"], words: "zoom fit reset", when: () => viewport.value !== null,
       run: () => viewport.value?.frameAll(),
-    },
-    {
-      id: "view.pin", title: "Keep showing this step", group, icon: Pin, words: "pin preview hold",
-      when: () => studio.pinned.value !== null || studio.shown.value.terrain !== null, checked: () => studio.pinned.value !== null,
-      run: () => (studio.pinned.value = studio.pinned.value === null ? studio.shown.value.overlay ?? studio.shown.value.terrain : null),
     },
     { id: "view.next_region", title: "Next part of the window", group, keys: ["F6"], typing: true, run: () => goToRegion(1) },
     { id: "view.previous_region", title: "Part before", group, keys: ["Shift+F6"], typing: true, run: () => goToRegion(-1) },
@@ -124,7 +115,8 @@ export function shellActions(studio: OpenedStudio): Action[] {
     ...fileActions(studio),
     ...editActions(studio),
     ...stepActions(studio),
-    ...viewActions(studio),
+    ...moveActions(studio),
+    ...viewActions(),
     dockAction("graph", "Graph", Workflow, "Alt+1", "nodes"),
     dockAction("text", "Recipe text", FileBraces, "Alt+2", "json code"),
     dockAction("history", "History", ClockArrowUp, "Alt+3", "undo list"),

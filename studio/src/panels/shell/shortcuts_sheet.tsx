@@ -9,7 +9,6 @@ const kGestures = [
   { title: "Orbit", keys: ["Middle button"] },
   { title: "Pan", keys: ["Shift+Middle button", "Space+Drag"] },
   { title: "Zoom to the pointer", keys: ["Wheel"] },
-  { title: "Add a step", keys: ["Tab"] },
   { title: "Fly", keys: ["Right button", "W A S D"] },
   { title: "Brush: the opposite", keys: ["Ctrl+Draw"] },
   { title: "Brush: smooth", keys: ["Shift+Draw"] },

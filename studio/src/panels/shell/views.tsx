@@ -22,7 +22,7 @@ export function Views() {
   const split = arrangement.value === "split";
   const share = `${Math.round(splitShare.value * 1000) / 10}%`;
   return (
-    <div class={`views ${arrangement.value}`} ref={area} style={{ "--split": share }}>
+    <div class={`views ${arrangement.value}`} ref={area} data-views style={{ "--split": share }}>
       <section class={`view ${placeOf("world")}`} aria-label="3D view" ref={world} />
       {split && (
         <Divider

@@ -7,6 +7,7 @@ import type { Recipe } from "../../api/types";
 import { openStudio } from "../../document/open_studio";
 import type { Studio } from "../../document/studio";
 import { Viewport } from "../../viewport/viewport";
+import { listenToKeys } from "../../actions/registry";
 import { toolKey, ToolOptions, ToolRail } from "..";
 import { DrawingServer } from "./server";
 
@@ -36,11 +37,7 @@ function Page({ studio }: { studio: Studio }) {
     const made = new Viewport(map.current!, world.current!, studio);
     Object.assign(window, { viewport: made });
     setViewport(made);
-    const press = (event: KeyboardEvent) => {
-      if (toolKey(studio, event)) event.preventDefault();
-    };
-    document.addEventListener("keydown", press);
-    return () => document.removeEventListener("keydown", press);
+    return listenToKeys(document, (event) => toolKey(studio, event));
   }, []);
   const step = studio.step(studio.selected.value ?? "");
   return (
