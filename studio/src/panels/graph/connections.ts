@@ -135,7 +135,8 @@ export interface Offer {
 export function offersFor(id: string, input: PortInfo, recipe: Recipe, operators: Operators): Offer[] {
   const after = downstream(id, allConnections(recipe, operators));
   return recipe.steps.filter((step) => !after.has(step.id)).flatMap((step) =>
-    (operators(step.op)?.out ?? []).filter((port) => port.kind === input.kind).map((port) => ({ step: step.id, port })));
+    (operators(step.op)?.out ?? []).filter((port) => port.kind === input.kind)
+      .map((port) => ({ step: step.id, port })));
 }
 
 export function sameOrigin(a: Origin | undefined, b: Origin | undefined): boolean {
@@ -181,7 +182,8 @@ export function inEdit(id: string, wanted: Connections, recipe: Recipe, operator
 }
 
 /** Edits that connect inputs anew; null: an input is left open. What else the steps read stays. */
-export function connectingEdits(changes: readonly { step: string; input: string; origin: Origin | null }[], recipe: Recipe,
+export function connectingEdits(changes: readonly { step: string; input: string; origin: Origin | null }[],
+  recipe: Recipe,
                                 operators: Operators): Edit[] {
   const wanted = new Map<string, Map<string, Origin>>();
   for (const { step, input, origin } of changes) {
