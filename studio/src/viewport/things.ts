@@ -3,7 +3,7 @@ import type { Json } from "../api/types";
 
 export interface ThingModel {
   name: string;
-  /** Nine floats a corner: place (metres, z up), normal, colour (linear light). */
+  /** Nine floats a corner: place (metres, z up), normal, colour (as displayed). */
   corners: Float32Array;
   /** Of a ball around the origin that holds it. */
   radius: number;

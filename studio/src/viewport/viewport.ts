@@ -3,6 +3,7 @@
 import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { registerActions } from "../actions/registry";
 import type { Shown, Studio } from "../document/studio";
+import { followContent, type Content } from "./content";
 import { Follower, mostCells } from "./follower";
 import { Gestures, type Strokes } from "./gestures";
 import { groundPointer, type Under } from "./ground_pointer";
@@ -14,7 +15,7 @@ import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./optio
 import { PictureRenderer } from "./picture_renderer";
 import { ProfileBox } from "./profile_box";
 import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
-import { readThings, type Things } from "./things";
+import type { Things } from "./things";
 import { labelNames } from "./tints";
 import { viewActions } from "./view_actions";
 import { mountControls } from "./view_controls";
@@ -56,6 +57,7 @@ export class Viewport {
   private overlay: GroundOverlay = { overlay: "none" };
   private shownOverlay: GroundOverlay = { overlay: "none" };
   private things: Things | null = null;
+  private contentShapes: readonly OverlayShape[] = [];
   private legend: HTMLElement | null = null;
   private shapes: readonly OverlayShape[] = [];
   /** Place of the profile that is pointed at. */
@@ -89,7 +91,7 @@ export class Viewport {
     });
     this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster), mostCells(this.renderer.software)));
     this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
-    this.stops.push(this.followThings(studio), registerActions(viewActions(this)), mountControls(this, worldElement));
+    this.stops.push(followContent(studio, (content) => this.contentCame(content)), registerActions(viewActions(this)), mountControls(this, worldElement));
     const themes = new MutationObserver(() => {
       this.map.inkStale = true;
       this.dirty();
@@ -204,6 +206,8 @@ export class Viewport {
   }
 
   private overlaid(raster: Raster | null, kind: string): void {
+    this.map.current = kind === "current" ? raster : null;
+    this.map.inkStale = true;
     const none = raster === null || (kind !== "labels" && kind !== "field");
     this.shownOverlay = none ? { overlay: "none" } : { overlay: kind === "labels" ? "labels" : "field", raster: raster! };
     this.applyOverlay();
@@ -213,24 +217,13 @@ export class Viewport {
     return this.overlay.overlay === "none" ? this.shownOverlay : this.overlay;
   }
 
-  /** Stands the things of what is laid over the ground on it. */
-  private followThings(studio: Studio): () => void {
-    let key = "";
-    return effect(() => {
-      const source = studio.shown.value.overlay, value = source === null ? undefined : studio.values.value.get(source);
-      const wanted = value?.kind === "things" ? value.key : "";
-      if (wanted === key) return;
-      key = wanted;
-      const show = (things: Things | null): void => {
-        if (key !== wanted) return;
-        this.things = things;
-        if (this.field === null) return;
-        this.renderer.world.setThings(things, this.field);
-        this.dirty();
-      };
-      if (wanted === "" || source === null) return show(null);
-      void studio.content(source, "things").then((answer) => show(answer === null ? null : readThings(answer)), () => show(null));
-    });
+  /** What is laid over the ground is no raster: things that stand on it, or shapes. */
+  private contentCame({ things, shapes }: Content): void {
+    this.things = things;
+    if (this.field !== null) this.renderer.world.setThings(things, this.field);
+    this.contentShapes = shapes;
+    this.ink();
+    this.dirty();
   }
 
   private labelAt(place: GroundPointer | null): string | null {
@@ -256,6 +249,7 @@ export class Viewport {
   private ink(): void {
     const shapes: readonly OverlayShape[] = this.profiled === null ? this.shapes : [...this.shapes, { shape: "dot", at: this.profiled, role: "selected" }];
     this.map.shapes = this.world.shapes = shapes;
+    this.map.content = this.world.content = this.contentShapes;
     this.map.inkStale = this.world.inkStale = true;
     this.wake();
   }
@@ -361,7 +355,7 @@ export class Viewport {
         this.tellDrawn();
       }
     }
-    for (const view of [this.map, this.world]) if (view.inkStale) view.drawInk(this.options.peek());
+    for (const view of [this.map, this.world]) if (view.inkStale) view.drawInk(this.options.peek(), moving);
     if (more) this.wake();
   }
 }

@@ -143,13 +143,13 @@ export class WorldScene {
     u.exaggeration!.value = options.exaggeration;
     u.floor_m!.value = options.water ? 0 : -1e9;
     const lowest = options.exaggeration * (options.water ? Math.min(0, Math.max(field.min, 0)) : field.min);
-    u.base_m!.value = (options.water && field.min < 0 ? 0 : lowest) - 0.035 * size;
-    if (options.water && field.min >= 0) u.base_m!.value = options.exaggeration * field.min - 0.035 * size;
+    u.base_m!.value = (options.water && field.min < 0 ? 0 : lowest) - 0.022 * size;
+    if (options.water && field.min >= 0) u.base_m!.value = options.exaggeration * field.min - 0.022 * size;
     u.border_depth!.value = field.borderDepth;
     u.half_size!.value = [field.width_m / 2, field.height_m / 2];
     u.sea_size!.value = field.inSea ? [50 * size, 50 * size] : [field.width_m / 2, field.height_m / 2];
     u.in_sea!.value = field.inSea && options.water;
-    this.sea.visible = options.water && field.min < 0;
+    this.sea.visible = options.water && field.min <= 0;
   }
 
   /** Chooses the shaders that do what this picture needs and no more. */
@@ -161,7 +161,7 @@ export class WorldScene {
       this.uniforms.contour_m!.value > 0 ? "CONTOURS" : "",
     ].filter((name) => name !== "");
     const walls = !field.inSea || !options.water;
-    const ground = this.variant(groundVertex, options.water && field.min < 0 ? [...names, "WATER"] : names);
+    const ground = this.variant(groundVertex, options.water && field.min <= 0 ? [...names, "WATER"] : names);
     this.ground.material = walls ? [ground, this.wall] : [ground];
     this.sea.material = [this.variant(seaVertex, [...names.filter((name) => name !== "CONTOURS"), "PLANE"])];
   }

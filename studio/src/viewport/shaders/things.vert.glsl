@@ -15,7 +15,7 @@ void main() {
   mat3 turn = mat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0);
   place = vec3(thing.xy, thing.z * exaggeration) + origin_shift + turn * (position * thing.w);
   facing = turn * normal;
-  tint = colour;
+  tint = colour * (colour * (colour * 0.305306011 + 0.682171111) + 0.012522878);  // from the display's curve
   depth = floor_m < -1e8 ? 0.0 : max(0.0, -place.z);
   vec3 seen = place;
   if (depth > 0.0 && eye.z > 0.0) {
