@@ -30,13 +30,8 @@ function meantInput(consumer: OperatorInfo, output: PortInfo): PortInfo | undefi
   return fit.find((input) => input.name === output.name) ?? only(fit) ?? only(fit.filter((input) => input.required));
 }
 
-/** One of its inputs is needed, whichever, though none is required alone. */
-function needsOne(op: OperatorInfo): boolean {
-  return (op as OperatorInfo & { needs_one?: boolean }).needs_one === true;
-}
-
 export function takesStepBefore(op: OperatorInfo): boolean {
-  return needsOne(op) || op.in.some((port) => port.required);
+  return op.needs_one === true || op.in.some((port) => port.required);
 }
 
 /** What a step without "in" reads of the step before it. */
@@ -45,7 +40,7 @@ export function connectedBefore(op: OperatorInfo, before: Step | undefined, oper
   const producer = before && operators(before.op);
   if (!before || !producer || !takesStepBefore(op)) return found;
   for (const input of meantConnections(op, producer)) {
-    if (needsOne(op) && found.size > 0) break;
+    if (op.needs_one === true && found.size > 0) break;
     found.set(input.name, { step: before.id, port: input.name });
   }
   return found;
