@@ -52,7 +52,8 @@ test("shorthand is followed", () => {
 test("an operator that needs one input takes one of the step before", () => {
   const extract = { ...op("contour.extract", "tin:tin terrain:terrain", "contours:contours"), needs_one: true };
   const known2 = (name: string) => (name === "contour.extract" ? extract : operators(name));
-  const recipe: Recipe = { seamount: 1, steps: [{ id: "isle", op: "island.build" }, { id: "lines", op: "contour.extract" }] };
+  const recipe: Recipe = { seamount: 1,
+    steps: [{ id: "isle", op: "island.build" }, { id: "lines", op: "contour.extract" }] };
   assert.deepEqual(plain(connectionsOf(recipe, 1, known2)), { terrain: { step: "isle", port: "terrain" } });
 });
 
