@@ -116,6 +116,7 @@ test("a step is found, added after the selected one and connected", async () => 
   assert.equal(await page.locator("[aria-label='Input terrain']").first().inputValue(), "atoll.terrain");
   await page.keyboard.press("Control+z");
   await expect("undone", async () => !(await order()).includes("erosion"));
+  await card("erosion").waitFor({ state: "detached" });
 });
 
 test("a wire is drawn, taken off, and only what fits lights up", async () => {
