@@ -38,6 +38,8 @@ export interface OperatorInfo {
   summary: string;
   source: string;
   stochastic: boolean;
+  /** One of its inputs is needed, whichever, though none is required alone. */
+  needs_one?: boolean;
   in: PortInfo[];
   out: PortInfo[];
   params: ParamInfo[];
