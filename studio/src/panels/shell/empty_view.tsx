@@ -11,12 +11,14 @@ export function EmptyView() {
   const standing = studio.engine.value.steps.find((step) => step.id === id);
   if (steps.length === 0) {
     return (
-      <div class="empty-view">
-        <h2>An empty sheet</h2>
-        <p class="muted">Add a first step, drop a file on the window, or begin with an example.</p>
-        <div class="bar-group">
-          <button class="primary" onClick={() => runAction("step.add")}>Add a step</button>
-          <button onClick={() => runAction("file.examples")}>Examples</button>
+      <div class="empty-sheet">
+        <div class="empty-view">
+          <h2>An empty sheet</h2>
+          <p class="muted">Add a first step, drop a file on the window, or begin with an example.</p>
+          <div class="bar-group">
+            <button class="primary" onClick={() => runAction("step.add")}>Add a step</button>
+            <button onClick={() => runAction("file.examples")}>Examples</button>
+          </div>
         </div>
       </div>
     );

@@ -103,7 +103,7 @@ function Numbers({ numbers, notes }: { numbers: readonly ImportNumbers[]; notes:
         <button class="plain" onClick={() => void copy()}><Copy aria-hidden />{copied.value ? "Copied" : "Copy"}</button>
       </header>
       {numbers.map(({ file, rows, note }) => (
-        <div key={file} class="numbers">
+        <div key={file} class="import-numbers">
           <h4>{file}</h4>
           <dl>{rows.map(([name, value]) => <div key={name}><dt>{name}</dt><dd>{value}</dd></div>)}</dl>
           {note && <p class="muted">{note}</p>}
