@@ -32,6 +32,7 @@ guide/first guide_first
 guide/painted guide_painted
 hydrology/dead_sea hydrology_dead_sea
 hydrology/map hydrology_map
+island island
 kauai kauai
 reef/barrier reef_barrier
 reef/patch reef_patch

@@ -4,6 +4,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 made=$(mktemp -d)
 trap 'rm -rf "$made"' EXIT
+./run run recipes/island.json --out "$made/island" --no-cache
+cp "$made/island/view.png" docs/gallery/island.png
 for recipe in kauai reef_stages archipelago styles; do
   ./run run "recipes/$recipe.json" --out "$made" --no-cache
 done

@@ -3,6 +3,8 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -35,13 +37,10 @@ struct Flags {
   bool no_browser = false, no_cache = false;
 };
 
-/// The title in "recipes/reef/platform.json" for people: "Reef: platform".
+/// The title of "reef/platform" for people, who see it among its group: "Platform".
 std::string title_of(std::string name) {
-  for (char& c : name) {
-    if (c == '_') c = ' ';
-  }
-  const size_t slash = name.find('/');
-  if (slash != std::string::npos) name = name.substr(0, slash) + ": " + name.substr(slash + 1);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (const size_t slash = name.find('/'); slash != std::string::npos) name.erase(0, slash + 1);
   if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
   return name;
 }

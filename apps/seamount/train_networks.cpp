@@ -8,9 +8,11 @@
 #include "seamount/base/printable.h"
 #include "seamount/io/find_model.h"
 #include "seamount/io/weights.h"
+#include "seamount/ops/learned/erode_planes.h"
 #include "seamount/ops/learned/island_planes.h"
 #include "seamount/recipe/draw_again.h"
 #include "seamount/recipe/param_json.h"
+#include "seamount/train/erode_measures.h"
 #include "seamount/train/erode_task.h"
 #include "seamount/train/island_measures.h"
 #include "seamount/train/island_task.h"
@@ -124,12 +126,34 @@ void print_measures(const train::IslandMeasures& measures, bool json) {
                100 * measures.off_above[i]);
 }
 
+void print_measures(const std::vector<train::ErodeMeasure>& measures, bool json) {
+  if (measures.empty()) throw Error("no terrain changes: more are needed (--count)");
+  const train::ErodeMeasure mean = train::mean_of(measures);
+  if (json) {
+    const Json document = {{"terrains", measures.size()}, {"off", mean.off},     {"estimate", mean.estimate},
+                           {"seeds", mean.seeds},         {"drift", mean.drift}, {"change_m", mean.change_m}};
+    fmt::print("{}\n", document.dump());
+    return;
+  }
+  fmt::print("{:>8} {:>8} {:>10} {:>9} {:>9} {:>11} {:>7}\n", "cell m", "years", "change m", "network", "estimate",
+             "other seed", "drift");
+  const auto row = [](const train::ErodeMeasure& m) {
+    fmt::print("{:>8.0f} {:>8.0f} {:>10.2f} {:>9.3f} {:>9.3f} {:>11.3f} {:>+7.3f}\n", m.cell_m, m.years, m.change_m,
+               m.off, m.estimate, m.seeds, m.drift);
+  };
+  for (const train::ErodeMeasure& one : measures) row(one);
+  fmt::print("mean of {}\n", measures.size());
+  row(mean);
+}
+
 void add_measure(Command train) {
   const auto flags = std::make_shared<MeasureFlags>();
   Command measure = train.add_command("measure", "How good a network is on ground, or islands, held out of training");
   measure.add("--model", &flags->model, "network: a shipped one by its word, or a file of weights (safetensors)");
-  measure.add("--dem", &flags->dem, "of a sketch network: folder of elevation models (GeoTIFF)");
-  measure.add("--count", &flags->count, "pieces of ground").between(1, 1000);
+  measure.add(
+      "--dem", &flags->dem,
+      "of a sketch network: folder of elevation models (GeoTIFF); of an erosion network, noise alone if absent");
+  measure.add("--count", &flags->count, "pieces of ground, or maps").between(1, 1000);
   measure.add("--size", &flags->size, "cells a side, a power of two from 128 up").between(128, 1024);
   add_run_flags(measure, *flags);
   measure.does([flags] {
@@ -138,6 +162,11 @@ void add_measure(Command train) {
     const Seed seed{flags->seed.value_or(0)};
     if (network.architecture().planes == learned::kIslandPlanes)
       return print_measures(train::measure_islands(network, flags->count, seed, session.run()), flags->json);
+    if (network.architecture().planes == learned::kErodePlanes) {
+      const std::vector<train::GroundTile> tiles =
+          flags->dem.empty() ? std::vector<train::GroundTile>() : train::read_ground(flags->dem, true, session.run());
+      return print_measures(train::measure_erosion(network, tiles, flags->count, seed, session.run()), flags->json);
+    }
     if (flags->dem.empty()) throw InvalidArgument("--dem", "is missing: the ground to measure on");
     print_measures(train::measure_sketches(network, train::read_ground(flags->dem, true, session.run()),
                                            recipe::draw_again, flags->count, flags->size, seed, session.run()),

@@ -1,152 +1,231 @@
-// The pen's tools as a hand uses them: mouse, pen with pressure and finger over the map of the real page; what they leave
-// in the recipe is asked of the server.
+// Pens as a person uses them: what is drawn on the map is in the recipe, the terrain is another, undo takes it back.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, CDPSession, Page } from "playwright-core";
-import type { Json, Recipe } from "../src/api/types";
+import type { Json, Recipe, Step } from "../src/api/types";
 import { openBrowser, openPage, Server, until } from "./harness";
 
-type Place = readonly [number, number];
-
-const recipe: Recipe = {
-  seamount: 1,
-  domain: { width_m: 24000, height_m: 24000, cell_m: 240 },
-  seed: 7,
-  steps: [
-    { id: "isle", op: "island.build", params: { peak_m: 1100 } },
-    { id: "wind", op: "island.wind", in: "isle" },
-    { id: "reef", op: "island.coral", in: "wind", params: { subsidence: 0.2 } },
-  ],
-  outputs: [{ from: "reef.terrain", path: "height.tif" }],
-};
-
 let browser: Browser;
-let server: Server;
-let page: Page;
-let pen: CDPSession;
-let errors: string[];
-let toScreen: (place: Place) => Place;
-
-/** Where places of the ground are on the screen, from what the status line says of two places of the map. */
-async function measureMap(): Promise<(place: Place) => Place> {
-  const box = (await page.getByRole("region", { name: "Map" }).boundingBox())!;
-  const read = async (x: number, y: number) => {
-    await page.mouse.move(x, y);
-    return until("the place under the pointer is said", async () => {
-      const words = /x\s*([^\n]+)\s+y\s*([^\n]+)/.exec(await page.locator(".status-place").innerText());
-      const number = (text: string) => Number(text.replace("−", "-").replace(/[^\d.-]/g, ""));
-      return words ? { x, y, ground: [number(words[1]!), number(words[2]!)] as const } : null;
-    });
-  };
-  const a = await read(box.x + 0.3 * box.width, box.y + 0.3 * box.height);
-  const b = await read(box.x + 0.6 * box.width, box.y + 0.55 * box.height);
-  assert.notEqual(a.ground[0], b.ground[0]);
-  return ([x, y]) => [
-    a.x + ((x - a.ground[0]) * (b.x - a.x)) / (b.ground[0] - a.ground[0]),
-    a.y + ((y - a.ground[1]) * (b.y - a.y)) / (b.ground[1] - a.ground[1]),
-  ];
-}
 
 before(async () => {
-  [browser, server] = await Promise.all([openBrowser(), Server.start(recipe)]);
-  ({ page, errors } = await openPage(browser, server.address, { touch: true }));
-  pen = await page.context().newCDPSession(page);
-  await until("a result is drawn", () => page.locator("[data-key]").count().then((count) => count > 0));
-  await page.keyboard.press("Escape");
-  await page.keyboard.press("v");
-  await until("the map is large", async () => ((await page.getByRole("region", { name: "Map" }).boundingBox())?.width ?? 0) > 400);
-  toScreen = await measureMap();
+  browser = await openBrowser();
 });
 after(async () => {
   await browser?.close();
-  await server?.end();
 });
 
-const params = async (id: string) => ((await server.document()).recipe.steps.find((step) => step.id === id)?.params ?? {}) as { [name: string]: Json };
-const items = async (id: string, list: string) => ((await params(id))[list] ?? []) as { [name: string]: Json }[];
-const select = (id: string) => page.locator(".step-select").filter({ hasText: id }).first().click();
-const done = async () => {
-  const { history, done: count } = await server.document();
-  return history.slice(0, count).map((entry) => entry.label);
-};
-const wave = (y: number): Place[] => Array.from({ length: 18 }, (_, i) => [-7000 + 800 * i, y + 1200 * Math.sin(i / 3)]);
+const domain = { width_m: 10240, height_m: 10240, cell_m: 40 };
+const coast = [[-3000, -2000], [2500, -2600], [3000, 1500], [0, 3000], [-2800, 1800]];
 
-async function drag(places: readonly Place[]): Promise<void> {
-  await page.mouse.move(...toScreen(places[0]!));
-  await page.mouse.down();
-  for (const place of places.slice(1)) await page.mouse.move(...toScreen(place), { steps: 2 });
-  await page.mouse.up();
+/** An island with everything that draws behind it. */
+function recipe(...steps: Step[]): Recipe {
+  return { seamount: 1, domain, seed: 3, steps };
+}
+const isle: Step = { id: "isle", op: "island.build", params: { areas: [coast] as Json, peak_m: 800 } };
+
+class Desk {
+  constructor(readonly server: Server, readonly page: Page, readonly errors: string[]) {}
+
+  static async open(document: Recipe): Promise<Desk> {
+    const server = await Server.start(document);
+    const { page, errors } = await openPage(browser, server.address);
+    const desk = new Desk(server, page, errors);
+    await page.locator("[data-key]").first().waitFor();
+    await page.keyboard.press("v"); // the map is the big view
+    return desk;
+  }
+
+  async close(): Promise<void> {
+    assert.deepEqual(this.errors, []);
+    await this.page.context().close();
+    await this.server.end();
+  }
+
+  select(step: string): Promise<void> {
+    return this.page.getByRole("list", { name: "Steps" }).getByText(step, { exact: true }).first().click();
+  }
+
+  tool(name: string | RegExp): Promise<void> {
+    return this.page.getByRole("toolbar", { name: "Tools" }).getByRole("button", { name }).first().click();
+  }
+
+  async params(step: string): Promise<{ [name: string]: Json }> {
+    return (await this.server.document()).recipe.steps.find(({ id }) => id === step)?.params ?? {};
+  }
+
+  key(): Promise<string | null> {
+    return this.page.locator("[data-key]").first().getAttribute("data-key");
+  }
+
+  /** A place of the map as shares of its width and height. */
+  async place(x: number, y: number): Promise<[number, number]> {
+    const box = (await this.page.getByRole("region", { name: "Map" }).boundingBox())!;
+    return [box.x + x * box.width, box.y + y * box.height];
+  }
+
+  async drag(...places: [number, number][]): Promise<void> {
+    const { mouse } = this.page;
+    const [first, ...rest] = await Promise.all(places.map(([x, y]) => this.place(x, y)));
+    await mouse.move(...first!);
+    await mouse.down();
+    for (const to of rest) await mouse.move(...to, { steps: 8 });
+    await mouse.up();
+  }
+
+  /** Does something that changes the document and the terrain, and takes it back. */
+  async changes(what: string, act: () => Promise<void>): Promise<Recipe> {
+    const before = await this.server.document(), key = await this.key();
+    await act();
+    const after = await until(`${what}: the recipe changes`, async () => {
+      const now = await this.server.document();
+      return now.revision > before.revision && now;
+    });
+    await until(`${what}: another terrain is seen`, async () => (await this.key()) !== key);
+    await until(`${what}: and it is a full one`, async () => (await this.page.locator("[data-key]").first().getAttribute("data-coarse")) === "false");
+    assert.equal(after.done, before.done + 1, `${what} is one entry of the history`);
+    const settled = (await this.server.document()).recipe;
+    await this.page.keyboard.press("Control+z");
+    await until(`${what}: undo`, async () => (await this.server.document()).done === before.done);
+    assert.deepEqual((await this.server.document()).recipe, before.recipe, `${what}: undone`);
+    await this.page.keyboard.press("Control+Shift+z");
+    await until(`${what}: redo`, async () => (await this.server.document()).done === before.done + 1);
+    assert.deepEqual((await this.server.document()).recipe, settled, `${what}: made again`);
+    return settled;
+  }
 }
 
-async function penStroke(places: readonly Place[], force: (share: number) => number): Promise<void> {
-  const send = (type: string, place: Place, share: number, more: object = {}) => {
-    const [x, y] = toScreen(place);
-    return pen.send("Input.dispatchMouseEvent", { type, x, y, pointerType: "pen", force: force(share), ...more } as never);
+const stepOf = (document: Recipe, id: string): Step => document.steps.find((step) => step.id === id)!;
+
+test("wind is drawn as a stroke", async () => {
+  const desk = await Desk.open(recipe(isle, { id: "wind", op: "island.wind" }));
+  await desk.select("wind");
+  await desk.tool(/wind/i);
+  const after = await desk.changes("wind", () => desk.drag([0.3, 0.4], [0.5, 0.5], [0.7, 0.45]));
+  const [stroke] = stepOf(after, "wind").params!["strokes"] as { points: [number, number][] }[];
+  assert.ok(stroke!.points.length >= 3 && stroke!.points.length <= 60);
+  assert.ok(stroke!.points[0]![0] < stroke!.points.at(-1)![0]);
+  await desk.close();
+});
+
+test("ridges and rivers are drawn into a sketch", async () => {
+  const desk = await Desk.open(recipe({ id: "sketch", op: "learned.sketch",
+    params: { ridges: [{ points: [[-3000, 0], [3000, 500]] }], heights: [{ x_m: 0, y_m: 200, height_m: 1500 }] } }));
+  await desk.select("sketch");
+  await desk.tool(/ridge/i);
+  const ridges = await desk.changes("ridge", () => desk.drag([0.4, 0.3], [0.5, 0.4], [0.6, 0.3]));
+  assert.equal((stepOf(ridges, "sketch").params!["ridges"] as Json[]).length, 2);
+  await desk.tool(/river/i);
+  const rivers = await desk.changes("river", () => desk.drag([0.4, 0.7], [0.6, 0.75]));
+  assert.equal((stepOf(rivers, "sketch").params!["rivers"] as Json[]).length, 1);
+  await desk.close();
+});
+
+test("ground is raised with a brush, in a step that comes for it", async () => {
+  const desk = await Desk.open(recipe(isle));
+  await desk.select("isle");
+  await desk.tool("More tools");
+  await desk.page.getByRole("menuitem", { name: /sculpt/i }).first().click();
+  const after = await desk.changes("sculpting", () => desk.drag([0.45, 0.5], [0.55, 0.5]));
+  const added = after.steps.at(-1)!;
+  assert.equal(added.op, "terrain.sculpt");
+  const [stroke] = added.params!["strokes"] as { tool: string; points: Json[] }[];
+  assert.equal(stroke!.tool, "raise");
+  await desk.close();
+});
+
+test("a pen's pressure is in its stroke", async () => {
+  const desk = await Desk.open(recipe(isle, { id: "shape", op: "terrain.sculpt" }));
+  await desk.select("shape");
+  await desk.tool(/raise/i);
+  const devtools: CDPSession = await desk.page.context().newCDPSession(desk.page);
+  const send = async (type: string, x: number, y: number, force: number) => {
+    const [px, py] = await desk.place(x, y);
+    await devtools.send("Input.dispatchMouseEvent", {
+      type: type as "mousePressed", x: px, y: py, button: "left", buttons: type === "mouseReleased" ? 0 : 1,
+      pointerType: "pen", force, clickCount: 1,
+    });
   };
-  const held = { button: "left", buttons: 1 };
-  await send("mousePressed", places[0]!, 0, { ...held, clickCount: 1 });
-  for (let i = 1; i < places.length; ++i) await send("mouseMoved", places[i]!, i / (places.length - 1), held);
-  await send("mouseReleased", places[places.length - 1]!, 1, { button: "left", buttons: 0, clickCount: 1 });
-}
-
-async function fingers(places: readonly Place[], second?: Place): Promise<void> {
-  const points = (all: readonly Place[]) => all.map((place, id) => ({ x: toScreen(place)[0], y: toScreen(place)[1], id }));
-  await pen.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points([places[0]!]) });
-  for (const place of places.slice(1)) await pen.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: points([place]) });
-  if (second) await pen.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points([places[places.length - 1]!, second]) });
-  await pen.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
-}
-
-test("a finger draws wind, and a second finger takes it back", async () => {
-  await select("wind");
-  await page.keyboard.press("w");
-  await fingers(wave(-3000));
-  await until("the stroke is in the recipe", async () => (await items("wind", "strokes")).length === 1);
-  await fingers(wave(4000), [0, 0]);
-  await until("the second stroke is gone", async () => (await done()).length === 1);
-  assert.equal((await items("wind", "strokes")).length, 1);
+  const after = await desk.changes("a pen stroke", async () => {
+    await send("mousePressed", 0.4, 0.5, 0.1);
+    for (let i = 1; i <= 20; ++i) await send("mouseMoved", 0.4 + 0.01 * i, 0.5 + 0.004 * Math.sin(i), 0.1 + 0.04 * i);
+    await send("mouseReleased", 0.6, 0.5, 0);
+  });
+  const [stroke] = stepOf(after, "shape").params!["strokes"] as { pressure?: number[]; points: Json[] }[];
+  assert.equal(stroke!.pressure?.length, stroke!.points.length);
+  assert.ok(stroke!.pressure![0]! < 0.3 && stroke!.pressure!.at(-1)! > 0.6, String(stroke!.pressure));
+  await desk.close();
 });
 
-test("a mouse draws, an undo takes it back", async () => {
-  await drag(wave(0));
-  await until("the stroke is in the recipe", async () => (await items("wind", "strokes")).length === 2);
-  const stroke = (await items("wind", "strokes"))[1]!;
-  assert.ok((stroke["points"] as Json[]).length >= 6);
-  assert.ok(typeof stroke["width_m"] === "number");
-  await page.keyboard.press("Control+z");
-  await until("the stroke is gone", async () => (await items("wind", "strokes")).length === 1);
+test("a coast's point is dragged, a summit is placed", async () => {
+  const desk = await Desk.open(recipe(isle));
+  await desk.select("isle");
+  await desk.tool(/summit/i);
+  const after = await desk.changes("a summit", async () => {
+    await desk.page.mouse.click(...(await desk.place(0.5, 0.5)));
+  });
+  assert.equal((stepOf(after, "isle").params!["summits"] as Json[]).length, 1);
+  await desk.close();
 });
 
-test("a summit is set by a click, its height by digits", async () => {
-  await select("isle");
-  await page.keyboard.press("h");
-  await page.mouse.click(...toScreen([-1500, 900]));
-  for (const key of ["8", "1", "2", "Enter"]) await page.keyboard.press(key);
-  await until("the summit has its height", async () => (await items("isle", "summits"))[0]?.["height_m"] === 812);
+test("Escape leaves nothing of a stroke", async () => {
+  const desk = await Desk.open(recipe(isle, { id: "wind", op: "island.wind" }));
+  await desk.select("wind");
+  await desk.tool(/wind/i);
+  const before = await desk.server.document();
+  const { mouse } = desk.page;
+  await mouse.move(...(await desk.place(0.3, 0.4)));
+  await mouse.down();
+  await mouse.move(...(await desk.place(0.6, 0.5)), { steps: 10 });
+  await desk.page.keyboard.press("Escape");
+  await mouse.up();
+  await desk.page.waitForTimeout(500);
+  const after = await desk.server.document();
+  assert.deepEqual(after.recipe, before.recipe);
+  assert.equal(after.done, before.done);
+  await desk.close();
 });
 
-test("an area is drawn around, and a corner moved", async () => {
-  await page.keyboard.press("o");
-  for (const place of [[-6000, -5000], [6000, -5000], [5000, 6000], [-6000, 5000]] as const) await page.mouse.click(...toScreen(place));
-  await page.keyboard.press("Enter");
-  const corners = async () => ((await params("isle"))["areas"] as Place[][] | undefined)?.[0] ?? [];
-  await until("the coast is in the recipe", async () => (await corners()).length === 4);
-  await page.keyboard.press("q");
-  await drag([[-6000, 5000], [-7000, 5500], [-8000, 6000]]);
-  await until("the corner has moved", async () => (await corners()).some(([x]) => x < -7500));
+test("a slider is dragged: coarse results follow, the full one comes last, the history has one entry", async () => {
+  const desk = await Desk.open(recipe(isle, { id: "reef", op: "island.coral" }));
+  await desk.select("reef");
+  const slider = desk.page.getByRole("spinbutton", { name: /subsidence/i }).first();
+  const box = (await slider.boundingBox())!;
+  await desk.changes("the slider", async () => {
+    await desk.page.mouse.move(box.x + 20, box.y + box.height / 2);
+    await desk.page.mouse.down();
+    await desk.page.mouse.move(box.x + 70, box.y + box.height / 2, { steps: 15 });
+    await desk.page.mouse.up();
+  });
+  assert.ok(Number((await desk.params("reef"))["subsidence"]) > 0);
+  await desk.close();
 });
 
-test("a pen sculpts behind the selected step, with its pressure", async () => {
-  await select("reef");
-  await page.getByRole("button", { name: "More tools" }).click();
-  await page.getByRole("menuitem", { name: /Sculpt/ }).click();
-  await penStroke(wave(-2000), (share) => 0.2 + 0.8 * share);
-  await until("there is a step for it", async () => (await items("sculpt", "strokes")).length === 1);
-  const [stroke] = await items("sculpt", "strokes");
-  const pressure = stroke!["pressure"] as number[];
-  assert.equal(pressure.length, (stroke!["points"] as Json[]).length);
-  assert.ok(pressure[0]! < 0.4 && pressure[pressure.length - 1]! > 0.8);
-  assert.equal((await server.document()).recipe.outputs![0]!.from, "sculpt.terrain");
-  // A result that was overtaken may be gone when the page asks for it.
-  assert.deepEqual(errors.filter((error) => !error.includes("404")), []);
+test("two windows stay in step", async () => {
+  const desk = await Desk.open(recipe(isle, { id: "reef", op: "island.coral" }));
+  const other = await openPage(browser, desk.server.address);
+  await other.page.locator("[data-key]").first().waitFor();
+  const key = await other.page.locator("[data-key]").first().getAttribute("data-key");
+  await desk.select("reef");
+  const field = desk.page.getByRole("spinbutton", { name: /subsidence/i }).first();
+  await field.focus();
+  await desk.page.keyboard.press("Enter");
+  await desk.page.keyboard.type("0.5");
+  await desk.page.keyboard.press("Enter");
+  await until("the other window sees it", async () => (await other.page.locator("[data-key]").first().getAttribute("data-key")) !== key);
+  assert.deepEqual(other.errors, []);
+  await other.page.context().close();
+  await desk.close();
+});
+
+test("after a kill the window finds its way back", async () => {
+  const desk = await Desk.open(recipe(isle));
+  await desk.select("isle");
+  await desk.server.kill();
+  await desk.page.getByText(/server|connection|studio/i).first().waitFor();
+  await desk.page.context().close();
+  await desk.server.run();
+  const again = await openPage(browser, desk.server.address);
+  await again.page.locator("[data-key]").first().waitFor();
+  await again.page.context().close();
+  await desk.server.end();
 });

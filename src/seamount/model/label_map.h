@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "seamount/base/error.h"
+#include "seamount/base/fields.h"
 #include "seamount/base/text.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
@@ -44,3 +45,9 @@ inline Colour painted_colour(Region region, double subsidence = 0.0) {
 }
 
 }  // namespace seamount
+
+template <>
+struct seamount::Choices<seamount::Region> {
+  static constexpr std::array<std::string_view, seamount::kRegionCount> names = {"mountain", "beach", "lagoon", "reef",
+                                                                                 "abyss"};
+};

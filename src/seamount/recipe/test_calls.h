@@ -139,6 +139,8 @@ class ExampleCall {
     if (op.name == "ecosystem.field") params_["of"] = "depth - sand + noise(500)";
     if (op.name == "terrain.mask") give("criteria", R"([{"tool": "slope"}, {"tool": "height"}])");
     if (op.name == "terrain.sculpt") give("strokes", kSculpting);
+    if (op.name == "terrain.paint") give("strokes", kPainting);
+    if (op.name == "classify.paint") give("strokes", kRegions);
     if (op.name == "contour.edit") give("edits", R"([{"tool": "smooth"}, {"tool": "smooth", "rounds": 1}])");
     if (op.name == "island.wind") give("radial_count", "5");
     if (params_.contains("particles") && op.name != "reef.grow") params_["particles"] = extent.particles;
@@ -159,6 +161,16 @@ class ExampleCall {
     {"tool": "flatten", "points": [[1000, -2000], [-2500, -1500]], "radius_m": 800, "hardness": 0.5},
     {"tool": "ramp", "points": [[-3000, 2000], [0, 2500]]},
     {"tool": "roughen", "points": [[0, 0], [3000, 3000]], "radius_m": 1200},
+    {"tool": "erase", "points": [[0, -4000], [0, 4000]], "radius_m": 300}])";
+
+  static constexpr const char* kPainting = R"([
+    {"tool": "brush", "points": [[-3000, 0], [0, 900], [2000, -800]], "pressure": [0.2, 1, 0.5], "radius_m": 900},
+    {"tool": "area", "polygons": [[[0, 0], [3000, 500], [1000, 3000]]], "value": 0.5, "feather_m": 400},
+    {"tool": "erase", "points": [[0, -4000], [0, 4000]], "radius_m": 300}])";
+  static constexpr const char* kRegions = R"([
+    {"tool": "region", "region": "reef", "points": [[-3000, 0], [0, 900], [2000, -800]], "radius_m": 1900},
+    {"tool": "area", "region": "beach", "polygons": [[[0, 0], [3000, 500], [1000, 3000]]]},
+    {"tool": "sink", "points": [[-2000, 0], [2000, 400]], "pressure": [0.2, 1], "subsidence": 0.7},
     {"tool": "erase", "points": [[0, -4000], [0, 4000]], "radius_m": 300}])";
 
   void give(const char* param, const char* text) { params_[param] = Json::parse(text); }

@@ -69,6 +69,12 @@ void EventHub::close() {
   for (const auto& stream : streams_) stream->close();
 }
 
+void EventHub::Stream::greet(std::string line) {
+  const std::lock_guard lock(mutex_);
+  lines_.push_front(std::move(line));
+  wake_.notify_all();
+}
+
 std::string EventHub::Stream::next(int milliseconds) {
   std::unique_lock lock(mutex_);
   wake_.wait_for(lock, std::chrono::milliseconds(milliseconds),

@@ -53,6 +53,9 @@ class EventHub::Stream {
  public:
   explicit Stream(std::string window) : window_(std::move(window)) {}
 
+  /// A line before all others.
+  void greet(std::string line);
+
   /// Waits for lines, `milliseconds` at most; "" after that time without any.
   std::string next(int milliseconds);
   bool closed() const;

@@ -119,7 +119,7 @@ OrderedJson Session::document_json() const {
 }
 
 void Session::check_base(const Asker& asker) const {
-  const uint64_t now = first_revision_ + engine_->revision();
+  const uint64_t now = revision();
   if (asker.base == now) return;
   std::vector<std::string> missed;
   const bool known =

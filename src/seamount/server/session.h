@@ -60,6 +60,8 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
+  uint64_t revision() const { return first_revision_ + engine_->revision(); }
+
   /// The answer to GET /api/document.
   OrderedJson document_json() const;
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "seamount/base/version.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/image_file.h"
 #include "seamount/recipe/file_info.h"
@@ -201,6 +202,7 @@ Reply Studio::get_events(const Request& request) {
   if (window.size() > 64) throw InvalidArgument("window", "is longer than 64 bytes");
   Reply reply{.type = "application/x-ndjson"};
   reply.stream = hub_.open(window);
+  reply.stream->greet(text_of({{"event", "hello"}, {"version", kVersion}, {"revision", session()->revision()}}));
   return reply;
 }
 

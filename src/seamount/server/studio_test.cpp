@@ -106,6 +106,9 @@ TEST_F(StudioTest, AGestureIsOneEntry) {
 TEST_F(StudioTest, TwoWindowsStayInStep) {
   const OrderedJson late = octaves(5, "", "b");
   const auto stream = reply("GET", "/api/events", {}, {{"window", "b"}}).stream;
+  const OrderedJson hello = wait_for(*stream, [](const OrderedJson&) { return true; });
+  EXPECT_EQ(hello["event"], "hello");
+  EXPECT_EQ(hello["revision"], document()["revision"]);
   const OrderedJson first = json("POST", "/api/edits", octaves(3, "", "a"));
   const OrderedJson event = wait_for(*stream, [](const OrderedJson& e) { return e["event"] == "document"; });
   EXPECT_EQ(event, first);

@@ -263,7 +263,7 @@ export interface Frame {
 //   angle_deg, scale}]}, at most 20 000 instances, the largest.
 
 // ---------------------------------------------------------------------------------------------------- files and jobs
-// GET  /api/examples : {examples: [{name, title, about, group}]}; GET /api/examples/NAME/picture (PNG, 404 without)
+// GET  /api/examples : {examples: [{name, title, about, group, picture: is there one}]}; GET /api/examples/NAME/picture (PNG, 404 without)
 // GET  /api/files : {folder, files: [{path, bytes, modified}]}: recipes and data in the studio's folder
 // POST /api/open {example} | {path} | {blank: true, width_m, cell_m} : DocumentAnswer; an "opened" event for all windows
 // POST /api/save {path?} : {file, saved}

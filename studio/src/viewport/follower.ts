@@ -5,9 +5,11 @@ import type { Shown, Studio } from "../document/studio";
 import type { Raster } from "./types";
 
 /** Rasters are fetched so coarsely that they have at most so many cells a side. */
-export const mostCells = 2048;
+export function mostCells(software: boolean): number {
+  return software ? 2048 : 4096;
+}
 
-export function levelFor(columns: number, rows: number, most = mostCells): number {
+export function levelFor(columns: number, rows: number, most: number): number {
   let level = 0;
   while (Math.ceil(Math.max(columns, rows) / 2 ** level) > most) ++level;
   return level;
@@ -24,6 +26,7 @@ export class Follower {
     private readonly studio: Studio,
     private readonly which: (shown: Shown) => string | null,
     private readonly got: (raster: Raster | null, value: ValueEvent | null) => void,
+    private readonly most: number = mostCells(true),
   ) {
     this.stop = effect(() => {
       const source = this.which(studio.shown.value);
@@ -55,7 +58,7 @@ export class Follower {
       this.wanted = null;
       if (value.frame === undefined) continue;
       try {
-        const raster = await this.studio.raster(value.source, levelFor(value.frame.columns, value.frame.rows));
+        const raster = await this.studio.raster(value.source, levelFor(value.frame.columns, value.frame.rows, this.most));
         if (raster === null || this.gone || this.which(this.studio.shown.peek()) !== value.source) continue;
         this.gotKey = value.key;
         this.got(raster, value);

@@ -75,6 +75,8 @@ export class Gestures {
     on("dblclick", (event) => {
       if (event.button === 0 && !this.space) this.strokes.double(event);
     });
+    on("keydown", (event) => this.steer(event));
+    if (!element.hasAttribute("tabindex")) element.tabIndex = 0;
     on("contextmenu", (event) => event.preventDefault());
     window.addEventListener("keydown", (event) => this.key(event, true), { signal });
     window.addEventListener("keyup", (event) => this.key(event, false), { signal });
@@ -206,6 +208,22 @@ export class Gestures {
     const lines = event.deltaMode === 1 ? 33 : event.deltaMode === 2 ? 400 : 1;
     const by = Math.max(-240, Math.min(240, event.deltaY * lines));
     this.mover.zoom(x, y, Math.exp(by * (event.ctrlKey ? 0.008 : 0.0016)));
+  }
+
+  /** By keys alone: arrows turn or pan, with Shift they pan, plus and minus zoom. */
+  private steer(event: KeyboardEvent): void {
+    if (event.target !== this.element || event.ctrlKey || event.altKey || event.metaKey) return;
+    const arrow = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    const factor = { "+": 0.8, "=": 0.8, "-": 1.25, PageUp: 0.8, PageDown: 1.25 }[event.key];
+    const x = this.element.clientWidth / 2, y = this.element.clientHeight / 2;
+    if (arrow !== undefined && this.moving === null) {
+      const way: Way = this.mover.turns && !event.shiftKey ? "orbit" : "pan";
+      this.mover.begin(way, x, y);
+      this.mover.move(way, 48 * arrow[0]!, 48 * arrow[1]!);
+      this.mover.end();
+    } else if (factor !== undefined) this.mover.zoom(x, y, factor);
+    else return;
+    event.preventDefault();
   }
 
   private key(event: KeyboardEvent, down: boolean): void {

@@ -5,6 +5,7 @@ import {
   NearestFilter, OrthographicCamera, PlaneGeometry, RawShaderMaterial, RedFormat, RGBAFormat, Scene, UnsignedByteType,
   WebGLRenderTarget, type IUniform, type Texture, type WebGLRenderer,
 } from "three";
+import { climateOf } from "./climate";
 import type { HeightField } from "./heights";
 import { lamps } from "./light";
 import { sunVector, type ViewOptions } from "./options";
@@ -60,7 +61,6 @@ interface Set {
 }
 
 const keptSets = 3;
-const snowLines = { tropical: 5000, inland: 2850 }, treeLines = { tropical: 3900, inland: 2000 };
 
 /** What suits the machine. */
 export interface TextureBudget {
@@ -104,6 +104,9 @@ export class GroundTextures {
   get surface(): Texture | null {
     return this.sets[0]?.surface.texture ?? null;
   }
+  get hasLight(): boolean {
+    return this.light !== null;
+  }
   get lit(): Texture | null {
     return this.sets[0]?.lit.texture ?? null;
   }
@@ -120,9 +123,10 @@ export class GroundTextures {
     this.surfaceBake.into(this.renderer, set.surface);
     albedo.surface!.value = set.surface.texture;
     albedo.scale!.value = set.albedo.width / set.columns;
-    albedo.tropical!.value = field.inSea;
-    albedo.snow_line!.value = field.inSea ? snowLines.tropical : snowLines.inland;
-    albedo.tree_line!.value = field.inSea ? treeLines.tropical : treeLines.inland;
+    const climate = climateOf(field.frame, field.inSea);
+    albedo.tropical!.value = climate.tropical;
+    albedo.snow_line!.value = climate.snowLine;
+    albedo.tree_line!.value = climate.treeLine;
     this.albedoBake.into(this.renderer, set.albedo);
   }
 

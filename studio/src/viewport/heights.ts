@@ -191,7 +191,7 @@ function border(values: Float32Array, columns: number, rows: number): [number, n
   let below = 0, count = 0, depth = 0;
   const add = (h: number): void => {
     ++count;
-    if (h >= 0) return;
+    if (h > 0) return;
     ++below;
     depth -= h;
   };

@@ -3,22 +3,33 @@ import { toGround, toScreen, type MapEye, type Size } from "./map_camera";
 import { text } from "./shapes_ink";
 import { gridStep, lengthText, multiples, scaleBarLength } from "./ticks";
 
-const halo = "rgba(8, 16, 22, 0.55)";
+/** Marks are read on the map and on the page around it, which is dark or light. */
+interface Palette {
+  text: string;
+  halo: string;
+  line: string;
+  half: string;
+}
+const dark: Palette = { text: "rgba(255, 255, 255, 0.92)", halo: "rgba(8, 16, 22, 0.55)", line: "rgba(255, 255, 255, 0.16)", half: "rgba(255, 255, 255, 0.35)" };
+const light: Palette = { text: "#1b2228", halo: "rgba(255, 255, 255, 0.78)", line: "rgba(10, 20, 30, 0.16)", half: "rgba(27, 34, 40, 0.35)" };
 
 export interface FurnitureOptions {
   grid: boolean;
+  /** The page is light. */
+  light: boolean;
   /** Of the ground: the marks count from its lower left corner unless the document has a system of its own. */
   origin: readonly [number, number];
 }
 
 /** Small views have only a scale bar. */
 export function drawFurniture(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, options: FurnitureOptions): void {
-  if (size.width > 420 && size.height > 280) edgeMarks(ink, eye, size, options);
-  scaleBar(ink, eye, size);
-  if (size.width > 420) northArrow(ink, size);
+  const palette = options.light ? light : dark;
+  if (size.width > 420 && size.height > 280) edgeMarks(ink, eye, size, options, palette);
+  scaleBar(ink, eye, size, palette);
+  if (size.width > 420) northArrow(ink, size, palette);
 }
 
-function edgeMarks(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, options: FurnitureOptions): void {
+function edgeMarks(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, options: FurnitureOptions, palette: Palette): void {
   const step = gridStep(eye.pixel_m);
   const [west, north] = toGround(eye, size, 0, 0), [east, south] = toGround(eye, size, size.width, size.height);
   const [x0, y0] = options.origin;
@@ -33,31 +44,31 @@ function edgeMarks(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, optio
       ink.lineTo(vertical ? q : to, vertical ? to : q);
       ink.stroke();
     };
-    if (options.grid) segment(0, vertical ? size.height : size.width, "rgba(255, 255, 255, 0.16)");
-    segment(0, 6, "rgba(255, 255, 255, 0.75)");
+    if (options.grid) segment(0, vertical ? size.height : size.width, palette.line);
+    segment(0, 6, palette.text);
     ink.textBaseline = vertical ? "top" : "middle";
     ink.textAlign = vertical ? "center" : "left";
-    text(ink, at === 0 ? "0" : lengthText(at), vertical ? q : 9, vertical ? 8 : q, "rgba(255, 255, 255, 0.86)", halo);
+    text(ink, at === 0 ? "0" : lengthText(at), vertical ? q : 9, vertical ? 8 : q, palette.text, palette.halo);
   };
   for (const x of multiples(west - x0, east - x0, step)) if ((x + x0 - west) / eye.pixel_m > 60 && (east - x - x0) / eye.pixel_m > 48) marks(true, x);
   for (const y of multiples(south - y0, north - y0, step)) if ((north - y - y0) / eye.pixel_m > 34 && (y + y0 - south) / eye.pixel_m > 44) marks(false, y);
 }
 
-function scaleBar(ink: CanvasRenderingContext2D, eye: MapEye, size: Size): void {
+function scaleBar(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, palette: Palette): void {
   const length_m = scaleBarLength(eye.pixel_m, Math.min(150, 0.4 * size.width)), across = length_m / eye.pixel_m;
   const x = 14, y = size.height - 16;
-  ink.fillStyle = halo;
+  ink.fillStyle = palette.halo;
   ink.fillRect(x - 1.5, y - 1.5, across + 3, 7);
   for (let half = 0; half < 2; ++half) {
-    ink.fillStyle = half === 0 ? "#ffffff" : "rgba(255, 255, 255, 0.35)";
+    ink.fillStyle = half === 0 ? palette.text : palette.half;
     ink.fillRect(x + (half * across) / 2, y, across / 2, 4);
   }
   ink.textAlign = "left";
   ink.textBaseline = "bottom";
-  text(ink, lengthText(length_m), x, y - 4, "#ffffff", halo);
+  text(ink, lengthText(length_m), x, y - 4, palette.text, palette.halo);
 }
 
-function northArrow(ink: CanvasRenderingContext2D, size: Size): void {
+function northArrow(ink: CanvasRenderingContext2D, size: Size, palette: Palette): void {
   const x = size.width - 24, y = 18;
   const side = (right: number, colour: string): void => {
     ink.beginPath();
@@ -69,7 +80,7 @@ function northArrow(ink: CanvasRenderingContext2D, size: Size): void {
     ink.fill();
   };
   ink.lineWidth = 3;
-  ink.strokeStyle = halo;
+  ink.strokeStyle = palette.halo;
   ink.lineJoin = "round";
   ink.beginPath();
   ink.moveTo(x, y);
@@ -78,9 +89,9 @@ function northArrow(ink: CanvasRenderingContext2D, size: Size): void {
   ink.lineTo(x - 6, y + 18);
   ink.closePath();
   ink.stroke();
-  side(-1, "#ffffff");
-  side(1, "rgba(170, 184, 194, 1)");
+  side(-1, palette.text);
+  side(1, palette === light ? "#8a97a3" : "#aab8c2");
   ink.textAlign = "center";
   ink.textBaseline = "top";
-  text(ink, "N", x, y + 21, "#ffffff", halo);
+  text(ink, "N", x, y + 21, palette.text, palette.halo);
 }

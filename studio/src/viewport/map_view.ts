@@ -1,4 +1,5 @@
 // The map: what part of the ground it shows and what is drawn over it.
+import { drawCurrent } from "./current_ink";
 import type { Projector } from "./drape";
 import type { Under } from "./ground_pointer";
 import type { HeightField } from "./heights";
@@ -8,13 +9,16 @@ import { MapMover } from "./map_mover";
 import type { ViewOptions } from "./options";
 import type { PictureRenderer } from "./picture_renderer";
 import { drawShapes } from "./shapes_ink";
-import type { GroundOverlay, OverlayShape } from "./types";
+import type { GroundOverlay, OverlayShape, Raster } from "./types";
 import { ViewSurface } from "./view_surface";
 
 export class MapView {
   readonly surface: ViewSurface;
   readonly mover: MapMover;
   shapes: readonly OverlayShape[] = [];
+  /** Shapes that a step makes, and currents. */
+  content: readonly OverlayShape[] = [];
+  current: Raster | null = null;
   inkStale = true;
   field: HeightField | null = null;
   private eye: MapEye = { x: 0, y: 0, pixel_m: 1 };
@@ -62,7 +66,7 @@ export class MapView {
       south = Math.min(south, y - r);
       north = Math.max(north, y + r);
     };
-    for (const shape of this.shapes) {
+    for (const shape of this.shapes.length > 0 ? this.shapes : this.content) {
       if (shape.shape === "line" || shape.shape === "area") for (const [x, y] of shape.points) take(x, y);
       else if (shape.shape === "dot") take(shape.at[0], shape.at[1]);
     }
@@ -94,6 +98,7 @@ export class MapView {
     const { frame, height_m } = this.field;
     drawFurniture(ink, this.eye, this.surface, {
       grid: options.grid,
+      light: paperOf(this.surface.element)[1] > 0.3,
       origin: frame.crs === "" ? [frame.west, frame.north - height_m] : [0, 0],
     });
     const by: Projector = {
@@ -102,6 +107,8 @@ export class MapView {
       hidden: () => false,
       flat: true,
     };
+    if (this.current !== null) drawCurrent(ink, this.current, this.eye, this.surface);
+    drawShapes(ink, this.content, by);
     drawShapes(ink, this.shapes, by);
   }
 

@@ -43,6 +43,7 @@ export class PictureRenderer {
       : { lightCells: 1024, colourCells: 4096, anisotropy: 8, smoothLevels: true });
     this.world = new WorldScene(this.shared);
     this.world.patchBudget = this.software ? 160 : 420;
+    this.world.thingBudget = this.software ? 120_000 : 2_000_000;
     this.map = new MapScene(this.shared);
   }
 
@@ -51,6 +52,11 @@ export class PictureRenderer {
   }
   get calls(): number {
     return this.renderer.info.render.calls;
+  }
+
+  /** There is light to be seen by. */
+  get lit(): boolean {
+    return this.textures.hasLight;
   }
 
   update(field: HeightField): void {

@@ -20,8 +20,8 @@ const field: readonly Stop[] = [
   [0.75, [122, 200, 84]], [0.9, [222, 216, 70]], [1, [252, 236, 140]],
 ];
 
-/** Colours of mountain, beach, lagoon, reef and abyss. */
-export const labelColours: readonly Colour[] = [[139, 152, 104], [236, 217, 165], [126, 205, 200], [224, 138, 112], [62, 108, 156]];
+/** Colours of mountain, beach, lagoon, reef and abyss: those of the theme. */
+export const labelColours: readonly Colour[] = [[140, 107, 79], [227, 207, 143], [95, 201, 196], [217, 112, 143], [39, 81, 138]];
 export const labelNames = ["mountain", "beach", "lagoon", "reef", "abyss"] as const;
 
 export const kneeDepth = 12;

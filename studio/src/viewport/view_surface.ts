@@ -17,6 +17,7 @@ export class ViewSurface {
     const picture = this.layer("view-picture"), ink = this.layer("view-ink");
     picture.setAttribute("role", "img");
     picture.setAttribute("aria-label", label);
+    picture.style.visibility = "hidden";  // until there is something to see
     this.picture = picture.getContext("2d", { alpha: false })!;
     this.ink = ink.getContext("2d")!;
     this.observer = new ResizeObserver(() => {
@@ -46,6 +47,7 @@ export class ViewSurface {
     this.picture.imageSmoothingEnabled = width !== canvas.width;
     this.picture.imageSmoothingQuality = "low";
     this.picture.drawImage(source, 0, source.height - height, width, height, 0, 0, canvas.width, canvas.height);
+    if (canvas.style.visibility === "hidden") canvas.style.visibility = "";
     ++this.samples;
   }
 
@@ -76,6 +78,17 @@ export class ViewSurface {
     return canvas;
   }
 
+  /** What was shown is stretched until there is a new picture: no flicker. */
+  private resizePicture(width: number, height: number): void {
+    const { canvas } = this.picture;
+    const before = canvas.width > 1 && canvas.style.visibility !== "hidden" ? new OffscreenCanvas(canvas.width, canvas.height) : null;
+    before?.getContext("2d", { alpha: false })!.drawImage(canvas, 0, 0);
+    canvas.width = width;
+    canvas.height = height;
+    this.picture.globalAlpha = 1;
+    if (before !== null) this.picture.drawImage(before, 0, 0, width, height);
+  }
+
   private measure(): boolean {
     const width = this.element.clientWidth, height = this.element.clientHeight;
     this.ratio = Math.min(this.mostRatio, Math.max(1, window.devicePixelRatio || 1));
@@ -84,8 +97,7 @@ export class ViewSurface {
     if (same) return false;
     this.width = width;
     this.height = height;
-    this.picture.canvas.width = Math.max(1, across);
-    this.picture.canvas.height = Math.max(1, down);
+    this.resizePicture(Math.max(1, across), Math.max(1, down));
     this.ink.canvas.width = Math.max(1, Math.round(width * this.inkRatio));
     this.ink.canvas.height = Math.max(1, Math.round(height * this.inkRatio));
     return true;

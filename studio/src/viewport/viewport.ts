@@ -1,8 +1,10 @@
 // The two views of a terrain: the map and the 3D view, of one height field and through one renderer. Draws when something
 // has changed, and not at all otherwise.
 import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
+import { registerActions } from "../actions/registry";
 import type { Shown, Studio } from "../document/studio";
-import { Follower } from "./follower";
+import { followContent, type Content } from "./content";
+import { Follower, mostCells } from "./follower";
 import { Gestures, type Strokes } from "./gestures";
 import { groundPointer, type Under } from "./ground_pointer";
 import { HeightField } from "./heights";
@@ -13,7 +15,10 @@ import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./optio
 import { PictureRenderer } from "./picture_renderer";
 import { ProfileBox } from "./profile_box";
 import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
+import type { Things } from "./things";
 import { labelNames } from "./tints";
+import { viewActions } from "./view_actions";
+import { mountControls } from "./view_controls";
 import { WorldView } from "./world_view";
 
 export interface ViewportStats {
@@ -51,6 +56,8 @@ export class Viewport {
   private pen: PenTarget | null = null;
   private overlay: GroundOverlay = { overlay: "none" };
   private shownOverlay: GroundOverlay = { overlay: "none" };
+  private things: Things | null = null;
+  private contentShapes: readonly OverlayShape[] = [];
   private legend: HTMLElement | null = null;
   private shapes: readonly OverlayShape[] = [];
   /** Place of the profile that is pointed at. */
@@ -68,6 +75,7 @@ export class Viewport {
   constructor(mapElement: HTMLElement, worldElement: HTMLElement, studio: Studio) {
     this.renderer = new PictureRenderer(() => this.restore());
     const mostRatio = this.renderer.software ? 1 : 2;
+    this.frame_ms = this.renderer.software ? 2 * slow_ms : 16;
     const changed = (): void => this.moved();
     this.map = new MapView(mapElement, mostRatio, changed, (pixel_m) => (this.scale.value = pixel_m));
     this.world = new WorldView(worldElement, mostRatio, changed, () => this.options.peek());
@@ -81,8 +89,15 @@ export class Viewport {
       this.profiled = place;
       this.ink();
     });
-    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster)));
+    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster), mostCells(this.renderer.software)));
     this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
+    this.stops.push(followContent(studio, (content) => this.contentCame(content)), registerActions(viewActions(this)), mountControls(this, worldElement));
+    const themes = new MutationObserver(() => {
+      this.map.inkStale = true;
+      this.dirty();
+    });
+    themes.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
+    this.stops.push(() => themes.disconnect());
     let before = this.options.peek();
     this.stops.push(effect(() => {
       const now = this.options.value;
@@ -175,10 +190,13 @@ export class Viewport {
     this.litStale = true;
     this.map.field = this.world.field = field;
     this.drawn.value = { key: raster.key, coarse: raster.coarse };
+    if (before === null && this.things !== null) this.renderer.world.setThings(this.things, field);
     if (before === null || !sameRectangle(before, field)) this.begin(field);
     this.map.inkStale = this.world.inkStale = true;
     this.profile.update();
-    this.dirty();
+    // Coarse results come in a row: quick pictures until they rest.
+    if (raster.coarse) this.moved();
+    else this.dirty();
   }
 
   /** Another terrain: all of it is shown, as high as shows its forms. */
@@ -188,6 +206,8 @@ export class Viewport {
   }
 
   private overlaid(raster: Raster | null, kind: string): void {
+    this.map.current = kind === "current" ? raster : null;
+    this.map.inkStale = true;
     const none = raster === null || (kind !== "labels" && kind !== "field");
     this.shownOverlay = none ? { overlay: "none" } : { overlay: kind === "labels" ? "labels" : "field", raster: raster! };
     this.applyOverlay();
@@ -195,6 +215,15 @@ export class Viewport {
 
   private get activeOverlay(): GroundOverlay {
     return this.overlay.overlay === "none" ? this.shownOverlay : this.overlay;
+  }
+
+  /** What is laid over the ground is no raster: things that stand on it, or shapes. */
+  private contentCame({ things, shapes }: Content): void {
+    this.things = things;
+    if (this.field !== null) this.renderer.world.setThings(things, this.field);
+    this.contentShapes = shapes;
+    this.ink();
+    this.dirty();
   }
 
   private labelAt(place: GroundPointer | null): string | null {
@@ -220,6 +249,7 @@ export class Viewport {
   private ink(): void {
     const shapes: readonly OverlayShape[] = this.profiled === null ? this.shapes : [...this.shapes, { shape: "dot", at: this.profiled, role: "selected" }];
     this.map.shapes = this.world.shapes = shapes;
+    this.map.content = this.world.content = this.contentShapes;
     this.map.inkStale = this.world.inkStale = true;
     this.wake();
   }
@@ -304,9 +334,11 @@ export class Viewport {
     const field = this.field;
     let more = false;
     if (field !== null) {
-      if (this.litStale) {
-        this.renderer.updateLight(field, this.options.peek(), this.activeOverlay, this.lightStale);
-        this.lightStale = this.litStale = false;
+      if (this.litStale || (this.lightStale && !moving)) {
+        const sunToo = this.lightStale && (!moving || !this.renderer.lit);
+        this.renderer.updateLight(field, this.options.peek(), this.activeOverlay, sunToo);
+        this.litStale = false;
+        if (sunToo) this.lightStale = false;
       }
       const quick = !moving || this.frame_ms < slow_ms ? 1 : this.frame_ms < 3 * slow_ms ? 0.6 : 0.45;
       for (const view of [this.map, this.world]) {
@@ -314,6 +346,7 @@ export class Viewport {
         if (view.surface.samples < (moving ? 1 : view.samples(this.renderer.software))) {
           view.draw(this.renderer, field, this.options.peek(), this.activeOverlay, quick, moving);
         }
+        view.surface.element.dataset["key"] = this.drawn.peek()?.key ?? "";
         more ||= !moving && view.surface.samples < view.samples(this.renderer.software);
       }
       if (this.arrived > 0) {
@@ -322,7 +355,7 @@ export class Viewport {
         this.tellDrawn();
       }
     }
-    for (const view of [this.map, this.world]) if (view.inkStale) view.drawInk(this.options.peek());
+    for (const view of [this.map, this.world]) if (view.inkStale) view.drawInk(this.options.peek(), moving);
     if (more) this.wake();
   }
 }

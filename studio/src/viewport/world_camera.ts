@@ -161,8 +161,8 @@ export function confined(eye: Eye, box: Box, groundAt: (x: number, y: number) =>
 }
 
 /** The four sides of what is seen and what lies before the eye, as planes a x + b y + c z + d >= 0 with x east and y
- * south of an origin (patches.ts). */
-export function viewPlanes(eye: Eye, lens: Lens, origin: readonly [number, number]): Float64Array {
+ * south (`north`: 1, north) of an origin (patches.ts). */
+export function viewPlanes(eye: Eye, lens: Lens, origin: readonly [number, number], north: 1 | -1 = -1): Float64Array {
   const { forward, right, up } = axes(eye);
   const tanY = Math.tan(lens.fov / 2), tanX = (tanY * lens.width) / lens.height;
   const none: Vector = [0, 0, 0];
@@ -171,5 +171,5 @@ export function viewPlanes(eye: Eye, lens: Lens, origin: readonly [number, numbe
     add(add(none, forward, tanY), up), add(add(none, forward, tanY), up, -1), forward,
   ];
   const at: Vector = [eye.at[0] - origin[0], eye.at[1] - origin[1], eye.at[2]];
-  return Float64Array.from(normals.flatMap((n) => [n[0], -n[1], n[2], -dot(n, at)]));
+  return Float64Array.from(normals.flatMap((n) => [n[0], north * n[1], n[2], -dot(n, at)]));
 }

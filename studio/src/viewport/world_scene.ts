@@ -19,6 +19,8 @@ import skyVertex from "./shaders/sky.vert.glsl";
 import wallFragment from "./shaders/wall.frag.glsl";
 import wireFragment from "./shaders/wire.frag.glsl";
 import type { SharedUniforms } from "./shared_uniforms";
+import type { Things } from "./things";
+import { ThingsMesh } from "./things_mesh";
 import { axes, viewPlanes, type Eye, type Lens } from "./world_camera";
 
 const hazeDepth = 0.022;
@@ -34,9 +36,12 @@ export class WorldScene {
   private readonly ground: Mesh;
   private readonly sea: Mesh;
   private readonly wire: Mesh;
+  private things: ThingsMesh | null = null;
   triangles = 0;
   /** Of ground that is drawn at most. */
   patchBudget = 170;
+  /** Triangles of things. */
+  thingBudget = 120_000;
 
   constructor(shared: SharedUniforms) {
     this.uniforms = {
@@ -60,6 +65,13 @@ export class WorldScene {
     this.camera.up.set(0, 0, 1);
   }
 
+  /** Stands things on the ground; null: none. */
+  setThings(things: Things | null, field: HeightField): void {
+    this.things?.dispose();
+    this.things = things === null ? null : new ThingsMesh(things, field, this.uniforms);
+    if (this.things !== null) this.scene.add(this.things.group);
+  }
+
   /** Draws into the renderer's current target of the size of the lens. `jitter`: parts of a pixel. */
   render(renderer: WebGLRenderer, field: HeightField, options: ViewOptions, eye: Eye, lens: Lens, jitter: readonly [number, number], fine: boolean): void {
     const [cx, cy] = field.centre;
@@ -74,6 +86,10 @@ export class WorldScene {
       floor: options.water ? 0 : -Infinity,
       budget: this.patchBudget,
     }));
+    this.things?.choose(field, {
+      eye: eye.at, planes: viewPlanes(eye, lens, [0, 0], 1), exaggeration: options.exaggeration,
+      pixel: (2 * Math.tan(lens.fov / 2)) / lens.height, budget: fine ? this.thingBudget : this.thingBudget / 3,
+    });
     this.dress(field, options, eye, fine);
     this.ground.visible = this.geometry.instanceCount > 0;
     this.wire.visible = options.wireframe && this.ground.visible;
@@ -82,6 +98,7 @@ export class WorldScene {
   }
 
   dispose(): void {
+    this.things?.dispose();
     this.scene.traverse((object) => {
       if (!(object instanceof Mesh)) return;
       object.geometry.dispose();
@@ -126,13 +143,13 @@ export class WorldScene {
     u.exaggeration!.value = options.exaggeration;
     u.floor_m!.value = options.water ? 0 : -1e9;
     const lowest = options.exaggeration * (options.water ? Math.min(0, Math.max(field.min, 0)) : field.min);
-    u.base_m!.value = (options.water && field.min < 0 ? 0 : lowest) - 0.035 * size;
-    if (options.water && field.min >= 0) u.base_m!.value = options.exaggeration * field.min - 0.035 * size;
+    u.base_m!.value = (options.water && field.min < 0 ? 0 : lowest) - 0.022 * size;
+    if (options.water && field.min >= 0) u.base_m!.value = options.exaggeration * field.min - 0.022 * size;
     u.border_depth!.value = field.borderDepth;
     u.half_size!.value = [field.width_m / 2, field.height_m / 2];
     u.sea_size!.value = field.inSea ? [50 * size, 50 * size] : [field.width_m / 2, field.height_m / 2];
     u.in_sea!.value = field.inSea && options.water;
-    this.sea.visible = options.water && field.min < 0;
+    this.sea.visible = options.water && field.min <= 0;
   }
 
   /** Chooses the shaders that do what this picture needs and no more. */
@@ -144,7 +161,7 @@ export class WorldScene {
       this.uniforms.contour_m!.value > 0 ? "CONTOURS" : "",
     ].filter((name) => name !== "");
     const walls = !field.inSea || !options.water;
-    const ground = this.variant(groundVertex, options.water && field.min < 0 ? [...names, "WATER"] : names);
+    const ground = this.variant(groundVertex, options.water && field.min <= 0 ? [...names, "WATER"] : names);
     this.ground.material = walls ? [ground, this.wall] : [ground];
     this.sea.material = [this.variant(seaVertex, [...names.filter((name) => name !== "CONTOURS"), "PLANE"])];
   }

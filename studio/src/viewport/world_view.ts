@@ -21,6 +21,8 @@ export class WorldView {
   readonly surface: ViewSurface;
   readonly mover: WorldMover;
   shapes: readonly OverlayShape[] = [];
+  /** Shapes that a step makes: many, so they rest while the view moves. */
+  content: readonly OverlayShape[] = [];
   inkStale = true;
   field: HeightField | null = null;
   private eye: Eye = { at: [0, -1000, 1000], azimuth: 0, pitch: -0.7 };
@@ -48,7 +50,7 @@ export class WorldView {
 
   /** Pictures that are averaged at rest. */
   samples(software: boolean): number {
-    return software ? 4 : jitters.length;
+    return software ? 3 : jitters.length;
   }
 
   /** Present eye, for tests and for coming back to it. */
@@ -102,11 +104,11 @@ export class WorldView {
     this.surface.show(renderer.canvas, lens.width, lens.height);
   }
 
-  drawInk(options: ViewOptions): void {
-    this.inkStale = false;
+  drawInk(options: ViewOptions, moving: boolean): void {
+    this.inkStale = moving && this.content.length > 0;
     if (!this.surface.shown) return;
     const ink = this.surface.beginInk(), field = this.field;
-    if (field === null || this.shapes.length === 0) return;
+    if (field === null || this.shapes.length + this.content.length === 0) return;
     const lens = this.lens(), raise = options.exaggeration;
     const above = 0.6 * field.frame.cell_m, seen: Vector = [this.eye.at[0], this.eye.at[1], this.eye.at[2] / raise];
     const height = (x: number, y: number): number => this.surfaceHeight(x, y);
@@ -119,6 +121,7 @@ export class WorldView {
       hidden: (x, y) => hidden(field, [x, y, height(x, y) + above], seen),
       flat: false,
     };
+    if (!moving) drawShapes(ink, this.content, by);
     drawShapes(ink, this.shapes, by);
   }
 

@@ -51,8 +51,8 @@ double defined(const Way& way, const BrushProfile& profile, Vec2 p) {
   add(0, 0.5 * dab, 0.0);
   add(last, 0.5 * dab, 0.0);
   if (!(masses > 0.0)) return 0.0;
-  const double D2 = squares / masses;  // below 0 it stays about 1: BrushProfile
-  return profile.weight(std::sqrt(std::max(0.0, D2))) * pressures / masses;
+  const double away2 = squares / masses;  // below 0 it stays about 1: BrushProfile
+  return profile.weight(std::sqrt(std::max(0.0, away2))) * pressures / masses;
 }
 
 ScalarField weights_of(const Brush& brush, const GridFrame& frame, int rows_at_a_time = 1000) {

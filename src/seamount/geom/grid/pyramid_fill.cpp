@@ -128,11 +128,11 @@ void push(const Grid<float>& coarse, Level& fine, const RunContext& run) {
 
 }  // namespace
 
-void pyramid_fill(ScalarField& values, const Grid<float>& weight, const PyramidFill& options, const RunContext& run) {
+void pyramid_fill(ScalarField& values, Grid<float> weight, const PyramidFill& options, const RunContext& run) {
   if (weight.width() != values.width() || weight.height() != values.height())
     throw IncompatibleInputs("values and weights are not of one size");
   std::vector<Level> levels;
-  levels.push_back({std::move(values), weight});
+  levels.push_back({std::move(values), std::move(weight)});
   while (std::max(levels.back().value.width(), levels.back().value.height()) > 1)
     levels.push_back(pull(levels.back(), options.fade, run));
   Level& top = levels.back();

@@ -16,6 +16,6 @@ struct PyramidFill {
 /// Values where weight is 1 stay as they are; where it is 0 they are replaced; in between they count in part. Values of
 /// weight 0 may be anything, NaN as well. Without any weight all becomes the prior. Parallel; the same bytes on any
 /// number of threads; three more grids of memory.
-void pyramid_fill(ScalarField& values, const Grid<float>& weight, const PyramidFill& options, const RunContext& run);
+void pyramid_fill(ScalarField& values, Grid<float> weight, const PyramidFill& options, const RunContext& run);
 
 }  // namespace seamount::geom

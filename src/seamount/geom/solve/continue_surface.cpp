@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/pyramid_fill.h"
@@ -92,7 +95,7 @@ struct Rim {
         }
       }
     });
-    pyramid_fill(bend, weight, {.prior = 0.0F, .fade = 0.9F}, run);
+    pyramid_fill(bend, std::move(weight), {.prior = 0.0F, .fade = 0.9F}, run);
     parallel_rows(run, known.width(), known.height(), [&](int begin, int end) {
       for (int y = begin; y < end; ++y) {
         for (int x = 0; x < known.width(); ++x) {
@@ -105,30 +108,53 @@ struct Rim {
     });
   }
 
+  /// A rim cell and the plane that touches the known part there.
+  struct Touch {
+    int x;
+    double height, slope_x, slope_y;
+  };
+  using Touches = std::vector<std::vector<Touch>>;  ///< of each row, from west to east
+
+  Touches touches(const RunContext& run) const {
+    constexpr int kReach = 1;
+    Touches rows(static_cast<size_t>(known.height()));
+    parallel_rows(run, known.width(), known.height(), [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) {
+        for (int x = 0; x < known.width(); ++x) {
+          if (!is_rim(x, y)) continue;
+          const Plane plane = plane_at(known, known, true, x, y, kReach).value_or(Plane{});
+          rows[static_cast<size_t>(y)].push_back({x, static_cast<double>(known(x, y)), plane.slope_x, plane.slope_y});
+        }
+      }
+    });
+    return rows;
+  }
+
   /// What the planes that touch the known part say of a cell beside it.
-  float continued(const Grid<Plane>& planes, int x, int y) const {
+  /// `weights`: by the squared distance.
+  float continued(const Touches& rows, std::span<const double> weights, int x, int y) const {
     const int reach = static_cast<int>(std::ceil(from_known(x, y))) + 2;
-    double sum = 0, weights = 0;
+    double sum = 0, total = 0;
     for (int v = std::max(0, y - reach); v <= std::min(known.height() - 1, y + reach); ++v) {
-      for (int u = std::max(0, x - reach); u <= std::min(known.width() - 1, x + reach); ++u) {
-        if (!is_rim(u, v)) continue;
-        const double dx = x - u, dy = y - v, square = dx * dx + dy * dy, weight = 1.0 / (square * square);
-        const Plane& plane = planes(u, v);
-        sum += weight * (static_cast<double>(known(u, v)) + plane.slope_x * dx + plane.slope_y * dy);
-        weights += weight;
+      const std::vector<Touch>& row = rows[static_cast<size_t>(v)];
+      auto touch =
+          std::lower_bound(row.begin(), row.end(), x - reach, [](const Touch& t, int west) { return t.x < west; });
+      for (; touch != row.end() && touch->x <= x + reach; ++touch) {
+        const int dx = x - touch->x, dy = y - v;
+        const double weight = weights[static_cast<size_t>(dx * dx + dy * dy)];
+        sum += weight * (touch->height + touch->slope_x * dx + touch->slope_y * dy);
+        total += weight;
       }
     }
-    return static_cast<float>(sum / weights);
+    return static_cast<float>(sum / total);
   }
 
   void touch(int near, HeightField& made, const RunContext& run) const {
-    constexpr int kReach = 1;
-    Grid<Plane> planes(known.frame());
-    parallel_rows(run, known.width(), known.height(), [&](int begin, int end) {
-      for (int y = begin; y < end; ++y)
-        for (int x = 0; x < known.width(); ++x)
-          if (is_rim(x, y)) planes(x, y) = plane_at(known, known, true, x, y, kReach).value_or(Plane{});
-    });
+    const Touches rows = touches(run);
+    const int reach = near + 2;
+    std::vector<double> weights;
+    for (int square = 0; square <= 2 * reach * reach; ++square)
+      weights.push_back(1.0 / (static_cast<double>(square) * square));
     parallel_rows(run, known.width(), known.height(), [&](int begin, int end) {
       for (int y = begin; y < end; ++y) {
         for (int x = 0; x < known.width(); ++x) {
@@ -137,7 +163,7 @@ struct Rim {
             made(x, y) = known(x, y);
           } else if (away <= static_cast<float>(near)) {
             const float share = 1.0F - smoothstep(away / static_cast<float>(near + 1));
-            made(x, y) += share * (continued(planes, x, y) - made(x, y));
+            made(x, y) += share * (continued(rows, weights, x, y) - made(x, y));
           }
         }
       }

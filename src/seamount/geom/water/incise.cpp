@@ -39,35 +39,56 @@ std::vector<int32_t> downstream_order(const FlowDirections& directions) {
   return order;
 }
 
+/// A cell in downstream order, and what of it stays from sweep to sweep.
+struct Step {
+  int32_t cell, receiver;  ///< kNowhere: an outlet
+  float rate;              ///< K t sqrt(Q) over the way to the receiver
+  float most;              ///< by which it may stand over the receiver
+  float settles;           ///< share of the load that it would lay down
+};
+constexpr int32_t kNowhere = -1;
+
 class Sweeps {
  public:
   Sweeps(const HeightField& terrain, const FlowDirections& directions, const Grid<uint32_t>& cells,
-         const Incision& incision)
-      : terrain_(terrain.data()),
-        code_(directions.data()),
-        cells_(cells.data()),
-        incision_(incision),
-        steps_(flow_steps(terrain.width())),
-        cell_m_(static_cast<float>(terrain.cell_m())),
-        order_(downstream_order(directions)),
-        out_{terrain, ScalarField(terrain.frame(), 0.0F)} {}
+         const Incision& incision, const RunContext& run)
+      : terrain_(terrain.data()), out_{terrain, ScalarField(terrain.frame(), 0.0F)} {
+    const auto steps = flow_steps(terrain.width());
+    const auto cell_m = static_cast<float>(terrain.cell_m());
+    const std::vector<int32_t> order = downstream_order(directions);
+    steps_.resize(order.size());
+    constexpr int64_t kGrain = 1 << 15;
+    parallel_blocks(run, static_cast<int64_t>(order.size()), kGrain, [&](int64_t begin, int64_t end) {
+      for (int64_t k = begin; k < end; ++k) {
+        const int32_t cell = order[static_cast<size_t>(k)];
+        const uint8_t code = directions.data()[cell];
+        if (code >= 8) {
+          steps_[static_cast<size_t>(k)] = {cell, kNowhere, 0, 0, 0};
+          continue;
+        }
+        const auto drained = static_cast<float>(cells.data()[cell]);
+        const float length = kFlowLength[code], channel = std::max(0.0F, drained - incision.channel_cells);
+        steps_[static_cast<size_t>(k)] = {
+            cell, static_cast<int32_t>(cell + steps[code]), incision.rate * std::sqrt(channel) / length,
+            steepest_of(incision, drained) * length * cell_m, incision.deposition / drained};
+      }
+    });
+  }
 
   /// Where each cell comes to lie, given the load.
   void solve() {
     float* const level = out_.heights.data();
     const float* const load = out_.load.data();
-    for (size_t k = order_.size(); k-- > 0;) {
-      const int32_t i = order_[k];
-      if (code_[i] >= 8) {
-        level[i] = terrain_[i];
+    for (size_t k = steps_.size(); k-- > 0;) {
+      const Step& step = steps_[k];
+      const float ground = terrain_[step.cell];
+      if (step.receiver == kNowhere) {
+        level[step.cell] = ground;
         continue;
       }
-      const float base = level[i + steps_[code_[i]]], length = kFlowLength[code_[i]];
-      const auto drained = static_cast<float>(cells_[i]);
-      const float rate = incision_.rate * std::sqrt(std::max(0.0F, drained - incision_.channel_cells)) / length;
-      const float top = terrain_[i] + incision_.deposition * load[i] / drained;
-      const float cut = top > base ? (top + rate * base) / (1 + rate) : base;
-      level[i] = std::min(cut, base + steepest_of(incision_, drained) * length * cell_m_);
+      const float base = level[step.receiver], top = ground + step.settles * load[step.cell];
+      const float cut = top > base ? (top + step.rate * base) / (1 + step.rate) : base;
+      level[step.cell] = std::min(cut, base + step.most);
     }
   }
 
@@ -76,11 +97,11 @@ class Sweeps {
     float* const level = out_.heights.data();
     float* const load = out_.load.data();
     std::fill(out_.load.cells().begin(), out_.load.cells().end(), 0.0F);
-    for (const int32_t i : order_) {
-      if (code_[i] >= 8) continue;
-      const float change = std::min(level[i] - terrain_[i], load[i]);
-      level[i] = terrain_[i] + change;
-      load[i + steps_[code_[i]]] += load[i] - change;
+    for (const Step& step : steps_) {
+      if (step.receiver == kNowhere) continue;
+      const float change = std::min(level[step.cell] - terrain_[step.cell], load[step.cell]);
+      level[step.cell] = terrain_[step.cell] + change;
+      load[step.receiver] += load[step.cell] - change;
     }
   }
 
@@ -88,12 +109,7 @@ class Sweeps {
 
  private:
   const float* terrain_;
-  const uint8_t* code_;
-  const uint32_t* cells_;
-  Incision incision_;
-  std::array<int64_t, 8> steps_;
-  float cell_m_;
-  std::vector<int32_t> order_;
+  std::vector<Step, detail::UninitialisedAllocator<Step>> steps_;
   Incised out_;
 };
 
@@ -101,7 +117,7 @@ class Sweeps {
 
 Incised incise(const HeightField& terrain, const FlowDirections& directions, const Grid<uint32_t>& cells,
                const Incision& incision, const RunContext& run) {
-  Sweeps sweeps(terrain, directions, cells, incision);
+  Sweeps sweeps(terrain, directions, cells, incision, run);
   for (int sweep = 0; sweep <= (incision.deposition > 0 ? incision.sweeps : 0); ++sweep) {
     run.check_cancelled();
     sweeps.solve();

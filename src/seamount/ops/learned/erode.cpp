@@ -44,6 +44,34 @@ Grid<Bounds> bounds_of(const HeightField& terrain, const RunContext& run) {
   return around;
 }
 
+/// Lets the network's `plane` move ground about and neither make nor take any: what it adds in sum is taken from where
+/// most changes, so that the mean falls by what the estimate's rivers carry away.
+void take_drift(const ScalarField& base, ScalarField& plane, const RunContext& run) {
+  struct Sums {
+    double added = 0, change = 0;
+    Sums& operator+=(const Sums& other) {
+      added += other.added;
+      change += other.change;
+      return *this;
+    }
+  };
+  constexpr int64_t kGrain = 1 << 16;
+  const auto count = static_cast<int64_t>(base.size());
+  const auto sums = parallel_sum<Sums>(run, count, kGrain, [&](int64_t begin, int64_t end) {
+    Sums part;
+    for (int64_t i = begin; i < end; ++i) {
+      part.added += plane.data()[i];
+      part.change += std::abs(base.data()[i] + plane.data()[i]);
+    }
+    return part;
+  });
+  if (!(sums.change > 0)) return;
+  const auto share = static_cast<float>(sums.added / sums.change);
+  parallel_blocks(run, count, kGrain, [&](int64_t begin, int64_t end) {
+    for (int64_t i = begin; i < end; ++i) plane.data()[i] -= share * std::abs(base.data()[i] + plane.data()[i]);
+  });
+}
+
 void check_inputs(const HeightField& terrain, const Mask* mask, const Network& network) {
   if (network.architecture().planes != kErodePlanes)
     throw InvalidArgument("model", "is a network of " + std::to_string(network.architecture().planes) +
@@ -64,6 +92,7 @@ HeightField erode(const HeightField& terrain, const Mask* mask, const ErodeParam
   const ErodePlanes planes(terrain, std::max(params.years, kFewestYears), params.sea_m, run.part(0, 0.5));
   if (planes.unit_m() == 0) return terrain;
   HeightField heights = network.evaluate(planes.planes(), terrain.frame(), run.part(0.5, 1));
+  take_drift(planes.base(), heights, run);
   const Grid<Bounds> bounds = bounds_of(terrain, run);
   const auto unit = static_cast<float>(planes.unit_m()),
              strength = static_cast<float>(params.strength * std::min(1.0, params.years / kFewestYears));

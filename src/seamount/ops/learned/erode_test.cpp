@@ -77,6 +77,23 @@ TEST(LearnedErode, StaysWithinTheGroundAroundHoweverOften) {
   }
 }
 
+TEST(LearnedErode, TheNetworkMakesNoGround) {
+  for (const uint64_t seed : {4, 5, 6}) {
+    const HeightField ground = hills(GridFrame::centred(128, 96, 30), seed);
+    ErodeParams params;
+    params.sea_m = -1000;
+    const HeightField made = erode(ground, nullptr, params, network_of(kErodePlanes), {});
+    const ErodePlanes planes(ground, params.years, params.sea_m, {});
+    double change = 0, estimate = 0, size = 0;
+    for (size_t i = 0; i < ground.size(); ++i) {
+      change += made.data()[i] - ground.data()[i];
+      estimate += planes.unit_m() * planes.base().data()[i];
+      size += std::abs(made.data()[i] - ground.data()[i]);
+    }
+    EXPECT_NEAR(change, estimate, 0.01 * size) << seed;
+  }
+}
+
 TEST(LearnedErode, TheMaskIsAShareOfTheChange) {
   const Network network = network_of(kErodePlanes);
   const HeightField ground = hills(GridFrame::centred(64, 64, 40));

@@ -1,7 +1,9 @@
 #include "seamount/ops/learned/evaluation.h"
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "seamount/base/parallel.h"
@@ -319,10 +321,47 @@ class Evaluation {
   ScalarField result_;
 };
 
+/// Planes of all rows, made once: the network reads them twice, and bands some rows more.
+class KeptPlanes {
+ public:
+  KeptPlanes(const Planes& planes, const RunContext& run)
+      : row_(static_cast<size_t>(planes.width) * static_cast<size_t>(planes.count)),
+        values_(row_ * static_cast<size_t>(planes.height)),
+        planes_{planes.width, planes.height, planes.count, [this](int begin, int end, std::span<float> values) {
+                  std::copy_n(row(begin), row_ * static_cast<size_t>(end - begin), values.data());
+                }} {
+    constexpr int kRows = 8;
+    parallel_blocks(run, planes.height, kRows, [&](int64_t begin, int64_t end) {
+      const std::span<float> values(row(begin), row_ * static_cast<size_t>(end - begin));
+      planes.fill(static_cast<int>(begin), static_cast<int>(end), values);
+    });
+  }
+  KeptPlanes(const KeptPlanes&) = delete;
+  KeptPlanes& operator=(const KeptPlanes&) = delete;
+
+  const Planes& planes() const { return planes_; }
+
+ private:
+  float* row(int64_t y) { return values_.data() + row_ * static_cast<size_t>(y); }
+
+  size_t row_;
+  Buffer<float> values_;
+  Planes planes_;
+};
+
+/// What is kept of them stays in the cache or near it.
+constexpr int64_t kMostKept = 6 << 20;
+
 }  // namespace
 
 ScalarField evaluate(const Layers& layers, const Planes& planes, const GridFrame& frame, const RunContext& run,
                      int tile) {
+  if (static_cast<int64_t>(planes.width) * planes.height * planes.count <= kMostKept && !planes.kept) {
+    KeptPlanes kept(planes, run.part(0, 0.05));
+    Planes again = kept.planes();
+    again.kept = true;
+    return evaluate(layers, again, frame, run.part(0.05, 1), tile);
+  }
   if (layers.bf16) return Evaluation<Bf16>(layers, planes, frame, run, tile).evaluate();
   return Evaluation<float>(layers, planes, frame, run, tile).evaluate();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "seamount/base/error.h"
@@ -31,11 +32,12 @@ bool sunk(const IslandMap& map, int x, int y) { return !map.subsidence.empty() &
 /// is near and taken away. The network alone is within a cell or two.
 void meet_coast(const IslandMap& map, HeightField& heights, const RunContext& run) {
   const auto scale = static_cast<float>(map.scale);
-  ScalarField residual(map.frame, 0.0F);
-  Grid<float> weight(map.frame, 0.0F);
+  ScalarField residual(map.frame);
+  Grid<float> weight(map.frame);
   parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < map.frame.width; ++x) {
+        residual(x, y) = weight(x, y) = 0;
         const float land = land_of(map, x, y);
         if (sunk(map, x, y) || std::abs(land - 0.5F) > 0.5F - kCoastShare || std::abs(heights(x, y)) > kSpeck_m * scale)
           continue;
@@ -44,7 +46,7 @@ void meet_coast(const IslandMap& map, HeightField& heights, const RunContext& ru
       }
     }
   });
-  geom::pyramid_fill(residual, weight, {.prior = 0.0F, .fade = 0.7F}, run);
+  geom::pyramid_fill(residual, std::move(weight), {.prior = 0.0F, .fade = 0.7F}, run);
   parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < map.frame.width; ++x) {
@@ -93,7 +95,7 @@ void meet_reef(const IslandMap& map, HeightField& heights, const RunContext& run
       weight(x, y) = 1;
     }
   }
-  geom::pyramid_fill(residual, weight, {.prior = 0.0F, .fade = 0.3F}, run);
+  geom::pyramid_fill(residual, std::move(weight), {.prior = 0.0F, .fade = 0.3F}, run);
   for (size_t i = 0; i < heights.size(); ++i) {
     const float moved = heights.data()[i] + residual.data()[i];
     heights.data()[i] = (moved > 0) == (heights.data()[i] > 0) ? moved : heights.data()[i];  // coasts stay

@@ -2,6 +2,7 @@
 // large numbers to 4e-6), which the networks' bf16 does not see.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -12,9 +13,10 @@ namespace seamount::learned {
 
 /// exp(x) for x in [-80, 80]; the nearer end's beyond.
 SEAMOUNT_INLINE float fast_exp(float x) {
-  const float t = 1.44269504F * (x < -80 ? -80 : x > 80 ? 80 : x);
-  const auto whole = static_cast<int32_t>(t + (t < 0 ? -0.5F : 0.5F));
-  const float r = t - static_cast<float>(whole);  // 2^r, |r| <= 1/2, by the series of exp(r log 2)
+  constexpr float kRound = 12582912.0F;  // 1.5 2^23: sums with it are whole numbers
+  const float t = 1.44269504F * std::min(80.0F, std::max(-80.0F, x)), sum = t + kRound;
+  const int32_t whole = std::bit_cast<int32_t>(sum) - std::bit_cast<int32_t>(kRound);
+  const float r = t - (sum - kRound);  // 2^r, |r| <= 1/2, by the series of exp(r log 2)
   const float power =
       1.0F + r * (0.69314718F +
                   r * (0.24022651F + r * (0.05550411F + r * (0.00961813F + r * (0.00133336F + r * 0.00015404F)))));
@@ -31,15 +33,9 @@ SEAMOUNT_INLINE float fast_log(float x) {
          2 * s * (1 + q * (0.33333333F + q * (0.2F + q * (0.14285714F + q * 0.11111111F))));
 }
 
-SEAMOUNT_INLINE float fast_tanh(float x) {
-  const float size = x < 0 ? -x : x, from_one = 2 / (fast_exp(2 * size) + 1);
-  return x < 0 ? from_one - 1 : 1 - from_one;
-}
+SEAMOUNT_INLINE float fast_tanh(float x) { return std::copysign(1 - 2 / (fast_exp(2 * std::abs(x)) + 1), x); }
 
 /// |x| < 1e18.
-SEAMOUNT_INLINE float fast_asinh(float x) {
-  const float size = x < 0 ? -x : x, value = fast_log(size + std::sqrt(size * size + 1));
-  return x < 0 ? -value : value;
-}
+SEAMOUNT_INLINE float fast_asinh(float x) { return std::copysign(fast_log(std::abs(x) + std::sqrt(x * x + 1)), x); }
 
 }  // namespace seamount::learned

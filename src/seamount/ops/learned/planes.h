@@ -15,6 +15,7 @@ namespace seamount::learned {
 struct Planes {
   int width = 0, height = 0, count = 0;
   std::function<void(int begin, int end, std::span<float> values)> fill;
+  bool kept = false;  ///< they lie in memory: fill copies
 };
 
 /// Noise of a cell: even, of mean 0 and deviation 1.

@@ -10,6 +10,22 @@ namespace {
 
 static_assert(kThinWidth == 8 && kInnerWidth == 8);
 
+/// Eight numbers that are computed at once, in whatever vectors the processor has.
+using Eight = float __attribute__((vector_size(32)));
+
+SEAMOUNT_INLINE void load(const float* from, Eight& to) { std::memcpy(&to, from, sizeof to); }
+
+SEAMOUNT_INLINE void store_eight(const Eight& values, float* out) { std::memcpy(out, &values, sizeof values); }
+/// As store() of each.
+SEAMOUNT_INLINE void store_eight(const Eight& values, Bf16* out) {
+  using Words = uint32_t __attribute__((vector_size(32)));
+  using Halves = uint16_t __attribute__((vector_size(16)));
+  Words bits;
+  std::memcpy(&bits, &values, sizeof bits);
+  const Halves rounded = __builtin_convertvector((bits + 0x7fffU + (bits >> 16 & 1U)) >> 16, Halves);
+  std::memcpy(out, &rounded, sizeof rounded);
+}
+
 /// Three quarters of one row and a quarter of another.
 template <class T>
 SEAMOUNT_INLINE void blend_rows(const T* near, const T* far, int count, float* blend) {
@@ -33,18 +49,23 @@ SEAMOUNT_INLINE void upsample_add_relu_row(const T* near, const T* far, const T*
   }
 }
 
-/// Eight at a time where there are: a number that the compiler knows.
 template <class T>
 SEAMOUNT_INLINE void store_all(const float* values, int count, T* out) {
   int i = 0;
-  for (; i + 8 <= count; i += 8)
-    for (int k = 0; k < 8; ++k) store(values[i + k], out[i + k]);
+  for (; i + 8 <= count; i += 8) {
+    Eight eight;
+    load(values + i, eight);
+    store_eight(eight, out + i);
+  }
   for (; i < count; ++i) store(values[i], out[i]);
 }
 
 template <class T>
 SEAMOUNT_INLINE void concat_cell(const float* near, const float* far, const float* plane_row, int planes, T* out) {
-  for (int c = 0; c < kThinWidth; ++c) store(0.75F * near[c] + 0.25F * far[c], out[c]);
+  Eight nearer, farther;
+  load(near, nearer);
+  load(far, farther);
+  store_eight(0.75F * nearer + 0.25F * farther, out);
   store_all(plane_row, planes, out + kThinWidth);
 }
 
@@ -71,11 +92,6 @@ SEAMOUNT_INLINE void halve_row(const float* upper, const float* lower, int width
     store_all(lower + at, two, out + 2 * at + two);
   }
 }
-
-/// Eight numbers that are computed at once, in whatever vectors the processor has.
-using Eight = float __attribute__((vector_size(32)));
-
-SEAMOUNT_INLINE void load(const float* from, Eight& to) { std::memcpy(&to, from, sizeof to); }
 
 /// The products of a cell and its eight neighbours, by plane.
 SEAMOUNT_INLINE void sum_taps(const float* const in[3], const float* weight, size_t cell, Eight& sum) {

@@ -1,5 +1,6 @@
 #include "seamount/ops/learned/sketch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -23,6 +24,7 @@ namespace {
 
 constexpr float kLineDepth = 0.015F;  ///< of the relief, by which lines are deepened and sharpened
 constexpr float kLineCells = 1.7F;    ///< deviation of that across them
+constexpr float kLast = 3e-4F;        ///< of their profile, below which it is 0
 constexpr double kGuideCells = 16.0;  ///< wide cells that a line of the guide drains
 constexpr float kHollow = 0.012F;     ///< of the relief: hollows no deeper are opened
 
@@ -30,11 +32,12 @@ constexpr float kHollow = 0.012F;     ///< of the relief: hollows no deeper are 
 void meet_heights(const SketchMap& map, double adherence, HeightField& heights, const RunContext& run) {
   const bool known = !map.known_m.empty(), cues = !map.cue.empty() && adherence > 0;
   if (!known && !cues) return;
-  ScalarField residual(map.frame, 0.0F);
-  Grid<float> weight(map.frame, 0.0F);
+  ScalarField residual(map.frame);
+  Grid<float> weight(map.frame);
   parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < map.frame.width; ++x) {
+        residual(x, y) = weight(x, y) = 0;
         if (known && !std::isnan(map.known_m(x, y))) {
           residual(x, y) = map.known_m(x, y) - heights(x, y);
         } else if (cues && map.cue(x, y) != 0) {
@@ -46,7 +49,7 @@ void meet_heights(const SketchMap& map, double adherence, HeightField& heights, 
       }
     }
   });
-  geom::pyramid_fill(residual, weight, {.prior = 0.0F, .fade = 0.7F}, run);
+  geom::pyramid_fill(residual, std::move(weight), {.prior = 0.0F, .fade = 0.7F}, run);
   parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < map.frame.width; ++x) {
@@ -61,7 +64,7 @@ void meet_heights(const SketchMap& map, double adherence, HeightField& heights, 
 SEAMOUNT_VECTORISED void add_profile(const float* distance, int width, float by, float* heights) {
   for (int x = 0; x < width; ++x) {
     const float d = distance[x] / kLineCells;
-    heights[x] += d < 4.0F ? by * fast_exp(-0.5F * d * d) : 0.0F;
+    heights[x] += by * std::max(0.0F, fast_exp(-0.5F * d * d) - kLast);
   }
 }
 

@@ -15,27 +15,30 @@
 namespace seamount::learned {
 namespace {
 
-constexpr float kLine = 1.5F, kNear = 14.0F;     ///< reach of a line's two planes, in cells
-constexpr float kPoint = 2.0F, kAround = 10.0F;  ///< of a cue's two planes
-constexpr float kPrior = 0.35F;                  ///< mean ground, as a share of the relief
-constexpr float kNothing = 15.0F;                ///< exponent below which a plane is 0
-constexpr double kWaves[] = {6.0, 24.0, 96.0};   ///< of noise, in cells
+constexpr float kLine = 1.5F, kNear = 14.0F;      ///< reach of a line's two planes, in cells
+constexpr float kPoint = 2.0F, kAround = 10.0F;   ///< of a cue's two planes
+constexpr float kPrior = 0.35F;                   ///< mean ground, as a share of the relief
+constexpr float kNothing = 15.0F, kLast = 3e-7F;  ///< exponent from which on a plane is 0, and what is left there
+constexpr double kWaves[] = {6.0, 24.0, 96.0};    ///< of noise, in cells
 constexpr double kCellOfZero = 60.0, kReliefOfZero = 1000.0;
 
-void count_cells(ScalarField& distance) {
+void count_cells(ScalarField& distance, const RunContext& run) {
   const auto per_cell = static_cast<float>(1.0 / distance.cell_m());
-  for (float& d : distance.cells()) d *= per_cell;
+  parallel_rows(run, distance.width(), distance.height(), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (float& d : distance.row(y)) d *= per_cell;
+  });
 }
 
 ScalarField cells_to(const Grid<uint8_t>& cells, const RunContext& run) {
   if (cells.empty()) return {};
   ScalarField distance = geom::distance_to(cells, run);
-  count_cells(distance);
+  count_cells(distance, run);
   return distance;
 }
 
-/// exp(-x), and 0 where nothing of it is left.
-SEAMOUNT_INLINE float fading(float x) { return x < kNothing ? fast_exp(-x) : 0.0F; }
+/// exp(-x), and 0 where nothing of it is left. No branch: vectors have none.
+SEAMOUNT_INLINE float fading(float x) { return std::max(0.0F, fast_exp(-x) - kLast); }
 
 /// The planes of a line: close to it, and around it.
 SEAMOUNT_VECTORISED void line_row(const float* distance, int width, float* close, float* around) {
@@ -58,18 +61,15 @@ SEAMOUNT_VECTORISED void cue_row(const float* distance, const float* shares, int
 }  // namespace
 
 SketchPlanes::SketchPlanes(const SketchMap& map, Seed seed, const RunContext& run)
-    : map_(map),
-      seed_(seed),
-      river_(cells_to(map.river, run)),
-      ridge_(cells_to(map.ridge, run)),
-      base_(map.frame, 0.0F) {
+    : map_(map), seed_(seed), river_(cells_to(map.river, run)), ridge_(cells_to(map.ridge, run)), base_(map.frame) {
   if (!(map.relief_m > 0)) throw InvalidArgument("relief_m", "must be above 0");
-  Grid<float> weight(map.frame, 0.0F);
+  Grid<float> weight(map.frame);
   const auto share = [&](float z) { return static_cast<float>((z - map.low_m) / map.relief_m); };
   const bool cues = !map.cue.empty(), known = !map.known_m.empty();
   parallel_rows(run, map.frame.width, map.frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < map.frame.width; ++x) {
+        base_(x, y) = weight(x, y) = 0;
         if (known && !std::isnan(map.known_m(x, y))) {
           base_(x, y) = share(map.known_m(x, y));
           weight(x, y) = 1;
@@ -80,10 +80,10 @@ SketchPlanes::SketchPlanes(const SketchMap& map, Seed seed, const RunContext& ru
       }
     }
   });
-  geom::pyramid_fill(base_, weight, {.prior = kPrior, .fade = 0.75F}, run);
+  geom::pyramid_fill(base_, std::move(weight), {.prior = kPrior, .fade = 0.75F}, run);
   if (!cues) return;
   geom::nearest_feature(map.cue, nearest_cue_, cue_, run);
-  count_cells(cue_);
+  count_cells(cue_, run);
 }
 
 Planes SketchPlanes::planes() const {

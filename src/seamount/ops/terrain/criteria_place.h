@@ -13,12 +13,6 @@
 #include "seamount/model/label_map.h"
 #include "seamount/ops/terrain/criterion_help.h"
 
-template <>
-struct seamount::Choices<seamount::Region> {
-  static constexpr std::array<std::string_view, seamount::kRegionCount> names = {"mountain", "beach", "lagoon", "reef",
-                                                                                 "abyss"};
-};
-
 namespace seamount::terrain {
 
 struct ByRegion {

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "seamount/base/parallel.h"
-#include "seamount/geom/brush/brush_rows.h"
+#include "seamount/geom/brush/brush_replay.h"
 #include "seamount/geom/grid/surface.h"
 #include "seamount/geom/grid/voids.h"
 #include "seamount/geom/scalar/noise.h"
@@ -16,12 +15,11 @@ namespace seamount::terrain {
 namespace {
 
 constexpr double kSmoothedOfRadius = 1.0 / 3.0;  // deviation of the Gaussian; three of them lie within the radius
+constexpr double kPrepared = 0.2;                // of the work, roughly
 constexpr double kNoiseReach = 2.0;              // noise of deviation 0.35 becomes about [-1, 1]
-constexpr int kRowsAtATime_cells = 8192;
 
-/// A stroke that is ready: its way, and what was measured where it begins and ends.
-struct Work {
-  geom::BrushPath path;
+/// What was measured where a stroke is, when its turn came.
+struct Seen {
   double start_m = 0.0, end_m = 0.0;
   HeightField smoothed;     ///< of the cells around, for `smooth`
   geom::CellWindow window;  ///< where `smoothed` lies
@@ -83,76 +81,57 @@ class Session {
   const GridFrame& frame() const { return before_.frame(); }
 
   void prepare() {
-    work_.resize(strokes_.size());
-    constexpr int64_t kAtATime = 16;
-    parallel_blocks(
-        run_.part(0.0, 0.2), static_cast<int64_t>(strokes_.size()), kAtATime, [&](int64_t begin, int64_t end) {
-          for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-            const Brush& brush = std::visit([](const auto& tool) -> const Brush& { return tool; }, strokes_[i]);
-            work_[i].path = geom::brush_path(brush, frame(), "strokes[" + std::to_string(i) + "]");
-          }
-        });
+    std::vector<const Brush*> brushes;
+    brushes.reserve(strokes_.size());
+    for (const SculptStroke& stroke : strokes_)
+      brushes.push_back(std::visit([](const Brush& brush) { return &brush; }, stroke));
+    paths_ = geom::brush_paths(brushes, frame(), "strokes", run_.part(0.0, kPrepared));
+    seen_.resize(strokes_.size());
   }
 
   /// Measures what stroke `i` needs of the ground, on which all before it are done.
   void look(size_t i) {
-    Work& work = work_[i];
-    if (work.path.samples.empty()) return;
-    std::visit([&](const auto& tool) { look(tool, work); }, strokes_[i]);
+    if (paths_[i].samples.empty()) return;
+    std::visit([&](const auto& tool) { look(tool, paths_[i], seen_[i]); }, strokes_[i]);
   }
 
   template <class Tool>
-  void look(const Tool&, Work&) const {}
+  void look(const Tool&, const geom::BrushPath&, Seen&) const {}
 
-  void look(const SmoothTool& tool, Work& work) const {
-    work.window = geom::cells_of(work.path.box, frame(), tool.radius_m);
-    if (work.window.empty()) return;
-    HeightField part(geom::window_frame(work.window, frame()));
+  void look(const SmoothTool& tool, const geom::BrushPath& path, Seen& seen) const {
+    seen.window = geom::cells_of(path.box, frame(), tool.radius_m);
+    if (seen.window.empty()) return;
+    HeightField part(geom::window_frame(seen.window, frame()));
     for (int y = 0; y < part.height(); ++y) {
-      const float* from = &ground_(work.window.left, work.window.top + y);
+      const float* from = &ground_(seen.window.left, seen.window.top + y);
       std::copy(from, from + part.width(), part.row(y).data());
     }
-    work.smoothed = geom::at_scale(part, 2.0 * kSmoothedOfRadius * tool.radius_m, quietly());
+    const RunContext quiet{run_.threads, {}, run_.cancelled, {}};
+    seen.smoothed = geom::at_scale(part, 2.0 * kSmoothedOfRadius * tool.radius_m, quiet);
   }
 
-  void look(const FlattenTool&, Work& work) const {
-    work.start_m = ground_at(ground_, work.path.samples.front().at, work.path.profile);
+  void look(const FlattenTool&, const geom::BrushPath& path, Seen& seen) const {
+    seen.start_m = ground_at(ground_, path.samples.front().at, path.profile);
   }
 
-  void look(const RampTool&, Work& work) const {
-    work.start_m = ground_at(ground_, work.path.samples.front().at, work.path.profile);
-    work.end_m = ground_at(ground_, work.path.samples.back().at, work.path.profile);
+  void look(const RampTool&, const geom::BrushPath& path, Seen& seen) const {
+    seen.start_m = ground_at(ground_, path.samples.front().at, path.profile);
+    seen.end_m = ground_at(ground_, path.samples.back().at, path.profile);
   }
 
-  /// Strokes [begin, end) on every row that they reach: rows side by side, strokes in their order.
   void apply(size_t begin, size_t end) {
     const RunContext run = run_.part(progress(begin), progress(end));
-    int top = frame().height, bottom = 0;
-    for (size_t i = begin; i < end; ++i) {
-      const geom::CellWindow window = geom::cells_of(work_[i].path.box, frame());
-      if (window.empty()) continue;
-      top = std::min(top, window.top);
-      bottom = std::max(bottom, window.bottom);
-    }
-    if (top >= bottom) return;
-    const int64_t grain = std::max(8, kRowsAtATime_cells / frame().width);
-    parallel_blocks(run, bottom - top, grain, [&](int64_t first, int64_t last) {
-      geom::BrushBand band;
-      std::vector<float> weights;
-      for (size_t i = begin; i < end; ++i) {
-        run_.check_cancelled();
-        if (!band.read(work_[i].path, frame(), top + static_cast<int>(first), top + static_cast<int>(last))) continue;
-        band.each_row([&](int y, int x, std::span<const float> touched) {
-          const Row row{x, y, masked(touched, x, y, weights), &ground_(x, y)};
-          std::visit([&](const auto& tool) { draw(tool, work_[i], row); }, strokes_[i]);
-        });
-      }
+    geom::replay(paths_, begin, end, frame(), run, [&](size_t i, int y, int x, std::span<const float> touched) {
+      std::vector<float> room;
+      const Row row{x, y, masked(touched, x, y, room), &ground_(x, y)};
+      std::visit([&](const auto& tool) { draw(tool, paths_[i], seen_[i], row); }, strokes_[i]);
     });
-    for (size_t i = begin; i < end; ++i) work_[i] = {};
+    for (size_t i = begin; i < end; ++i) seen_[i] = {};
   }
 
   double progress(size_t stroke) const {
-    return 0.2 + 0.8 * static_cast<double>(stroke) / static_cast<double>(std::max<size_t>(1, strokes_.size()));
+    return kPrepared +
+           (1.0 - kPrepared) * static_cast<double>(stroke) / static_cast<double>(std::max<size_t>(1, strokes_.size()));
   }
 
   std::span<const float> masked(std::span<const float> weights, int x, int y, std::vector<float>& room) const {
@@ -177,49 +156,47 @@ class Session {
       row.ground[i] += share * std::min(row.weights[i], 1.0F) * (level(i) - row.ground[i]);
   }
 
-  void draw(const RaiseTool& tool, const Work& work, const Row& row) const {
-    add(work.path.thinned * tool.height_m, row);
+  void draw(const RaiseTool& tool, const geom::BrushPath& path, const Seen&, const Row& row) const {
+    add(path.thinned * tool.height_m, row);
   }
-  void draw(const LowerTool& tool, const Work& work, const Row& row) const {
-    add(-work.path.thinned * tool.depth_m, row);
-  }
-
-  void draw(const SmoothTool& tool, const Work& work, const Row& row) const {
-    const float* smoothed = &work.smoothed(row.x - work.window.left, row.y - work.window.top);
-    approach(work.path.thinned * tool.strength, row, [=](size_t i) { return smoothed[i]; });
+  void draw(const LowerTool& tool, const geom::BrushPath& path, const Seen&, const Row& row) const {
+    add(-path.thinned * tool.depth_m, row);
   }
 
-  void draw(const FlattenTool& tool, const Work& work, const Row& row) const {
-    const auto level = static_cast<float>(tool.height_m.value_or(work.start_m));
-    approach(work.path.thinned * tool.strength, row, [=](size_t) { return level; });
+  void draw(const SmoothTool& tool, const geom::BrushPath& path, const Seen& seen, const Row& row) const {
+    const float* smoothed = &seen.smoothed(row.x - seen.window.left, row.y - seen.window.top);
+    approach(path.thinned * tool.strength, row, [=](size_t i) { return smoothed[i]; });
   }
 
-  void draw(const RampTool& tool, const Work& work, const Row& row) const {
-    const Vec2 from = work.path.samples.front().at, way = work.path.samples.back().at - from;
+  void draw(const FlattenTool& tool, const geom::BrushPath& path, const Seen& seen, const Row& row) const {
+    const auto level = static_cast<float>(tool.height_m.value_or(seen.start_m));
+    approach(path.thinned * tool.strength, row, [=](size_t) { return level; });
+  }
+
+  void draw(const RampTool& tool, const geom::BrushPath& path, const Seen& seen, const Row& row) const {
+    const Vec2 from = path.samples.front().at, way = path.samples.back().at - from;
     const double length2 = dot(way, way);
     const Vec2 per_m = length2 > 0.0 ? (1.0 / length2) * way : Vec2{};
-    const double start = tool.start_m.value_or(work.start_m), rise = tool.end_m.value_or(work.end_m) - start;
+    const double start = tool.start_m.value_or(seen.start_m), rise = tool.end_m.value_or(seen.end_m) - start;
     const double across = per_m.x * frame().cell_m;
     const double first = dot(per_m, Vec2{frame().x(row.x), frame().y(row.y)} - from);
-    approach(work.path.thinned * tool.strength, row, [=](size_t i) {
+    approach(path.thinned * tool.strength, row, [=](size_t i) {
       return static_cast<float>(start + rise * std::clamp(first + across * static_cast<double>(i), 0.0, 1.0));
     });
   }
 
-  void draw(const RoughenTool& tool, const Work& work, const Row& row) const {
+  void draw(const RoughenTool& tool, const geom::BrushPath& path, const Seen&, const Row& row) const {
     const geom::Fbm shape{.wavelength_m = tool.wavelength_m, .octaves = 12, .cell_m = frame().cell_m};
     std::vector<float> noise(row.weights.size());
     geom::fbm_row(seed_, shape, frame().x(row.x), frame().cell_m, frame().y(row.y), noise);
-    const auto by = static_cast<float>(kNoiseReach * work.path.thinned * tool.amplitude_m);
+    const auto by = static_cast<float>(kNoiseReach * path.thinned * tool.amplitude_m);
     for (size_t i = 0; i < noise.size(); ++i) row.ground[i] += by * row.weights[i] * noise[i];
   }
 
-  void draw(const EraseTool& tool, const Work& work, const Row& row) const {
+  void draw(const EraseTool& tool, const geom::BrushPath& path, const Seen&, const Row& row) const {
     const float* before = &before_(row.x, row.y);
-    approach(work.path.thinned * tool.strength, row, [=](size_t i) { return before[i]; });
+    approach(path.thinned * tool.strength, row, [=](size_t i) { return before[i]; });
   }
-
-  RunContext quietly() const { return {run_.threads, {}, run_.cancelled, {}}; }
 
   const HeightField& before_;
   HeightField ground_;
@@ -227,7 +204,8 @@ class Session {
   const std::vector<SculptStroke>& strokes_;
   Seed seed_;
   const RunContext& run_;
-  std::vector<Work> work_;
+  std::vector<geom::BrushPath> paths_;
+  std::vector<Seen> seen_;
 };
 
 }  // namespace

@@ -96,6 +96,7 @@ void add_learned_operators(Registry& registry) {
       outputs(out<Terrain>("terrain", "heights in metres")), island));
   registry.add(make_operator<learned::ErodeParams>(
       {.name = "learned.erode",
+       .revision = 2,
        .summary = "Years of rivers, slides and creep in a moment, by a network that learned from erosion.run (early "
                   "weights)",
        .source = "ours; the simulation is erosion.run"},

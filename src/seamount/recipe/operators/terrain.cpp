@@ -9,6 +9,7 @@
 #include "seamount/ops/terrain/layers.h"
 #include "seamount/ops/terrain/mask.h"
 #include "seamount/ops/terrain/noise.h"
+#include "seamount/ops/terrain/paint.h"
 #include "seamount/ops/terrain/resample.h"
 #include "seamount/ops/terrain/samples.h"
 #include "seamount/ops/terrain/sculpt.h"
@@ -252,6 +253,18 @@ void add_drawing(Registry& registry) {
       outputs(out<Terrain>("terrain", kHeights)),
       [](const terrain::SculptParams& params, const Call& call, const HeightField& terrain, const ScalarField* mask) {
         return terrain::sculpt(terrain, mask, params, call.seed, call.run);
+      }));
+  registry.add(make_operator<terrain::PaintParams>(
+      {.name = "terrain.paint",
+       .summary = "A field painted with a pen: a mask, a density, a hardness, where ground is to be made anew"},
+      inputs(with_voids(optional_in<Field>("values", "what is painted on; `base` everywhere if open")),
+             with_voids(optional_in<Terrain>("terrain", "where the field is to lie; its heights do not count"))),
+      outputs(out<Field>("values", "the painted field")),
+      [](const terrain::PaintParams& params, const Call& call, const ScalarField* values, const HeightField* terrain) {
+        const GridFrame& frame = values != nullptr    ? values->frame()
+                                 : terrain != nullptr ? terrain->frame()
+                                                      : call.domain;
+        return terrain::paint(frame, values, params, call.run);
       }));
 }
 

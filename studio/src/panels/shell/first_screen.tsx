@@ -7,6 +7,7 @@ import type { IconType } from "../../actions/registry";
 import { beginCoast, beginStrokes } from "./beginnings";
 import { Dialog } from "./dialog";
 import { importFiles, openDocument, pickFiles, problemText, unlessUnsaved } from "./files";
+import { galleryOf } from "./gallery";
 import { Logo } from "./logo";
 import { closeDialog, openDialog, useStudio } from "./shell";
 import { MountainStroke } from "./terrain_icons";
@@ -18,7 +19,7 @@ export function FirstScreen() {
   useEffect(() => {
     studio.api.examples().then((found) => (examples.value = found), (error: unknown) => (problem.value = problemText(error)));
   }, []);
-  const groups = [...new Set(examples.value.map((example) => example.group))];
+  const groups = galleryOf(examples.value);
   return (
     <Dialog title="Begin" bare class="first-screen" close={closeDialog}>
       <div class="first-columns">
@@ -30,11 +31,11 @@ export function FirstScreen() {
         </div>
         <div class="first-gallery">
           {problem.value && <p class="failure" role="alert">The examples could not be listed: {problem.value}</p>}
-          {groups.map((group) => (
-            <section key={group} aria-label={group}>
-              <h3>{group}</h3>
+          {groups.map(({ title, examples: own }) => (
+            <section key={title} aria-label={title}>
+              <h3>{title}</h3>
               <ul class="cards">
-                {examples.value.filter((example) => example.group === group).map((example) => (
+                {own.map((example) => (
                   <li key={example.name}><ExampleCard example={example} /></li>
                 ))}
               </ul>
@@ -82,6 +83,7 @@ function ExampleCard({ example }: { example: ExampleInfo }) {
   const studio = useStudio();
   const picture = useSignal<string | null>(null);
   useEffect(() => {
+    if (example.picture === false) return;
     let address = "";
     studio.api.examplePicture(example.name).then(
       (content) => {

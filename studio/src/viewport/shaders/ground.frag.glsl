@@ -47,7 +47,9 @@ vec3 sea(vec2 uv, vec4 s, vec4 ground, vec3 to_eye, float far, vec3 level, float
 #endif
   vec3 deep = vec3(0.0024, 0.0185, 0.0500);
   vec3 floor_light = 1.6 * ground.rgb * ground.rgb;
-  float path = depth * (1.0 / max(0.3, under) + sun_path) + 900.0 * outside;
+  // Models of dry land have 0 for the sea: its depth is unknown, not nothing.
+  float unknown = ramp(0.05, 0.0, abs(s.a)) * ramp(0.003, 0.0, abs(s.x) + abs(s.y));
+  float path = depth * (1.0 / max(0.3, under) + sun_path) + 900.0 * max(outside, unknown);
   vec3 body = level * (deep + exp(-path * vec3(0.200, 0.0335, 0.0245)) * (floor_light - deep));
   // Long waves and short ones tilt the surface; what is too small to see is in the statistics.
   vec3 swell = wave(mat2(0.8, 0.6, -0.6, 0.8) * place.xy, 330.0);
@@ -58,7 +60,7 @@ vec3 sea(vec2 uv, vec4 s, vec4 ground, vec3 to_eye, float far, vec3 level, float
   tilt += 0.11 * chop.xy + 0.10 * wave(mat2(0.6, -0.8, 0.8, 0.6) * place.xy, 5.3).xy;
   breakers += 1.4 * chop.z;
 #endif
-  float shallow = max(outside, ramp(0.0, 3.0, depth));
+  float shallow = max(max(outside, unknown), ramp(0.0, 3.0, depth));
   vec3 normal = normalize(vec3(-shallow * tilt, 1.0));
   float cosine = max(0.02, dot(normal, to_eye)), grazing = 1.0 - cosine;
   vec3 reflected = reflect(-to_eye, normal);
@@ -73,7 +75,7 @@ vec3 sea(vec2 uv, vec4 s, vec4 ground, vec3 to_eye, float far, vec3 level, float
   // Foam: the wash on beaches and the surf on reefs.
   float surf = ground.a * ramp(5.0, 0.8, shore_depth);
   float wash = (0.14 + 0.3 * surf) * ramp(1.3, 0.1, shore_depth + 1.2 * breakers);
-  float foam = (1.0 - outside) * max(wash, 0.9 * surf * clamp01(0.75 + 2.2 * breakers));
+  float foam = (1.0 - max(outside, unknown)) * max(wash, 0.9 * surf * clamp01(0.75 + 2.2 * breakers));
   return mix(seen, vec3(0.80) * level, 0.85 * foam * clamp01(0.9 + 1.6 * breakers));
 }
 #endif
@@ -110,7 +112,7 @@ void main() {
   float change = max(fwidth(s.a), 1e-4);
   vec3 light = land(s, ground, to_eye, far, level);
 #ifdef WATER
-  float wet = clamp01(0.5 - s.a / change);
+  float wet = clamp01(0.5 - (s.a - 0.02) / change);
   light = mix(light, sea(uv, s, ground, to_eye, far, level, 0.0), wet);
 #endif
 #endif

@@ -16,7 +16,7 @@ vec3 stone_wall(vec3 to_eye) {
   if (dot(normal, to_eye) < 0.0) normal = -normal;
   vec2 along = vec2(abs(normal.x) > 0.5 ? place.y : place.x, place.z);
   float beds = wave(along * vec2(0.12, 1.0), 0.006 * half_size.x).z + 0.5 * wave(along * vec2(0.3, 2.0), 0.003 * half_size.x).z;
-  vec3 earth = vec3(0.150, 0.130, 0.110) * (1.0 + 0.55 * beds);
+  vec3 earth = vec3(0.205, 0.175, 0.145) * (1.0 + 0.45 * beds) * (1.0 - 0.55 * skirt);
   return earth * (0.6 * max(0.0, dot(normal, to_sun)) * sun_light + 0.8 * sky_light + 0.08 * sun_light);
 }
 
