@@ -282,7 +282,9 @@ export class Viewport {
         this.pen?.move(path);
       },
       up: (event) => {
-        last = at(event) ?? last;
+        // A lifted pen presses no more: the stroke ends as it was drawn.
+        const place = at(event), pressure = last?.pressure ?? 1;
+        if (place !== null) last = { ...place, pressure };
         if (last !== null) this.pen?.up(last);
       },
       cancel: () => this.pen?.cancel(),
