@@ -85,6 +85,7 @@ export class DocumentStore {
   command(run: Command, quiet = false): Promise<boolean> {
     return new Promise((settle) => {
       this.tasks.push({ kind: "command", run, quiet, settle });
+      this.show();
       void this.pump();
     });
   }

@@ -36,6 +36,8 @@ export interface Desk {
   fitting(at: GroundPointer): FitOptions;
   /** Begins a gesture, or goes on with the one of this name; until its end the tool stays. */
   begin(what: string, name?: string): Gesture;
+  /** Selects the step that the gesture itself has made; by anybody else it would end the gesture. */
+  goTo(step: string | null): void;
   /** The gesture is over. `then`: the tool that goes on. */
   end(then?: string): void;
   draw(shapes: readonly OverlayShape[]): void;
@@ -107,7 +109,7 @@ export class Drawing {
 
   private selectAdded(): void {
     const id = this.added ?? this.desk.offer.adds?.existing ?? null;
-    if (id !== null && this.desk.studio.step(id)) this.desk.studio.selected.value = id;
+    if (id !== null && this.desk.studio.step(id)) this.desk.goTo(id);
   }
 
   live(points: readonly Point[], members: { [name: string]: Json }): void {
@@ -131,7 +133,7 @@ export class Drawing {
   cancel(): void {
     const { begun } = this.gesture;
     void this.gesture.cancel();
-    if (begun && this.added) this.desk.studio.selected.value = this.before;
+    if (begun && this.added) this.desk.goTo(this.before);
     this.desk.end();
   }
 }

@@ -134,6 +134,22 @@ test("a height is the ground's, and digits give another", async () => {
   assert.deepEqual(items("land", "heights"), [{ x_m: 3000, y_m: 3000, height_m: 1700 }]);
 });
 
+test("another step ends what is half done", async () => {
+  await open([{ id: "land", op: "learned.sketch" }, { id: "isle", op: "island.build" }], "land");
+  assert.ok(press("h"));
+  await paper.click(1000, 2000);
+  assert.ok(press("9"));
+  studio.selected.value = "isle";
+  await settled();
+  assert.equal(tools.busy.value, false);
+  assert.equal(items("land", "heights")[0]!["height_m"], 9);
+  activeTool.value = "slot:areas";
+  for (const [x, y] of [[0, 0], [900, 0], [900, 900]] as const) await paper.click(x, y);
+  studio.selected.value = null;
+  await settled();
+  assert.equal((params("isle")["areas"] as Json[]).length, 1);
+});
+
 test("selecting, moving points and the whole, inserting, deleting, nudging", async () => {
   const line: Json = { points: [[0, 0], [4000, 0], [4000, 4000]] };
   await open([{ id: "land", op: "learned.sketch", params: { ridges: [line] } }], "land");

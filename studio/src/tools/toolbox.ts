@@ -47,6 +47,17 @@ function penFor(desk: Desk): Pen {
   }
 }
 
+/** Where the pen goes down the keys go too: a button or a field that had them lets them go. */
+function takingFocus(pen: Pen): Pen {
+  const down = pen.down.bind(pen);
+  pen.down = (at) => {
+    const focused = typeof document === "undefined" ? null : (document.activeElement as HTMLElement | null);
+    if (focused?.closest?.("button, input, textarea, select, [data-number-field]")) focused.blur();
+    down(at);
+  };
+  return pen;
+}
+
 export class ToolBox {
   readonly offers: ReadonlySignal<Offers>;
   readonly active: ReadonlySignal<Offer>;
@@ -56,6 +67,7 @@ export class ToolBox {
   readonly busy = signal(false);
   private pen: Pen | null = null;
   private penOf = "";
+  private goingTo: string | null | undefined;
   private readonly viewports = new Set<PenViewport>();
   private readonly stop: (() => void)[];
 
@@ -116,7 +128,12 @@ export class ToolBox {
   }
 
   private takePen(offer: Offer, step: string | null, busy: boolean): void {
-    if (busy) return;  // the tool of a running gesture stays until its end
+    if (busy) {  // the tool of a running gesture stays until its end, which is now if another step is selected
+      const before = this.penOf.split(" ")[0];
+      if ((step ?? "") !== before && step !== this.goingTo) untracked(() => this.pen?.leave?.());
+      return;
+    }
+    this.goingTo = undefined;
     const name = `${step ?? ""} ${offer.id} ${offer.adds?.existing ?? ""}`;
     if (name === this.penOf) return;
     untracked(() => {
@@ -126,7 +143,7 @@ export class ToolBox {
       const stepChanged = this.penOf.split(" ")[0] !== (step ?? "");
       if (stepChanged) selectedPoints.value = new Set();
       this.penOf = name;
-      this.pen = penFor(this.deskFor(offer));
+      this.pen = takingFocus(penFor(this.deskFor(offer)));
       for (const viewport of this.viewports) viewport.setPen(this.pen);
     });
   }
@@ -135,18 +152,23 @@ export class ToolBox {
     const { studio } = this;
     const recipe = () => studio.document.peek().recipe;
     const domain = () => domainOf(recipe());
+    const own = studio.selected.peek();
     return {
       studio,
       offer,
       recipe,
       domain,
-      step: () => studio.selected.peek(),
+      step: () => own,
       features: () => this.features.peek(),
       fitting: (at: GroundPointer) => ({ pixel_m: at.pixel_m, cell_m: this.cell_m() }),
       begin: (what, name) => {
         this.busy.value = true;
-        const step = offer.adds?.existing ?? offer.adds?.at ?? studio.selected.peek();
+        const step = offer.adds?.existing ?? offer.adds?.at ?? own;
         return new Gesture(studio, step === null ? what : `${step}: ${what}`, undefined, name);
+      },
+      goTo: (step) => {
+        this.goingTo = step;
+        studio.selected.value = step;
       },
       end: (then) => {
         if (then) activeTool.value = then;

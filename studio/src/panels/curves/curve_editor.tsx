@@ -184,7 +184,7 @@ function Axes({ view, unit, bands }: { view: View; unit: string; bands: CurveEdi
       {ticks(view.y, 4).map((y) => {
         const at = toPixel(view, [0, y])[1];
         return <g key={y}><line class={y === 0 ? "zero" : ""} x1={MARGIN.left} x2={right} y1={at} y2={at} />
-          <text x={MARGIN.left - 5} y={at + 3.5} text-anchor="end">{numberText(y)}</text></g>;
+          <text x={MARGIN.left - 8} y={at + 3.5} text-anchor="end">{numberText(y)}</text></g>;
       })}
       {xTicks.map((x) => {
         const at = toPixel(view, [x, 0])[0];

@@ -1,7 +1,7 @@
 // The graph in the plane: which ports a node shows, how large it is, where ports lie, how wires run. Pure.
 import type { OperatorInfo, PortInfo, Recipe } from "../../api/types";
 import { type Connections, type Operators, allConnections } from "./connections";
-import { type Layout, layOut } from "./layout";
+import { type Crossing, type Layout, layOut, wireName } from "./layout";
 
 export const NODE_WIDTH = 164;
 const HEAD = 44;
@@ -93,25 +93,59 @@ export function portTop(row: number): number {
 
 /** Control points of a wire: level at both ends. */
 function controls([x1, y1]: Point, [x2, y2]: Point): [Point, Point, Point, Point] {
-  const reach = Math.max(28, Math.abs(x2 - x1) / 2);
+  const reach = Math.max(20, Math.abs(x2 - x1) / 2);
   return [[x1, y1], [x1 + reach, y1], [x2 - reach, y2], [x2, y2]];
 }
 
-export function wirePath(from: Point, to: Point): string {
-  const [a, b, c, d] = controls(from, to);
-  return `M${a[0]} ${a[1]}C${b[0]} ${b[1]} ${c[0]} ${c[1]} ${d[0]} ${d[1]}`;
+/** What a wire runs through, from port to port; wires side by side keep a little apart on long ways. */
+export interface WireRun {
+  from: Point;
+  to: Point;
+  crossings: readonly Crossing[];
+  aside: number;
+}
+
+export function wireRun(model: GraphModel, wire: GraphWire): WireRun | null {
+  const [from, to] = [model.byId.get(wire.from), model.byId.get(wire.to)];
+  if (!from || !to) return null;
+  const alike = model.wires.filter((other) => other.from === wire.from && other.to === wire.to);
+  const aside = 4 * (alike.indexOf(wire) - (alike.length - 1) / 2);
+  const crossings = model.layout.crossings.get(wireName(wire)) ?? [];
+  return { from: portPoint(from, "out", wire.output), to: portPoint(to, "in", wire.input), crossings, aside };
+}
+
+/** The bends of a run: from port to layer to layer to port. */
+function bends({ from, to, crossings, aside }: WireRun): [Point, Point][] {
+  const found: [Point, Point][] = [];
+  let at = from;
+  for (const { left, right, y } of crossings) {
+    found.push([at, [left, y + aside]]);
+    at = [right, y + aside];
+  }
+  return [...found, [at, to]];
+}
+
+export function wirePath(run: WireRun): string {
+  return bends(run).map(([from, to], i) => {
+    const [a, b, c, d] = controls(from, to);
+    return `${i === 0 ? "M" : "L"}${a[0]} ${a[1]}C${b[0]} ${b[1]} ${c[0]} ${c[1]} ${d[0]} ${d[1]}`;
+  }).join("");
 }
 
 /** Distance of a place from a wire. */
-export function wireDistance(from: Point, to: Point, [x, y]: Point): number {
-  const [a, b, c, d] = controls(from, to);
+export function wireDistance(run: WireRun, [x, y]: Point): number {
   let least = Infinity;
-  for (let i = 0; i <= 24; ++i) {
-    const t = i / 24;
-    const s = 1 - t;
-    const on = (k: 0 | 1) => s * s * s * a[k] + 3 * s * s * t * b[k] + 3 * s * t * t * c[k] + t * t * t * d[k];
-    least = Math.min(least, Math.hypot(on(0) - x, on(1) - y));
+  for (const [from, to] of bends(run)) {
+    const [a, b, c, d] = controls(from, to);
+    for (let i = 0; i <= 24; ++i) {
+      const t = i / 24;
+      const s = 1 - t;
+      const on = (k: 0 | 1) => s * s * s * a[k] + 3 * s * s * t * b[k] + 3 * s * t * t * c[k] + t * t * t * d[k];
+      least = Math.min(least, Math.hypot(on(0) - x, on(1) - y));
+    }
   }
+  for (const { left, right, y: level } of run.crossings)
+    if (x >= left && x <= right) least = Math.min(least, Math.abs(level + run.aside - y));
   return least;
 }
 

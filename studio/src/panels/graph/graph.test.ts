@@ -52,5 +52,5 @@ test("arrows and distances", () => {
   assert.equal(neighbour(model, "t", "ArrowRight"), "w");
   assert.ok(["s", "k"].includes(neighbour(model, "t", "ArrowLeft")!));
   assert.equal(neighbour(model, "w", "ArrowRight"), null);
-  assert.ok(wireDistance([0, 0], [100, 0], [50, 3]) < 4);
+  assert.ok(wireDistance({ from: [0, 0], to: [100, 0], crossings: [], aside: 0 }, [50, 3]) < 4);
 });

@@ -8,7 +8,7 @@ import { HelpTips } from "../params/help_tip";
 import { AddStep } from "../steps/add_step";
 import type { AddRequest } from "../steps/adding";
 import { duplicate, removeStep, toggleBypass } from "../steps/step_edits";
-import { type GraphModel, type GraphWire, graphOf, neighbour, portPoint, wireKey, wirePath } from "./geometry";
+import { type GraphModel, type GraphWire, graphOf, neighbour, wireKey, wirePath, wireRun } from "./geometry";
 import { useHand } from "./hand";
 import { kindClass } from "./kind_mark";
 import { Node } from "./node";
@@ -45,11 +45,11 @@ export function Graph({ studio }: { studio: Studio }): JSX.Element {
         <svg class="graph-wires" width="1" height="1">
           {model.wires.map((wire) => <Wire key={wireKey(wire)} studio={studio} wire={wire} model={model} dim={fits !== null} over={hand.over !== null && wireKey(hand.over) === wireKey(wire)}
             onSearch={(event) => search({ after: wire.from, into: wire }, event.clientX, event.clientY)} />)}
-          {hand.loose && <path class={`wire-loose ${kindClass(hand.loose.kind)}`} d={wirePath(hand.loose.from, hand.loose.to)} />}
         </svg>
         {model.nodes.map((node) => <Node key={node.id} studio={studio} node={node} state={states.get(node.id)} connected={connected} fits={fits}
           focusable={node.id === (selected ?? model.nodes[0]?.id)} shift={hand.held?.id === node.id ? hand.held.by : null}
           onPort={(event, side, port) => hand.port(event, node, side, port)} onGrab={(event) => hand.grab(event, node)} onKeyDown={(event) => onNodeKey(event, studio, model, node.id, root)} />)}
+        {hand.loose && <svg class="graph-wires loose" width="1" height="1"><path class={`wire-loose ${kindClass(hand.loose.kind)}`} d={wirePath({ ...hand.loose, crossings: [], aside: 0 })} /></svg>}
       </div>
       {model.nodes.length === 0 && <p class="empty">Nothing yet. Double click to add a step.</p>}
       <div class="graph-tools">
@@ -132,10 +132,9 @@ interface WireProps {
 }
 
 function Wire({ studio, wire, model, dim, over, onSearch }: WireProps): JSX.Element | null {
-  const from = model.byId.get(wire.from);
-  const to = model.byId.get(wire.to);
-  if (!from || !to) return null;
-  const path = wirePath(portPoint(from, "out", wire.output), portPoint(to, "in", wire.input));
+  const run = wireRun(model, wire);
+  if (!run) return null;
+  const path = wirePath(run);
   const onKeyDown = (event: KeyboardEvent) => {
     if (event.key !== "Delete" && event.key !== "Backspace") return;
     event.preventDefault();

@@ -3,7 +3,7 @@ import { useRef, useState } from "preact/hooks";
 import type { PortInfo } from "../../api/types";
 import type { Studio } from "../../document/studio";
 import type { AddRequest } from "../steps/adding";
-import { type GraphModel, type GraphNode, type GraphWire, type Point, portPoint, wireDistance } from "./geometry";
+import { type GraphModel, type GraphNode, type GraphWire, type Point, portPoint, wireDistance, wireRun } from "./geometry";
 import { type PanZoom, toGraph } from "./pan_zoom";
 import { type LooseWire, type Target, bestPort, betweenEdits, connectEdits, disconnectEdits, fittingPorts } from "./wiring";
 
@@ -131,9 +131,9 @@ function wireUnder(studio: Studio, model: GraphModel, node: GraphNode, at: Point
   let found: GraphWire | null = null;
   let least = NEAR;
   for (const wire of model.wires) {
-    const [from, to] = [model.byId.get(wire.from), model.byId.get(wire.to)];
-    if (!from || !to || !between(studio, node, wire, model)) continue;
-    const away = wireDistance(portPoint(from, "out", wire.output), portPoint(to, "in", wire.input), at);
+    const run = wireRun(model, wire);
+    if (!run || !between(studio, node, wire, model)) continue;
+    const away = wireDistance(run, at);
     if (away < least) [least, found] = [away, wire];
   }
   return found;

@@ -36,6 +36,15 @@ test("wires do not cross where they need not", () => {
 });
 
 test("nothing, and what is no recipe", () => {
-  assert.deepEqual(layOut([], [], options), { places: new Map(), width: 0, height: 0 });
+  assert.deepEqual(layOut([], [], options), { places: new Map(), crossings: new Map(), width: 0, height: 0 });
   assert.equal(layOut(nodes("a b"), wires("a>b b>a a>a q>a"), options).places.size, 2);
+});
+
+test("a long wire passes beside what lies between", () => {
+  const { places, crossings } = layOut(nodes("a b c"), wires("a>b b>c a>c"), options);
+  assert.equal(places.size, 3);
+  const [crossing] = crossings.get("a>c")!;
+  const { x, y } = places.get("b")!;
+  assert.deepEqual([crossing!.left, crossing!.right], [x, x + 100]);
+  assert.ok(crossing!.y < y || crossing!.y > y + 40);
 });

@@ -24,17 +24,34 @@ export interface Placed {
   layer: number;
 }
 
+/** Where a wire crosses a layer in which neither of its ends lies. */
+export interface Crossing {
+  left: number;
+  right: number;
+  y: number;
+}
+
 export interface Layout {
   places: ReadonlyMap<string, Placed>;
+  /** By wireName(): what a long wire passes on its way. */
+  crossings: ReadonlyMap<string, readonly Crossing[]>;
   width: number;
   height: number;
 }
 
+export function wireName({ from, to }: LayoutWire): string {
+  return `${from}>${to}`;
+}
+
+const LANE = 14;
+
 interface Work {
-  nodes: ReadonlyMap<string, LayoutNode>;
-  before: ReadonlyMap<string, string[]>;
-  after: ReadonlyMap<string, string[]>;
+  nodes: Map<string, LayoutNode>;
+  before: Map<string, string[]>;
+  after: Map<string, string[]>;
   layers: string[][];
+  /** Of long wires: the places that are kept free for them, layer by layer. */
+  lanes: Map<string, string[]>;
 }
 
 /** Longest way from a node that reads nothing; in a cycle, which a recipe has not, the way ends where it closes. */
@@ -77,7 +94,30 @@ function prepare(nodes: readonly LayoutNode[], wires: readonly LayoutWire[]): Wo
   pulledRight(found, { before, after });
   const layers: string[][] = [];
   for (const node of nodes) (layers[found.get(node.id) ?? 0] ??= []).push(node.id);
-  return { nodes: known, before, after, layers: [...layers].map((layer) => layer ?? []) };
+  const work: Work = { nodes: known, before, after, layers: [...layers].map((layer) => layer ?? []), lanes: new Map() };
+  for (const [to, sources] of [...before]) for (const from of [...sources]) keepLanes(work, from, to, found);
+  return work;
+}
+
+/** A wire that passes layers becomes a chain of short ones, through a lane in each layer. */
+function keepLanes(work: Work, from: string, to: string, depth: ReadonlyMap<string, number>): void {
+  const lanes: string[] = [];
+  for (let layer = depth.get(from)! + 1; layer < depth.get(to)!; ++layer) {
+    const lane = `${from}>${to}>${layer}`;
+    work.nodes.set(lane, { id: lane, width: 0, height: LANE });
+    work.layers[layer]!.push(lane);
+    lanes.push(lane);
+  }
+  if (lanes.length === 0) return;
+  work.lanes.set(wireName({ from, to }), lanes);
+  const chain = [from, ...lanes, to];
+  const replace = (list: string[] | undefined, old: string, by: string) => (list ?? []).map((id) => (id === old ? by : id));
+  work.after.set(from, replace(work.after.get(from), to, lanes[0]!));
+  work.before.set(to, replace(work.before.get(to), from, lanes[lanes.length - 1]!));
+  lanes.forEach((lane, i) => {
+    work.before.set(lane, [chain[i]!]);
+    work.after.set(lane, [chain[i + 2]!]);
+  });
 }
 
 /** Sorts each layer by the mean place of its neighbours, to and fro; ties keep the order of the recipe. */
@@ -149,16 +189,30 @@ export function layOut(nodes: readonly LayoutNode[], wires: readonly LayoutWire[
   untangle(work);
   const tops = heights(work, rowGap);
   const highest = Math.min(...tops.values(), Infinity);
+  const columns = columnsOf(work, columnGap);
   const places = new Map<string, Placed>();
-  let x = 0;
   let height = 0;
   work.layers.forEach((layer, i) => {
     for (const id of layer) {
       const y = Math.round(tops.get(id)! - highest);
-      places.set(id, { x, y, layer: i });
+      places.set(id, { x: columns[i]!.left, y, layer: i });
       height = Math.max(height, y + work.nodes.get(id)!.height);
     }
-    if (layer.length > 0) x += Math.max(...layer.map((id) => work.nodes.get(id)!.width)) + columnGap;
   });
-  return { places, width: Math.max(0, x - columnGap), height };
+  const crossings = new Map<string, Crossing[]>();
+  for (const [name, lanes] of work.lanes) {
+    crossings.set(name, lanes.map((lane) => ({ ...columns[places.get(lane)!.layer]!, y: places.get(lane)!.y + LANE / 2 })));
+    lanes.forEach((lane) => places.delete(lane));
+  }
+  return { places, crossings, width: columns[columns.length - 1]?.right ?? 0, height };
+}
+
+function columnsOf(work: Work, gap: number): { left: number; right: number }[] {
+  let x = 0;
+  return work.layers.map((layer) => {
+    const left = x;
+    const right = left + Math.max(0, ...layer.map((id) => work.nodes.get(id)!.width));
+    x = right + gap;
+    return { left, right };
+  });
 }

@@ -2,6 +2,7 @@
 import type { Json, Step } from "../../api/types";
 import type { OpenedStudio } from "../../document/open_studio";
 import { openDocument } from "./files";
+import { bigView } from "./layout";
 import { askToDraw } from "./parts";
 import { showToast } from "./toasts";
 
@@ -23,6 +24,7 @@ async function begin(studio: OpenedStudio, { width_m, cell_m, step, draw, hint }
   if (!(await openDocument(studio, { blank: true, width_m, cell_m }))) return;
   if (!(await studio.edit([{ do: "insert", list: "/steps", value: step as unknown as Json }], `${step.id}: added`))) return;
   studio.selected.value = step.id;
+  bigView.value = "map";
   askToDraw(studio, step.id, param);
   showToast({ kind: "note", text: hint });
 }

@@ -1,7 +1,7 @@
 // A dialog over the page: the browser keeps the focus inside and gives it back; Escape and a click beside it close it.
 import { X } from "lucide-preact";
 import type { ComponentChildren } from "preact";
-import { useEffect, useId, useRef } from "preact/hooks";
+import { useId, useLayoutEffect, useRef } from "preact/hooks";
 import { ToastList } from "./toasts";
 
 interface DialogProps {
@@ -18,7 +18,7 @@ interface DialogProps {
 export function Dialog(props: DialogProps) {
   const element = useRef<HTMLDialogElement>(null);
   const title = useId();
-  useEffect(() => {
+  useLayoutEffect(() => {  // at once: what is typed right after the key is the dialog's
     const dialog = element.current!;
     dialog.showModal();
     return () => dialog.close();

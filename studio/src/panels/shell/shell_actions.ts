@@ -9,7 +9,6 @@ import { importFiles, pickFiles, save, unlessUnsaved } from "./files";
 import { arrangement, chooseArrangement, dockOpen, dockTab, swapViews, toggleDock, viewsAlone } from "./layout";
 import type { Arrangement, DockTab } from "./layout";
 import { viewport } from "./parts";
-import { stepActions } from "../steps/step_actions";
 import { goToRegion } from "./regions";
 import { openDialog } from "./shell";
 import { theme, themeChoice } from "./theme";
@@ -57,11 +56,11 @@ function editActions(studio: OpenedStudio): Action[] {
   return [
     {
       id: "edit.undo", title: "Undo", group, icon: Undo2, keys: ["Ctrl+Z"],
-      when: () => studio.document.value.done > 0, run: () => void studio.undo(),
+      when: () => studio.document.value.done > 0 || studio.busy.value, run: () => void studio.undo(),
     },
     {
       id: "edit.redo", title: "Redo", group, icon: Redo2, keys: ["Ctrl+Shift+Z", "Ctrl+Y"],
-      when: () => studio.document.value.done < studio.document.value.history.length, run: () => void studio.redo(),
+      when: () => studio.document.value.done < studio.document.value.history.length || studio.busy.value, run: () => void studio.redo(),
     },
   ];
 }
@@ -114,7 +113,6 @@ export function shellActions(studio: OpenedStudio): Action[] {
   return [
     ...fileActions(studio),
     ...editActions(studio),
-    ...stepActions(studio),
     ...moveActions(studio),
     ...viewActions(),
     dockAction("graph", "Graph", Workflow, "Alt+1", "nodes"),

@@ -47,10 +47,16 @@ export function StepCard(props: StepCardProps): JSX.Element {
         <CardActions studio={studio} id={step.id} bypassed={step.bypass === true} />
       </div>
       <Progress state={state} />
-      {state?.message && (state.standing === "failed" || state.standing === "incomplete") && <p class="problem"><TriangleAlert />{state.message}</p>}
+      {state?.message && (state.standing === "failed" || state.standing === "incomplete") && <p class="problem"><TriangleAlert />{plainMessage(state.message)}</p>}
       {selected && state?.notes.map((note) => <p class="note" key={note}>{note}</p>)}
     </li>
   );
+}
+
+/** The card says which step it is: "step 'high' (contour.heights): " goes. */
+export function plainMessage(message: string): string {
+  const plain = message.replace(/^step '[^']*' \([^)]*\): /, "");
+  return plain.charAt(0).toUpperCase() + plain.slice(1);
 }
 
 export function CardActions({ studio, id, bypassed }: { studio: Studio; id: string; bypassed: boolean }): JSX.Element {
