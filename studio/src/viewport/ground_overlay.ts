@@ -1,6 +1,6 @@
 // What is laid over the ground (labels, a field, a picture) as a texture of colours, and the legend that goes with it.
 import {
-  ClampToEdgeWrapping, DataTexture, LinearFilter, LinearMipmapLinearFilter, NearestFilter, RGBAFormat, Texture,
+  ClampToEdgeWrapping, DataTexture, LinearFilter, LinearMipmapLinearFilter, RGBAFormat, Texture,
   UnsignedByteType,
 } from "three";
 import type { Frame } from "../api/types";
@@ -50,10 +50,13 @@ export function overlayPixels(raster: Raster): Uint8Array<ArrayBuffer> {
 
 export class OverlayTexture {
   texture: Texture | null = null;
+  /** Cells are regions with borders between them. */
+  sharp = false;
   private frame: Frame | null = null;
   private shownKey = "";
 
   update(overlay: GroundOverlay): void {
+    this.sharp = overlay.overlay === "labels";
     if (overlay.overlay === "picture") {
       this.replace(new Texture(overlay.bitmap), null, "");
       return;
@@ -69,7 +72,6 @@ export class OverlayTexture {
     if (key === this.shownKey) return;
     const texture = new DataTexture(overlayPixels(raster), raster.frame.columns, raster.frame.rows, RGBAFormat, UnsignedByteType);
     this.replace(texture, raster.frame, key);
-    if (overlay.overlay === "labels") texture.magFilter = NearestFilter;
   }
 
   /** Places of a ground (0 to 1) times the last two plus the first two are places of the overlay. */

@@ -8,6 +8,7 @@ import { MapScene } from "./map_scene";
 import { noiseTexture } from "./noise_texture";
 import type { ViewOptions } from "./options";
 import { sharedUniforms, showOverlay, showTextures, styleNumber, type SharedUniforms } from "./shared_uniforms";
+import { Pace } from "./pace";
 import { contourInterval } from "./ticks";
 import type { GroundOverlay } from "./types";
 import type { Eye, Lens } from "./world_camera";
@@ -19,6 +20,10 @@ export class PictureRenderer {
   readonly software: boolean;
   readonly overlay = new OverlayTexture();
   readonly world: WorldScene;
+  readonly pace: Pace;
+  private fence: WebGLSync | null = null;
+  private begun = 0;
+  private fineDrawn = false;
   private readonly renderer: WebGLRenderer;
   private readonly noise: DataTexture;
   private readonly shared: SharedUniforms;
@@ -34,6 +39,7 @@ export class PictureRenderer {
     const info = gl.getExtension("WEBGL_debug_renderer_info");
     const name = String(gl.getParameter(info === null ? gl.RENDERER : info.UNMASKED_RENDERER_WEBGL));
     this.software = /swiftshader|llvmpipe|software|basic render/i.test(name);
+    this.pace = new Pace(this.software);
     gl.getExtension("EXT_color_buffer_float");
     this.renderer.autoClear = false;
     this.noise = noiseTexture(!this.software);
@@ -45,6 +51,28 @@ export class PictureRenderer {
     this.world.patchBudget = this.software ? 160 : 420;
     this.world.thingBudget = this.software ? 120_000 : 2_000_000;
     this.map = new MapScene(this.shared);
+  }
+
+  /** What was drawn last is done: more would only queue up. */
+  ready(): boolean {
+    if (this.fence === null) return true;
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    if (!gl.isContextLost() && gl.getSyncParameter(this.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
+    gl.deleteSync(this.fence);
+    this.fence = null;
+    this.pace.took(performance.now() - this.begun, this.fineDrawn);
+    return true;
+  }
+
+  /** Before and after the drawing of a frame. */
+  beginFrame(): void {
+    this.begun = performance.now();
+  }
+  endFrame(fine: boolean): void {
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    this.fineDrawn = fine;
+    this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
   }
 
   get triangles(): number {

@@ -17,6 +17,7 @@ export interface SharedUniforms {
   overlay: IUniform<Texture | null>;
   overlay_place: IUniform<[number, number, number, number]>;
   overlay_strength: IUniform<number>;
+  overlay_sharp: IUniform<number>;
   contour_m: IUniform<number>;
   contour_colour: IUniform<Vector3>;
 }
@@ -25,7 +26,7 @@ export function sharedUniforms(noise: Texture): SharedUniforms {
   return {
     heights: { value: null }, surface: { value: null }, lit: { value: null },
     noise: { value: noise }, cell_m: { value: 1 }, ground_style: { value: 0 }, overlay: { value: null },
-    overlay_place: { value: [0, 0, 1, 1] }, overlay_strength: { value: 0 }, contour_m: { value: 0 },
+    overlay_place: { value: [0, 0, 1, 1] }, overlay_strength: { value: 0 }, overlay_sharp: { value: 0 }, contour_m: { value: 0 },
     contour_colour: { value: new Vector3(0.02, 0.015, 0.01) },
   };
 }
@@ -40,6 +41,7 @@ export function showTextures(u: SharedUniforms, textures: GroundTextures, field:
 export function showOverlay(u: SharedUniforms, overlay: OverlayTexture, field: HeightField): void {
   u.overlay.value = overlay.texture ?? u.noise.value;
   u.overlay_place.value = overlay.placeOn(field.frame);
+  u.overlay_sharp.value = overlay.sharp ? 1 : 0;
   u.overlay_strength.value = overlay.texture === null ? 0 : 0.8;
 }
 

@@ -22,7 +22,7 @@ import { mountControls } from "./view_controls";
 import { WorldView } from "./world_view";
 
 export interface ViewportStats {
-  /** Mean time from picture to picture while something moves. */
+  /** Mean time that a picture takes while something moves. */
   frame_ms: number;
   triangles: number;
   calls: number;
@@ -33,7 +33,6 @@ export interface ViewportStats {
 }
 
 const restAfter_ms = 160;
-const slow_ms = 30;
 
 export class Viewport {
   /** What is under the pointer, in either view. */
@@ -65,8 +64,6 @@ export class Viewport {
   private readonly profile: ProfileBox;
   private request = 0;
   private restTimer = 0;
-  private lastFrame = 0;
-  private frame_ms = 16;
   private upload_ms = 0;
   private lightStale = false;
   private litStale = false;
@@ -75,7 +72,6 @@ export class Viewport {
   constructor(mapElement: HTMLElement, worldElement: HTMLElement, studio: Studio) {
     this.renderer = new PictureRenderer(() => this.restore());
     const mostRatio = this.renderer.software ? 1 : 2;
-    this.frame_ms = this.renderer.software ? 2 * slow_ms : 16;
     const changed = (): void => this.moved();
     this.map = new MapView(mapElement, mostRatio, changed, (pixel_m) => (this.scale.value = pixel_m));
     this.world = new WorldView(worldElement, mostRatio, changed, () => this.options.peek());
@@ -154,7 +150,7 @@ export class Viewport {
 
   stats(): ViewportStats {
     const { triangles, calls, software } = this.renderer;
-    return { frame_ms: this.frame_ms, triangles, calls, software, upload_ms: this.upload_ms };
+    return { frame_ms: this.renderer.pace.quickMs, triangles, calls, software, upload_ms: this.upload_ms };
   }
 
   /** PNG of a view as it is seen, with what is drawn over it. */
@@ -282,7 +278,9 @@ export class Viewport {
         this.pen?.move(path);
       },
       up: (event) => {
-        last = at(event) ?? last;
+        // A lifted pen presses no more: the stroke ends as it was drawn.
+        const place = at(event), pressure = last?.pressure ?? 1;
+        if (place !== null) last = { ...place, pressure };
         if (last !== null) this.pen?.up(last);
       },
       cancel: () => this.pen?.cancel(),
@@ -314,7 +312,7 @@ export class Viewport {
   }
 
   private wake(): void {
-    if (this.request === 0) this.request = requestAnimationFrame((now) => this.frame(now));
+    if (this.request === 0) this.request = requestAnimationFrame(() => this.frame());
   }
 
   /** On the page, for who measures it: which result is seen. */
@@ -326,37 +324,40 @@ export class Viewport {
     }
   }
 
-  private frame(now: number): void {
+  private frame(): void {
     this.request = 0;
     const moving = this.restTimer !== 0;
-    if (moving && now - this.lastFrame < 400) this.frame_ms += 0.15 * (now - this.lastFrame - this.frame_ms);
-    this.lastFrame = now;
-    const field = this.field;
-    let more = false;
-    if (field !== null) {
-      if (this.litStale || (this.lightStale && !moving)) {
-        const sunToo = this.lightStale && (!moving || !this.renderer.lit);
-        this.renderer.updateLight(field, this.options.peek(), this.activeOverlay, sunToo);
-        this.litStale = false;
-        if (sunToo) this.lightStale = false;
-      }
-      const quick = !moving || this.frame_ms < slow_ms ? 1 : this.frame_ms < 3 * slow_ms ? 0.6 : 0.45;
-      for (const view of [this.map, this.world]) {
-        if (!view.surface.shown) continue;
-        if (view.surface.samples < (moving ? 1 : view.samples(this.renderer.software))) {
-          view.draw(this.renderer, field, this.options.peek(), this.activeOverlay, quick, moving);
-        }
-        view.surface.element.dataset["key"] = this.drawn.peek()?.key ?? "";
-        more ||= !moving && view.surface.samples < view.samples(this.renderer.software);
-      }
-      if (this.arrived > 0) {
-        this.upload_ms = performance.now() - this.arrived;
-        this.arrived = 0;
-        this.tellDrawn();
-      }
-    }
     for (const view of [this.map, this.world]) if (view.inkStale) view.drawInk(this.options.peek(), moving);
-    if (more) this.wake();
+    const field = this.field;
+    if (field === null) return;
+    if (!this.renderer.ready() || this.draw(field, moving)) this.wake();
+  }
+
+  /** Whether there is more to draw. */
+  private draw(field: HeightField, moving: boolean): boolean {
+    const { renderer } = this, { pace } = renderer, options = this.options.peek();
+    const views = [this.map, this.world].filter((view) => view.surface.shown && view.surface.samples < this.wanted(view, moving));
+    if (views.length === 0 && !this.litStale) return false;
+    renderer.beginFrame();
+    if (this.litStale || (this.lightStale && !moving)) {
+      const sunToo = this.lightStale && (!moving || !renderer.lit);
+      renderer.updateLight(field, options, this.activeOverlay, sunToo);
+      this.litStale = false;
+      if (sunToo) this.lightStale = false;
+    }
+    const fine = !moving && pace.mayBeFine();
+    for (const view of views) view.draw(renderer, field, options, this.activeOverlay, moving ? pace.quickSize : 1, !fine);
+    renderer.endFrame(fine);
+    if (this.arrived > 0) {
+      this.upload_ms = performance.now() - this.arrived;
+      this.arrived = 0;
+      this.tellDrawn();
+    }
+    return !moving;
+  }
+
+  private wanted(view: MapView | WorldView, moving: boolean): number {
+    return moving ? 1 : this.renderer.pace.samples(view.samples());
   }
 }
 

@@ -49,8 +49,8 @@ export class WorldView {
   }
 
   /** Pictures that are averaged at rest. */
-  samples(software: boolean): number {
-    return software ? 3 : jitters.length;
+  samples(): number {
+    return jitters.length;
   }
 
   /** Present eye, for tests and for coming back to it. */
@@ -67,9 +67,15 @@ export class WorldView {
   frame(field: HeightField): void {
     const first = this.field === null || this.framed;
     this.field = field;
-    this.eye = frame(this.box(field, this.options().water ? field.dryRectangle : field.rectangle), this.lens(), first ? 0.45 : this.eye.azimuth, first ? -0.46 : Math.min(-0.25, this.eye.pitch));
+    this.eye = frame(this.box(field, this.options().water ? field.dryRectangle : field.rectangle), this.lens(), first ? 0.45 : this.eye.azimuth, first ? this.firstPitch() : Math.min(-0.25, this.eye.pitch));
     this.framed = true;
     this.inkStale = true;
+  }
+
+  /** Tall pictures look down more steeply, so that the ground fills them. */
+  private firstPitch(): number {
+    const { width, height } = this.lens();
+    return -0.46 - 0.55 * Math.min(0.7, Math.max(0, 1.35 - width / height));
   }
 
   frameRectangle(field: HeightField, r: Rectangle): void {
