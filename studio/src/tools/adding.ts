@@ -122,7 +122,9 @@ function keptOutputs(recipe: Recipe): Edit[] {
 
 /** Edits that add the step with these parameters. */
 export function addStep(recipe: Recipe, schema: Schema, adds: Addition, id: string, params: { [name: string]: Json }): Edit[] {
-  const step: Step = { id, op: adds.op, params };
+  // A levelset says nothing where nobody has painted.
+  const unknown = adds.op === "terrain.paint" && adds.input === "levelset" ? { unknown: true } : {};
+  const step: Step = { id, op: adds.op, params: { ...unknown, ...params } };
   const at = adds.at === undefined ? undefined : stepOf(recipe, adds.at);
   if (!at || adds.where === "alone") return [...keptOutputs(recipe), { do: "insert", list: "/steps", value: step as unknown as Json }];
   return adds.where === "behind" ? behind(recipe, schema, at, step) : before(recipe, schema, at, adds.input!, step);
