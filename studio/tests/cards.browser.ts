@@ -1,5 +1,5 @@
-// Step cards, parameters and graph as a person uses them, on the real server: what is done is in the recipe, each gesture
-// as one entry of the history, and the panel of every operator can be opened.
+// Step cards, parameters and graph as a person uses them, on the real server: what is done is in the recipe, each
+// gesture as one entry of the history, and the panel of every operator can be opened.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Locator, Page } from "playwright-core";
@@ -35,7 +35,8 @@ after(async () => {
   await server?.end();
 });
 
-const step = async (id: string): Promise<Step | undefined> => (await server.document()).recipe.steps.find((one) => one.id === id);
+const step = async (id: string): Promise<Step | undefined> => (await server.document()).recipe.steps.find((one) =>
+  one.id === id);
 const order = async (): Promise<string[]> => (await server.document()).recipe.steps.map((one) => one.id);
 const labels = async (): Promise<string[]> => {
   const { history, done } = await server.document();
@@ -115,6 +116,7 @@ test("a step is found, added after the selected one and connected", async () => 
   assert.equal(await page.locator("[aria-label='Input terrain']").first().inputValue(), "atoll.terrain");
   await page.keyboard.press("Control+z");
   await expect("undone", async () => !(await order()).includes("erosion"));
+  await card("erosion").waitFor({ state: "detached" });
 });
 
 test("a wire is drawn, taken off, and only what fits lights up", async () => {
@@ -144,14 +146,17 @@ test("knots of a curve and events of a list", async () => {
   await expect("dragged", async () => Array.isArray((await step("wind"))?.params?.["resistance"]));
   await card("heights").click();
   await page.selectOption(".add-tool", "slope");
-  await expect("added", async () => JSON.stringify((await step("heights"))?.params?.["criteria"]).includes('{"tool":"slope"}'));
+  await expect("added", async () => JSON.stringify((await step("heights"))?.params?.["criteria"])
+    .includes('{"tool":"slope"}'));
 });
 
 test("the panel of every operator opens whole", async () => {
   const schema = (await (await server.request("GET", "/api/schema")).json()) as Schema;
   const { revision } = await server.document();
-  const edits = schema.operators.map((op) => ({ do: "insert", list: "/steps", value: { id: op.name.replace(".", "_"), op: op.name, bypass: true, in: {} } }));
-  assert.equal((await server.request("POST", "/api/edits", { window: "test", base: revision, gesture: "", label: "all", edits })).status, 200);
+  const edits = schema.operators.map((op) =>
+    ({ do: "insert", list: "/steps", value: { id: op.name.replace(".", "_"), op: op.name, bypass: true, in: {} } }));
+  assert.equal((await server.request("POST", "/api/edits", { window: "test", base: revision, gesture: "", label: "all",
+    edits })).status, 200);
   await card("render_map").waitFor();
   const opened = await page.evaluate(async (ids) => {
     const frame = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 0)));
@@ -159,7 +164,8 @@ test("the panel of every operator opens whole", async () => {
     for (const id of ids) {
       document.querySelector<HTMLElement>(`[data-step="${id}"] .step-select`)!.click();
       while (document.querySelector(".params-head h2")?.textContent !== id) await frame();
-      document.querySelectorAll<HTMLElement>(".params .group-toggle[aria-expanded=false]").forEach((fold) => fold.click());
+      document.querySelectorAll<HTMLElement>(".params .group-toggle[aria-expanded=false]")
+        .forEach((fold) => fold.click());
       await frame();
       const panel = document.querySelector<HTMLElement>(".params")!;
       found.push({ id, text: panel.innerText, rows: panel.querySelectorAll(".param, .items, .input-row").length });

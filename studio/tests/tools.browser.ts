@@ -1,9 +1,10 @@
 // Pens as a person uses them: what is drawn on the map is in the recipe, the terrain is another, undo takes it back.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import type { Browser, CDPSession, Page } from "playwright-core";
+import type { Browser, CDPSession } from "playwright-core";
 import type { Json, Recipe, Step } from "../src/api/types";
-import { openBrowser, openPage, Server, until } from "./harness";
+import { Desk } from "./desk";
+import { openBrowser, openPage, until } from "./harness";
 
 let browser: Browser;
 
@@ -23,81 +24,10 @@ function recipe(...steps: Step[]): Recipe {
 }
 const isle: Step = { id: "isle", op: "island.build", params: { areas: [coast] as Json, peak_m: 800 } };
 
-class Desk {
-  constructor(readonly server: Server, readonly page: Page, readonly errors: string[]) {}
-
-  static async open(document: Recipe): Promise<Desk> {
-    const server = await Server.start(document);
-    const { page, errors } = await openPage(browser, server.address);
-    const desk = new Desk(server, page, errors);
-    await page.locator("[data-key]").first().waitFor();
-    await page.keyboard.press("v"); // the map is the big view
-    return desk;
-  }
-
-  async close(): Promise<void> {
-    assert.deepEqual(this.errors, []);
-    await this.page.context().close();
-    await this.server.end();
-  }
-
-  select(step: string): Promise<void> {
-    return this.page.getByRole("list", { name: "Steps" }).getByText(step, { exact: true }).first().click();
-  }
-
-  tool(name: string | RegExp): Promise<void> {
-    return this.page.getByRole("toolbar", { name: "Tools" }).getByRole("button", { name }).first().click();
-  }
-
-  async params(step: string): Promise<{ [name: string]: Json }> {
-    return (await this.server.document()).recipe.steps.find(({ id }) => id === step)?.params ?? {};
-  }
-
-  key(): Promise<string | null> {
-    return this.page.locator("[data-key]").first().getAttribute("data-key");
-  }
-
-  /** A place of the map as shares of its width and height. */
-  async place(x: number, y: number): Promise<[number, number]> {
-    const box = (await this.page.getByRole("region", { name: "Map" }).boundingBox())!;
-    return [box.x + x * box.width, box.y + y * box.height];
-  }
-
-  async drag(...places: [number, number][]): Promise<void> {
-    const { mouse } = this.page;
-    const [first, ...rest] = await Promise.all(places.map(([x, y]) => this.place(x, y)));
-    await mouse.move(...first!);
-    await mouse.down();
-    for (const to of rest) await mouse.move(...to, { steps: 8 });
-    await mouse.up();
-  }
-
-  /** Does something that changes the document and the terrain, and takes it back. */
-  async changes(what: string, act: () => Promise<void>): Promise<Recipe> {
-    const before = await this.server.document(), key = await this.key();
-    await act();
-    const after = await until(`${what}: the recipe changes`, async () => {
-      const now = await this.server.document();
-      return now.revision > before.revision && now;
-    });
-    await until(`${what}: another terrain is seen`, async () => (await this.key()) !== key);
-    await until(`${what}: and it is a full one`, async () => (await this.page.locator("[data-key]").first().getAttribute("data-coarse")) === "false");
-    assert.equal(after.done, before.done + 1, `${what} is one entry of the history`);
-    const settled = (await this.server.document()).recipe;
-    await this.page.keyboard.press("Control+z");
-    await until(`${what}: undo`, async () => (await this.server.document()).done === before.done);
-    assert.deepEqual((await this.server.document()).recipe, before.recipe, `${what}: undone`);
-    await this.page.keyboard.press("Control+Shift+z");
-    await until(`${what}: redo`, async () => (await this.server.document()).done === before.done + 1);
-    assert.deepEqual((await this.server.document()).recipe, settled, `${what}: made again`);
-    return settled;
-  }
-}
-
 const stepOf = (document: Recipe, id: string): Step => document.steps.find((step) => step.id === id)!;
 
 test("wind is drawn as a stroke", async () => {
-  const desk = await Desk.open(recipe(isle, { id: "wind", op: "island.wind" }));
+  const desk = await Desk.open(browser, recipe(isle, { id: "wind", op: "island.wind" }));
   await desk.select("wind");
   await desk.tool(/wind/i);
   const after = await desk.changes("wind", () => desk.drag([0.3, 0.4], [0.5, 0.5], [0.7, 0.45]));
@@ -108,7 +38,7 @@ test("wind is drawn as a stroke", async () => {
 });
 
 test("ridges and rivers are drawn into a sketch", async () => {
-  const desk = await Desk.open(recipe({ id: "sketch", op: "learned.sketch",
+  const desk = await Desk.open(browser, recipe({ id: "sketch", op: "learned.sketch",
     params: { ridges: [{ points: [[-3000, 0], [3000, 500]] }], heights: [{ x_m: 0, y_m: 200, height_m: 1500 }] } }));
   await desk.select("sketch");
   await desk.tool(/ridge/i);
@@ -121,7 +51,7 @@ test("ridges and rivers are drawn into a sketch", async () => {
 });
 
 test("ground is raised with a brush, in a step that comes for it", async () => {
-  const desk = await Desk.open(recipe(isle));
+  const desk = await Desk.open(browser, recipe(isle));
   await desk.select("isle");
   await desk.tool("More tools");
   await desk.page.getByRole("menuitem", { name: /sculpt/i }).first().click();
@@ -134,7 +64,7 @@ test("ground is raised with a brush, in a step that comes for it", async () => {
 });
 
 test("a pen's pressure is in its stroke", async () => {
-  const desk = await Desk.open(recipe(isle, { id: "shape", op: "terrain.sculpt" }));
+  const desk = await Desk.open(browser, recipe(isle, { id: "shape", op: "terrain.sculpt" }));
   await desk.select("shape");
   await desk.tool(/raise/i);
   const devtools: CDPSession = await desk.page.context().newCDPSession(desk.page);
@@ -157,7 +87,7 @@ test("a pen's pressure is in its stroke", async () => {
 });
 
 test("a coast's point is dragged, a summit is placed", async () => {
-  const desk = await Desk.open(recipe(isle));
+  const desk = await Desk.open(browser, recipe(isle));
   await desk.select("isle");
   await desk.tool(/summit/i);
   const after = await desk.changes("a summit", async () => {
@@ -168,7 +98,7 @@ test("a coast's point is dragged, a summit is placed", async () => {
 });
 
 test("Escape leaves nothing of a stroke", async () => {
-  const desk = await Desk.open(recipe(isle, { id: "wind", op: "island.wind" }));
+  const desk = await Desk.open(browser, recipe(isle, { id: "wind", op: "island.wind" }));
   await desk.select("wind");
   await desk.tool(/wind/i);
   const before = await desk.server.document();
@@ -186,7 +116,7 @@ test("Escape leaves nothing of a stroke", async () => {
 });
 
 test("a slider is dragged: coarse results follow, the full one comes last, the history has one entry", async () => {
-  const desk = await Desk.open(recipe(isle, { id: "reef", op: "island.coral" }));
+  const desk = await Desk.open(browser, recipe(isle, { id: "reef", op: "island.coral" }));
   await desk.select("reef");
   const slider = desk.page.getByRole("spinbutton", { name: /subsidence/i }).first();
   const box = (await slider.boundingBox())!;
@@ -201,7 +131,7 @@ test("a slider is dragged: coarse results follow, the full one comes last, the h
 });
 
 test("two windows stay in step", async () => {
-  const desk = await Desk.open(recipe(isle, { id: "reef", op: "island.coral" }));
+  const desk = await Desk.open(browser, recipe(isle, { id: "reef", op: "island.coral" }));
   const other = await openPage(browser, desk.server.address);
   await other.page.locator("[data-key]").first().waitFor();
   const key = await other.page.locator("[data-key]").first().getAttribute("data-key");
@@ -218,7 +148,7 @@ test("two windows stay in step", async () => {
 });
 
 test("after a kill the window finds its way back", async () => {
-  const desk = await Desk.open(recipe(isle));
+  const desk = await Desk.open(browser, recipe(isle));
   await desk.select("isle");
   await desk.server.kill();
   await desk.page.getByText(/server|connection|studio/i).first().waitFor();

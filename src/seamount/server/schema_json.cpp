@@ -54,6 +54,7 @@ Json schema_json(const recipe::Registry& registry) {
                                  {"summary", op->summary},
                                  {"source", op->source},
                                  {"stochastic", op->stochastic},
+                                 {"needs_one", op->needs_one},
                                  {"in", ports_json(op->in)},
                                  {"out", ports_json(op->out)},
                                  {"params", params_json(op->params)}});

@@ -340,8 +340,10 @@ Reply Studio::post_open(const Request& request) {
   if (body.has("example"))
     return opened(Session::open_text(options_.example_text(body.text("example"), workplace_.folder()), options, hub_));
   OrderedJson blank = OrderedJson::parse(kBlank);
-  for (const char* member : {"width_m", "height_m", "cell_m"})
-    blank["domain"][member] = body.number_or(member, blank["domain"][member].get<double>());
+  OrderedJson& domain = blank["domain"];
+  domain["width_m"] = body.number_or("width_m", domain["width_m"].get<double>());
+  domain["height_m"] = body.number_or("height_m", domain["width_m"].get<double>());
+  domain["cell_m"] = body.number_or("cell_m", domain["cell_m"].get<double>());
   return opened(Session::open_text(blank.dump(), options, hub_));
 }
 

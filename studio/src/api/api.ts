@@ -43,7 +43,7 @@ export interface Uploaded {
   info: { [name: string]: string };
 }
 
-export type OpenRequest = { example: string } | { path: string } | { blank: true; width_m: number; cell_m: number };
+export type OpenRequest = { example: string } | { path: string } | { blank: true; width_m: number; height_m: number; cell_m: number };
 
 /** What a step's value can be fetched as, besides rasters. */
 export type ValueForm = "shapes" | "json" | "things";

@@ -38,6 +38,8 @@ export interface OperatorInfo {
   summary: string;
   source: string;
   stochastic: boolean;
+  /** One of its inputs is needed, whichever, though none is required alone. */
+  needs_one?: boolean;
   in: PortInfo[];
   out: PortInfo[];
   params: ParamInfo[];
@@ -265,7 +267,8 @@ export interface Frame {
 // ---------------------------------------------------------------------------------------------------- files and jobs
 // GET  /api/examples : {examples: [{name, title, about, group, picture: is there one}]}; GET /api/examples/NAME/picture (PNG, 404 without)
 // GET  /api/files : {folder, files: [{path, bytes, modified}]}: recipes and data in the studio's folder
-// POST /api/open {example} | {path} | {blank: true, width_m, cell_m} : DocumentAnswer; an "opened" event for all windows
+// POST /api/open {example} | {path} | {blank: true, width_m, height_m? (square), cell_m} : DocumentAnswer; an "opened" event
+//   for all windows
 // POST /api/save {path?} : {file, saved}
 // POST /api/upload?name=N, body = bytes : {file, kind, about}: kept beside the document under the hash of its content
 // GET  /api/download?path=P : an exported file

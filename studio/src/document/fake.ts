@@ -182,7 +182,7 @@ export class FakeServer implements Api {
     return this.answer("open", request, () => {
       this.file = "path" in request ? request.path : "";
       this.recipe = structuredClone(fakeRecipe) as unknown as Recipe;
-      if ("blank" in request) this.recipe = { seamount: 1, domain: { width_m: request.width_m, cell_m: request.cell_m }, steps: [] };
+      if ("blank" in request) this.recipe = { seamount: 1, domain: { width_m: request.width_m, height_m: request.height_m, cell_m: request.cell_m }, steps: [] };
       this.revision += 1;
       this.history = [];
       this.done = 0;

@@ -97,8 +97,7 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
         return opened();
       case "state": {
         const { event: _name, ...state } = event;
-        results.engine.value = state;
-        return;
+        return results.state(state);
       }
       case "value":
         return results.receive(event);

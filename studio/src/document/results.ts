@@ -54,6 +54,9 @@ class PromiseCache<T> {
   }
 }
 
+/** The engine's progress is shown so often; what settles is shown at once. */
+const kStateEvery_ms = 120;
+
 export class Results {
   readonly engine = signal<EngineState>({ revision: 0, settled: true, coarse: false, fraction: 1, steps: [] });
   readonly values = signal<ReadonlyMap<string, ValueEvent>>(new Map());
@@ -62,8 +65,18 @@ export class Results {
   private wants = new Map<string, readonly string[]>();
   private asked = "";
   private asking = false;
+  private nextState: EngineState | null = null;
+  private stateShown = 0;
+  private stateTimer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private api: Api, private window: string) {}
+
+  state(next: EngineState): void {
+    this.nextState = next;
+    const wait = this.stateShown + kStateEvery_ms - performance.now();
+    if (wait <= 0 || next.settled !== this.engine.value.settled) this.showState();
+    else this.stateTimer ??= setTimeout(() => this.showState(), wait);
+  }
 
   receive(event: ValueEvent): void {
     this.values.value = new Map(this.values.value).set(event.source, event);
@@ -115,6 +128,13 @@ export class Results {
     } catch (error) {
       return nothing(error);
     }
+  }
+
+  private showState(): void {
+    clearTimeout(this.stateTimer);
+    this.stateTimer = undefined;
+    this.stateShown = performance.now();
+    if (this.nextState) this.engine.value = this.nextState;
   }
 
   /** One request at a time, with what is wanted by then. */

@@ -166,7 +166,7 @@ test("another document takes the place of this one, in every window, and edits m
   const server = new FakeServer();
   const [a, b] = await Promise.all([openStudio(server, "a"), openStudio(server, "b")]);
   await until(() => a.connected.value && b.connected.value);
-  await a.open({ blank: true, width_m: 1000, cell_m: 10 });
+  await a.open({ blank: true, width_m: 1000, height_m: 1000, cell_m: 10 });
   const taken = a.edit([{ do: "insert", list: "/steps", value: { id: "hills", op: "terrain.noise" } }], "add");
   a.selected.value = "hills";
   assert.equal(await taken, true);

@@ -78,11 +78,13 @@ export class ToolBox {
     });
     this.active = computed(() => offerById(this.offers.value, activeTool.value) ?? kSelect);
     this.features = computed(() => this.readFeatures());
-    this.shapes = computed(() => [
-      ...this.outlines(),
-      ...featureShapes(this.features.value, selection.value, selectedPoints.value, this.active.value.id === kSelect.id),
-      ...draft.value,
-    ]);
+    this.shapes = computed(() => {
+      // With a brush in the hand the ground is what one looks at: its strokes are seen when they are to be edited.
+      const { id, slot } = this.active.value;
+      const seen = slot?.brush ? this.features.value.filter((feature) => !feature.slot.brush) : this.features.value;
+      const drawn = featureShapes(seen, selection.value, selectedPoints.value, id === kSelect.id);
+      return [...this.outlines(), ...drawn, ...draft.value];
+    });
     this.stop = [
       effect(() => this.takePen(this.active.value, studio.selected.value, this.busy.value)),
       effect(() => {

@@ -21,11 +21,11 @@ struct Bounds {
   }
 };
 
-/// Lowest and highest ground of squares of kErodeReach cells, and of the nine squares around each.
+/// Lowest and highest ground of the four squares of kErodeReach cells around each of their corners.
 Grid<Bounds> bounds_of(const HeightField& terrain, const RunContext& run) {
   const auto squares = [](int cells) { return (cells + kErodeReach - 1) / kErodeReach; };
   const GridFrame frame = GridFrame::centred(squares(terrain.width()), squares(terrain.height()), 1);
-  Grid<Bounds> own(frame), around(frame);
+  Grid<Bounds> own(frame), corners(GridFrame::centred(frame.width + 1, frame.height + 1, 1));
   parallel_blocks(run, frame.height, 1, [&](int64_t row, int64_t) {
     const int v = static_cast<int>(row);
     std::fill(own.row(v).begin(), own.row(v).end(), Bounds());
@@ -33,15 +33,28 @@ Grid<Bounds> bounds_of(const HeightField& terrain, const RunContext& run) {
       for (int x = 0; x < terrain.width(); ++x) own(x / kErodeReach, v).widen({terrain(x, y), terrain(x, y)});
     }
   });
-  for (int v = 0; v < frame.height; ++v) {
-    for (int u = 0; u < frame.width; ++u) {
-      around(u, v) = own(u, v);
-      for (int dv = -1; dv <= 1; ++dv) {
-        for (int du = -1; du <= 1; ++du) around(u, v).widen(own.clamped(u + du, v + dv));
-      }
+  for (int v = 0; v <= frame.height; ++v) {
+    for (int u = 0; u <= frame.width; ++u) {
+      for (int dv = -1; dv <= 0; ++dv)
+        for (int du = -1; du <= 0; ++du) corners(u, v).widen(own.clamped(u + du, v + dv));
     }
   }
-  return around;
+  return corners;
+}
+
+/// Between its square's corners, so that no square shows: beyond no ground of the nine squares around, and this side of
+/// no ground of its own.
+Bounds bounds_at(const Grid<Bounds>& corners, int x, int y) {
+  const int u = x / kErodeReach, v = y / kErodeReach;
+  constexpr float kPer = 1.0F / kErodeReach;
+  const float right = (static_cast<float>(x % kErodeReach) + 0.5F) * kPer,
+              down = (static_cast<float>(y % kErodeReach) + 0.5F) * kPer;
+  const auto between = [&](float Bounds::*which) {
+    const float upper = corners(u, v).*which + right * (corners(u + 1, v).*which - corners(u, v).*which);
+    const float lower = corners(u, v + 1).*which + right * (corners(u + 1, v + 1).*which - corners(u, v + 1).*which);
+    return upper + down * (lower - upper);
+  };
+  return {between(&Bounds::low), between(&Bounds::high)};
 }
 
 /// Lets the network's `plane` move ground about and neither make nor take any: what it adds in sum is taken from where
@@ -100,7 +113,8 @@ HeightField erode(const HeightField& terrain, const Mask* mask, const ErodeParam
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < terrain.width(); ++x) {
         const float z = terrain(x, y), made = z + unit * (planes.base()(x, y) + heights(x, y));
-        const Bounds& bound = bounds(x / kErodeReach, y / kErodeReach);
+        Bounds bound = bounds_at(bounds, x, y);
+        bound.widen({z, z});  // rounding
         const float share = strength * (mask == nullptr ? 1.0F : std::clamp((*mask)(x, y), 0.0F, 1.0F));
         const float kept = z + share * (std::clamp(made, bound.low, bound.high) - z);
         heights(x, y) = share > 0 ? std::clamp(kept, bound.low, bound.high) : z;

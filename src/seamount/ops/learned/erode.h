@@ -12,7 +12,7 @@
 
 namespace seamount::learned {
 
-/// How far around a cell lies the ground that bounds it, in cells: at least this, at most twice.
+/// How far around a cell lies the ground that bounds it, in cells: about this, at most twice.
 inline constexpr int kErodeReach = 16;
 
 /// The eroded terrain. No cell comes to lie below the lowest or above the highest ground within 2 kErodeReach cells, so

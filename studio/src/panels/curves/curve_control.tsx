@@ -8,7 +8,8 @@ import { type CurveBounds, readKnots } from "./knots";
 import type { CurveKind, Knot } from "./monotone";
 
 const REGIONS = [
-  { name: "mountain", colour: "var(--mountain)" }, { name: "beach", colour: "var(--beach)" }, { name: "lagoon", colour: "var(--lagoon)" },
+  { name: "mountain", colour: "var(--mountain)" }, { name: "beach", colour: "var(--beach)" },
+    { name: "lagoon", colour: "var(--lagoon)" },
   { name: "reef", colour: "var(--reef)" }, { name: "slope", colour: "var(--abyss)" },
 ] as const;
 
@@ -34,7 +35,8 @@ function firstKnots(field: Field): Knot[] {
     return typeof value === "number" ? value : otherwise;
   };
   if (isByRegion(field) && field.info.unit === "m")
-    return [[0, number("peak_m", 900)], [0.5, number("peak_m", 900) * 0.35], [1, 40], [2, 0], [3, -15], [4, -3], [5, number("floor_m", -1000)]];
+    return [[0, number("peak_m", 900)], [0.5, number("peak_m", 900) * 0.35], [1, 40], [2, 0], [3, -15], [4, -3],
+      [5, number("floor_m", -1000)]];
   if (/0 at both/.test(field.info.help)) return [[0, 0], [0.5, 1], [1, 0]];
   if (/density/.test(field.info.name)) return [[0, 1], [0.4, 0.6], [1, 0.05]];
   return [[0, 1], [1, 0]];
@@ -47,11 +49,14 @@ export function CurveControl({ field }: { field: Field }): JSX.Element {
     return (
       <div class="curve-none"><span class="muted">{field.info.help.includes("derived") ? "auto" : "none"}</span>
         <button type="button" class="plain compact" aria-label={`Draw ${title.toLowerCase()}`}
-          onClick={() => setField(field, firstKnots(field).map((knot) => [...knot]))}><ChartSpline />Draw a curve</button></div>
+          onClick={() => setField(field, firstKnots(field).map((knot) => [...knot]))}>
+          <ChartSpline />Draw a curve</button></div>
     );
   }
   const kind: CurveKind = sibling(field, "interpolation") === "linear" ? "linear" : "monotone_cubic";
   const byRegion = isByRegion(field);
-  return <CurveEditor label={title} knots={knots} kind={kind} bounds={boundsOf(field)} unit={field.info.unit} bands={byRegion ? REGIONS : undefined}
-    xName={byRegion ? "region" : "x"} onChange={(next, gesture) => setField(field, next.map((knot) => [...knot]), gesture)} />;
+  return <CurveEditor label={title} knots={knots} kind={kind} bounds={boundsOf(field)} unit={field.info.unit}
+    bands={byRegion ? REGIONS : undefined}
+    xName={byRegion ? "region" : "x"}
+    onChange={(next, gesture) => setField(field, next.map((knot) => [...knot]), gesture)} />;
 }

@@ -1,5 +1,5 @@
-// A curve drawn through knots: knots are dragged, added by a click, taken out by Delete or by dragging them off, and set
-// exactly below. Names and colours mark what lies along x, such as the regions of an island.
+// A curve drawn through knots: knots are dragged, added by a click, taken out by Delete or by dragging them off, and
+// set exactly below. Names and colours mark what lies along x, such as the regions of an island.
 import type { JSX } from "preact";
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { NumberField } from "../params/number_field";
@@ -50,7 +50,8 @@ export function CurveEditor(props: CurveEditorProps): JSX.Element {
   const [box, width] = useWidth();
   const [selected, setSelected] = useState(0);
   const grip = useRef<Grip | null>(null);
-  const view: View = grip.current ? { ...grip.current.view, width } : { x: bounds.x, y: viewedValues(knots, bounds), width, height: HEIGHT };
+  const view: View = grip.current ? { ...grip.current.view, width } : { x: bounds.x, y: viewedValues(knots, bounds),
+    width, height: HEIGHT };
   const index = Math.min(selected, knots.length - 1);
   const hold = useGrip(props, grip, view, setSelected);
   const change = (next: Knot[], at = index) => {
@@ -75,16 +76,19 @@ export function CurveEditor(props: CurveEditorProps): JSX.Element {
           <path class="curve-line" d={curvePath(view, curveFunction(knots, kind))} />
           {knots.map((at, i) => {
             const [cx, cy] = toPixel(view, at);
-            return <circle key={i} class={`knot${i === index ? " selected" : ""}`} cx={cx} cy={cy} r={i === index ? 5.5 : 4.5} tabIndex={i === index ? 0 : -1}
+            return <circle key={i} class={`knot${i === index ? " selected" : ""}`} cx={cx} cy={cy}
+              r={i === index ? 5.5 : 4.5} tabIndex={i === index ? 0 : -1}
               role="button" data-knot={i} aria-label={`Knot ${i + 1}: ${numberText(at[0])}, ${amountText(at[1], unit)}`}
               onFocus={() => setSelected(i)} onKeyDown={(event) => onKeyDown(event, i)} />;
           })}
         </svg>
       </div>
       {knot && <div class="curve-values">
-        <NumberField label={`Knot ${index + 1}, ${props.xName}`} value={knot[0]} unit="" prefix={props.xName} min={bounds.x[0]} max={bounds.x[1]}
+        <NumberField label={`Knot ${index + 1}, ${props.xName}`} value={knot[0]} unit="" prefix={props.xName}
+          min={bounds.x[0]} max={bounds.x[1]}
           onChange={(x, gesture) => props.onChange(moved(knots, index, [x, knot[1]], bounds), gesture)} />
-        <NumberField label={`Knot ${index + 1}, value`} value={knot[1]} unit={unit} {...finite(bounds.y)} usual={knot[1]}
+        <NumberField label={`Knot ${index + 1}, value`} value={knot[1]} unit={unit} {...finite(bounds.y)}
+          usual={knot[1]}
           onChange={(y, gesture) => props.onChange(moved(knots, index, [knot[0], y], bounds), gesture)} />
       </div>}
     </div>
@@ -106,7 +110,8 @@ function keyed(event: KeyboardEvent, knots: readonly Knot[], at: number, bounds:
     case "ArrowUp": return to(0, dy);
     case "ArrowDown": return to(0, -dy);
     case "ArrowLeft": return event.ctrlKey ? { knots: [...knots], index: Math.max(0, at - 1) } : to(-dx, 0);
-    case "ArrowRight": return event.ctrlKey ? { knots: [...knots], index: Math.min(knots.length - 1, at + 1) } : to(dx, 0);
+    case "ArrowRight": return event.ctrlKey ? { knots: [...knots], index: Math.min(knots.length - 1, at + 1) }
+      : to(dx, 0);
     case "Delete": case "Backspace":
       return knots.length > 1 ? { knots: removed(knots, at), index: Math.max(0, at - 1) } : null;
     case "Insert": case "+": return split(knots, at, bounds, kind);
@@ -150,7 +155,8 @@ function useGrip(props: CurveEditorProps, grip: { current: Grip | null }, view: 
       if (!held) return;
       const [px, py] = place(event);
       const { bounds, onChange } = latest.current;
-      held.off = held.knots.length > 1 && (px < -OFF_PX || py < -OFF_PX || px > view.width + OFF_PX || py > view.height + OFF_PX);
+      held.off = held.knots.length > 1 && (px < -OFF_PX || py < -OFF_PX || px > view.width + OFF_PX
+        || py > view.height + OFF_PX);
       if (held.off) onChange(removed(held.knots, held.index), held.gesture);
       else onChange(moved(held.knots, held.index, fromPixel(held.view, px, py), bounds), held.gesture);
     },
@@ -180,7 +186,8 @@ function Axes({ view, unit, bands }: { view: View; unit: string; bands: CurveEdi
   const xTicks = bands ? bands.map((_, i) => i).concat(bands.length) : ticks(view.x, 5);
   return (
     <g class="curve-axes">
-      {zero !== null && unit === "m" && <rect class="curve-sea" x={MARGIN.left} y={zero} width={right - MARGIN.left} height={Math.max(0, bottom - zero)} />}
+      {zero !== null && unit === "m" && <rect class="curve-sea" x={MARGIN.left} y={zero} width={right - MARGIN.left}
+        height={Math.max(0, bottom - zero)} />}
       {ticks(view.y, 4).map((y) => {
         const at = toPixel(view, [0, y])[1];
         return <g key={y}><line class={y === 0 ? "zero" : ""} x1={MARGIN.left} x2={right} y1={at} y2={at} />
@@ -194,7 +201,8 @@ function Axes({ view, unit, bands }: { view: View; unit: string; bands: CurveEdi
       {bands?.map((band, i) => {
         const from = toPixel(view, [i, 0])[0];
         const to = toPixel(view, [i + 1, 0])[0];
-        return <g key={band.name}><rect x={from + 0.5} y={bottom + 1} width={to - from - 1} height={3} style={{ fill: band.colour }} />
+        return <g key={band.name}><rect x={from + 0.5} y={bottom + 1} width={to - from - 1} height={3}
+          style={{ fill: band.colour }} />
           <text x={(from + to) / 2} y={view.height - 5} text-anchor="middle">{band.name}</text></g>;
       })}
     </g>

@@ -14,13 +14,15 @@ export const MARGIN = { left: 40, right: 8, top: 8, bottom: 20 } as const;
 export function toPixel(view: View, [x, y]: Knot): [number, number] {
   const w = view.width - MARGIN.left - MARGIN.right;
   const h = view.height - MARGIN.top - MARGIN.bottom;
-  return [MARGIN.left + ((x - view.x[0]) / (view.x[1] - view.x[0])) * w, MARGIN.top + ((view.y[1] - y) / (view.y[1] - view.y[0])) * h];
+  return [MARGIN.left + ((x - view.x[0]) / (view.x[1] - view.x[0])) * w,
+    MARGIN.top + ((view.y[1] - y) / (view.y[1] - view.y[0])) * h];
 }
 
 export function fromPixel(view: View, px: number, py: number): Knot {
   const w = view.width - MARGIN.left - MARGIN.right;
   const h = view.height - MARGIN.top - MARGIN.bottom;
-  return [view.x[0] + ((px - MARGIN.left) / w) * (view.x[1] - view.x[0]), view.y[1] - ((py - MARGIN.top) / h) * (view.y[1] - view.y[0])];
+  return [view.x[0] + ((px - MARGIN.left) / w) * (view.x[1] - view.x[0]),
+    view.y[1] - ((py - MARGIN.top) / h) * (view.y[1] - view.y[0])];
 }
 
 /** All of a short range of values; of a long one what the knots need, with room above and below. */
@@ -38,9 +40,11 @@ export function viewedValues(knots: readonly Knot[], bounds: CurveBounds): reado
 export function ticks([low, high]: readonly [number, number], count: number): number[] {
   const rough = (high - low) / Math.max(1, count);
   const decade = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 2.5, 5, 10].map((factor) => factor * decade).find((candidate) => candidate >= rough * 0.999) ?? rough;
+  const step = [1, 2, 2.5, 5, 10].map((factor) => factor * decade).find((candidate) => candidate >= rough * 0.999)
+    ?? rough;
   const found: number[] = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9; ++i) found.push(Number((i * step).toPrecision(9)));
+  for (let i = Math.ceil(low / step - 1e-9);
+    i * step <= high + step * 1e-9; ++i) found.push(Number((i * step).toPrecision(9)));
   return found;
 }
 

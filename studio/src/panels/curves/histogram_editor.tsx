@@ -9,7 +9,8 @@ import { painted } from "./histogram";
 const FIRST = 16;
 
 export function HistogramEditor({ field }: { field: Field }): JSX.Element {
-  const values = Array.isArray(field.value) ? field.value.filter((item): item is number => typeof item === "number") : [];
+  const values = Array.isArray(field.value) ? field.value.filter((item): item is number => typeof item === "number")
+    : [];
   const [at, setAt] = useState(0);
   const stroke = useRef<{ gesture: string; bar: number; share: number; values: number[]; top: number } | null>(null);
   const title = titleOf(field.info.name);
@@ -17,14 +18,16 @@ export function HistogramEditor({ field }: { field: Field }): JSX.Element {
     return (
       <div class="curve-none"><span class="muted">none</span>
         <button type="button" class="plain compact" aria-label={`Paint ${title.toLowerCase()}`}
-          onClick={() => setField(field, Array.from({ length: FIRST }, (_, i) => Number((1 - i / FIRST).toFixed(3))))}><ChartArea />Paint heights</button></div>
+          onClick={() => setField(field, Array.from({ length: FIRST }, (_, i) => Number((1 - i / FIRST).toFixed(3))))}>
+          <ChartArea />Paint heights</button></div>
     );
   }
   const top = stroke.current?.top ?? Math.max(1e-9, ...values) * 1.1;
   const where = (event: PointerEvent) => {
     const box = (event.currentTarget as Element).getBoundingClientRect();
     const bar = Math.floor(((event.clientX - box.left) / box.width) * values.length);
-    return { bar: Math.min(values.length - 1, Math.max(0, bar)), share: Math.min(1, Math.max(0, 1 - (event.clientY - box.top) / box.height)) };
+    return { bar: Math.min(values.length - 1, Math.max(0, bar)),
+      share: Math.min(1, Math.max(0, 1 - (event.clientY - box.top) / box.height)) };
   };
   const paint = (event: PointerEvent) => {
     const now = stroke.current;
@@ -47,7 +50,8 @@ export function HistogramEditor({ field }: { field: Field }): JSX.Element {
   };
   return (
     <div class="histogram">
-      <div class="histogram-bars" role="slider" tabIndex={0} aria-label={`${title}, bar ${at + 1} of ${values.length}`} aria-valuenow={values[at] ?? 0}
+      <div class="histogram-bars" role="slider" tabIndex={0} aria-label={`${title}, bar ${at + 1} of ${values.length}`}
+        aria-valuenow={values[at] ?? 0}
         aria-valuetext={numberText(values[at] ?? 0)} onKeyDown={onKeyDown}
         onPointerDown={(event) => {
           if (event.button !== 0) return;
@@ -55,8 +59,10 @@ export function HistogramEditor({ field }: { field: Field }): JSX.Element {
           stroke.current = { gesture: newGesture(), ...where(event), values, top };
           paint(event);
         }}
-        onPointerMove={paint} onPointerUp={() => { stroke.current = null; }} onPointerCancel={() => { stroke.current = null; }}>
-        {values.map((value, i) => <span key={i} class={i === at ? "bar current" : "bar"} style={{ height: `${100 * Math.min(1, value / top)}%` }} />)}
+        onPointerMove={paint} onPointerUp={() => { stroke.current = null; }}
+        onPointerCancel={() => { stroke.current = null; }}>
+        {values.map((value, i) => <span key={i} class={i === at ? "bar current" : "bar"}
+          style={{ height: `${100 * Math.min(1, value / top)}%` }} />)}
       </div>
       <div class="histogram-ends muted"><span>lowest</span><span>{values.length} steps</span><span>highest</span></div>
     </div>

@@ -11,7 +11,7 @@ export interface CurveBounds {
 const clamp = (value: number, [low, high]: readonly [number, number]): number => Math.min(high, Math.max(low, value));
 const tidy = (value: number): number => Number(value.toPrecision(6));
 
-/** A knot elsewhere, between its neighbours. Of a curve that `keepsEnds` the first and last stay where they are in x. */
+/** A knot elsewhere, between its neighbours. Of a curve that `keepsEnds` the first and last keep their x. */
 export function moved(knots: readonly Knot[], index: number, to: Knot, bounds: CurveBounds, keepsEnds = false): Knot[] {
   const left = knots[index - 1];
   const right = knots[index + 1];

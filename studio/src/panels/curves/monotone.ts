@@ -1,5 +1,5 @@
-// Curves through knots as the library runs them (geom/scalar/curve.h): monotone cubic after Fritsch and Carlson 1980 with
-// the slopes of Fritsch and Butland 1984, or linear; constant beyond the first and the last knot.
+// Curves through knots as the library runs them (geom/scalar/curve.h): monotone cubic after Fritsch and Carlson 1980
+// with the slopes of Fritsch and Butland 1984, or linear; constant beyond the first and the last knot.
 
 export type Knot = readonly [x: number, y: number];
 export type CurveKind = "monotone_cubic" | "linear";

@@ -30,13 +30,8 @@ function meantInput(consumer: OperatorInfo, output: PortInfo): PortInfo | undefi
   return fit.find((input) => input.name === output.name) ?? only(fit) ?? only(fit.filter((input) => input.required));
 }
 
-/** One of its inputs is needed, whichever, though none is required alone. */
-function needsOne(op: OperatorInfo): boolean {
-  return (op as OperatorInfo & { needs_one?: boolean }).needs_one === true;
-}
-
 export function takesStepBefore(op: OperatorInfo): boolean {
-  return needsOne(op) || op.in.some((port) => port.required);
+  return op.needs_one === true || op.in.some((port) => port.required);
 }
 
 /** What a step without "in" reads of the step before it. */
@@ -45,7 +40,7 @@ export function connectedBefore(op: OperatorInfo, before: Step | undefined, oper
   const producer = before && operators(before.op);
   if (!before || !producer || !takesStepBefore(op)) return found;
   for (const input of meantConnections(op, producer)) {
-    if (needsOne(op) && found.size > 0) break;
+    if (op.needs_one === true && found.size > 0) break;
     found.set(input.name, { step: before.id, port: input.name });
   }
   return found;
@@ -135,7 +130,8 @@ export interface Offer {
 export function offersFor(id: string, input: PortInfo, recipe: Recipe, operators: Operators): Offer[] {
   const after = downstream(id, allConnections(recipe, operators));
   return recipe.steps.filter((step) => !after.has(step.id)).flatMap((step) =>
-    (operators(step.op)?.out ?? []).filter((port) => port.kind === input.kind).map((port) => ({ step: step.id, port })));
+    (operators(step.op)?.out ?? []).filter((port) => port.kind === input.kind)
+      .map((port) => ({ step: step.id, port })));
 }
 
 export function sameOrigin(a: Origin | undefined, b: Origin | undefined): boolean {
@@ -181,7 +177,8 @@ export function inEdit(id: string, wanted: Connections, recipe: Recipe, operator
 }
 
 /** Edits that connect inputs anew; null: an input is left open. What else the steps read stays. */
-export function connectingEdits(changes: readonly { step: string; input: string; origin: Origin | null }[], recipe: Recipe,
+export function connectingEdits(changes: readonly { step: string; input: string; origin: Origin | null }[],
+  recipe: Recipe,
                                 operators: Operators): Edit[] {
   const wanted = new Map<string, Map<string, Origin>>();
   for (const { step, input, origin } of changes) {

@@ -61,14 +61,17 @@ export function graphOf(recipe: Recipe, operators: Operators): GraphModel {
   const nodes = recipe.steps.map((step): GraphNode => {
     const op = operators(step.op);
     const all = op?.in ?? [];
-    const ins = all.length <= FEW ? all : all.filter((port) => port.required || connections.get(step.id)?.has(port.name));
+    const ins = all.length <= FEW
+      ? all : all.filter((port) => port.required || connections.get(step.id)?.has(port.name));
     const made = op?.out ?? [];
     const used = (port: PortInfo) => wires.some((wire) => wire.from === step.id && wire.output === port.name);
     const outs = made.length <= FEW ? made : made.filter((port, i) => i === 0 || used(port));
     const rows = Math.max(ins.length + (ins.length < all.length ? 1 : 0), outs.length);
-    return { id: step.id, opName: step.op, op, ins, outs, hiddenIns: all.length - ins.length, x: 0, y: 0, height: HEAD + rows * ROW + FOOT };
+    return { id: step.id, opName: step.op, op, ins, outs, hiddenIns: all.length - ins.length, x: 0, y: 0,
+      height: HEAD + rows * ROW + FOOT };
   });
-  const layout = layOut(nodes.map((node) => ({ id: node.id, width: NODE_WIDTH, height: node.height })), wires, { columnGap: 56, rowGap: 22 });
+  const layout = layOut(nodes.map((node) => ({ id: node.id, width: NODE_WIDTH, height: node.height })), wires,
+    { columnGap: 56, rowGap: 22 });
   const placed = nodes.map((node) => ({ ...node, ...pick(layout.places.get(node.id)) }));
   return { nodes: placed, byId: new Map(placed.map((node) => [node.id, node])), wires, connections, layout };
 }
@@ -160,7 +163,8 @@ export function neighbour(model: GraphModel, id: string, key: string): string | 
   for (const node of model.nodes) {
     if (node.id === id) continue;
     const [dx, dy] = [middle(node)[0] - x, middle(node)[1] - y];
-    const [along, beside] = key === "ArrowLeft" ? [-dx, dy] : key === "ArrowRight" ? [dx, dy] : key === "ArrowUp" ? [-dy, dx] : [dy, dx];
+    const [along, beside] = key === "ArrowLeft" ? [-dx, dy] : key === "ArrowRight" ? [dx, dy] : key === "ArrowUp"
+      ? [-dy, dx] : [dy, dx];
     if (along <= 0 || Math.abs(beside) > along * 2.5) continue;
     const cost = along + 2 * Math.abs(beside);
     if (cost < least) [least, found] = [cost, node.id];

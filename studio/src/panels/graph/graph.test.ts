@@ -12,11 +12,15 @@ const op = (name: string, inputs: string, outputs: string): OperatorInfo => ({
   name, summary: "", source: "", stochastic: false, params: [],
   in: inputs.split(" ").filter(Boolean).map(port), out: outputs.split(" ").filter(Boolean).map(port),
 });
-const known = [op("a.make", "", "terrain:terrain labels:labels"), op("a.smooth", "terrain:terrain! mask:field", "terrain:terrain"),
-  op("a.mask", "terrain:terrain!", "mask:field"), op("a.many", "terrain:terrain! a:field b:field c:field d:field e:field", "terrain:terrain")];
+const known = [op("a.make", "", "terrain:terrain labels:labels"), op("a.smooth", "terrain:terrain! mask:field",
+  "terrain:terrain"),
+  op("a.mask", "terrain:terrain!", "mask:field"),
+    op("a.many", "terrain:terrain! a:field b:field c:field d:field e:field", "terrain:terrain")];
 const operators = (name: string) => known.find((candidate) => candidate.name === name);
-const recipe: Recipe = { seamount: 1, steps: [{ id: "m", op: "a.make" }, { id: "s", op: "a.smooth" }, { id: "k", op: "a.mask", in: "m" },
-  { id: "t", op: "a.smooth", in: { terrain: "s", mask: "k" } }, { id: "w", op: "a.many", in: { terrain: "t.terrain", c: "k.mask" } }] };
+const recipe: Recipe = { seamount: 1, steps: [{ id: "m", op: "a.make" }, { id: "s", op: "a.smooth" },
+  { id: "k", op: "a.mask", in: "m" },
+  { id: "t", op: "a.smooth", in: { terrain: "s", mask: "k" } },
+    { id: "w", op: "a.many", in: { terrain: "t.terrain", c: "k.mask" } }] };
 const model = graphOf(recipe, operators);
 
 test("nodes, wires and ports", () => {
@@ -40,12 +44,14 @@ test("only what fits, and no circles", () => {
 test("connecting, moving an end, coming in between", () => {
   const wire = { step: "k", side: "out", port: port("mask:field"), off: { to: "t", input: "mask" } } as const;
   assert.deepEqual(connectEdits(wire, { step: "s", port: port("mask:field") }, recipe, operators).edits, [
-    { do: "set", pointer: "/steps/t/in", value: "s" }, { do: "set", pointer: "/steps/s/in", value: { terrain: "m", mask: "k" } }]);
+    { do: "set", pointer: "/steps/t/in", value: "s" },
+      { do: "set", pointer: "/steps/s/in", value: { terrain: "m", mask: "k" } }]);
   const between = model.wires.find((candidate) => candidate.from === "m" && candidate.to === "k")!;
   assert.deepEqual(betweenEdits(model.byId.get("s")!, between, model, recipe, operators)?.edits, [
     { do: "set", pointer: "/steps/s/in" }, { do: "set", pointer: "/steps/k/in" }]);
   assert.equal(betweenEdits(model.byId.get("t")!, between, model, recipe, operators), null);
-  assert.deepEqual(disconnectEdits("s", "terrain", recipe, operators).edits, [{ do: "set", pointer: "/steps/s/in", value: {} }]);
+  assert.deepEqual(disconnectEdits("s", "terrain", recipe, operators).edits,
+    [{ do: "set", pointer: "/steps/s/in", value: {} }]);
 });
 
 test("arrows and distances", () => {

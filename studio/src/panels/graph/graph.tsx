@@ -1,5 +1,6 @@
-// The graph of the steps, laid out by depth: wires by dragging from port to port, what does not fit is dim. A wire that is
-// let go over nothing offers operators that fit it; a node that is dropped on a wire with Shift comes in between.
+// The graph of the steps, laid out by depth: wires by dragging from port to port, what does not fit is dim. A wire
+// that is let go over nothing offers operators that fit it; a node that is dropped on a wire with Shift comes in
+// between.
 import type { JSX } from "preact";
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Maximize, Plus, ZoomIn, ZoomOut } from "lucide-preact";
@@ -29,34 +30,48 @@ export function Graph({ studio }: { studio: Studio }): JSX.Element {
   const [searching, setSearching] = useState<Searching | null>(null);
   const search = (request: AddRequest, px: number, py: number) => {
     const box = root.current!.getBoundingClientRect();
-    setSearching({ request, left: Math.max(8, Math.min(px - box.left, box.width - 308)), top: Math.max(8, Math.min(py - box.top, box.height - 230)) });
+    setSearching({ request, left: Math.max(8, Math.min(px - box.left, box.width - 308)),
+      top: Math.max(8, Math.min(py - box.top, box.height - 230)) });
   };
   const hand = useHand(studio, root, model, view, setView, search);
   const states = new Map(studio.engine.value.steps.map((state) => [state.id, state]));
-  const connected = useMemo(() => new Set(model.wires.flatMap((wire) => [portKey(wire.from, "out", wire.output), portKey(wire.to, "in", wire.input)])), [model]);
+  const connected = useMemo(() =>
+    new Set(model.wires.flatMap((wire) =>
+    [portKey(wire.from, "out", wire.output), portKey(wire.to, "in", wire.input)])), [model]);
   const fits = hand.fits;
   const selected = studio.selected.value;
   return (
-    <div class={`graph${hand.panning ? " panning" : ""}`} ref={root} role="group" aria-label="Graph of the steps" onPointerDown={hand.background} onDblClick={(event) => {
+    <div class={`graph${hand.panning ? " panning" : ""}`} ref={root} role="group" aria-label="Graph of the steps"
+      onPointerDown={hand.background} onDblClick={(event) => {
       if ((event.target as Element).closest(".node, .add-step, .graph-tools, .wire")) return;
       search({ after: selected }, event.clientX, event.clientY);
     }}>
       <div class="graph-plane" style={{ transform: `translate(${view.x}px, ${view.y}px) scale(${view.scale})` }}>
         <svg class="graph-wires" width="1" height="1">
-          {model.wires.map((wire) => <Wire key={wireKey(wire)} studio={studio} wire={wire} model={model} dim={fits !== null} over={hand.over !== null && wireKey(hand.over) === wireKey(wire)}
+          {model.wires.map((wire) => <Wire key={wireKey(wire)} studio={studio} wire={wire} model={model}
+            dim={fits !== null} over={hand.over !== null && wireKey(hand.over) === wireKey(wire)}
             onSearch={(event) => search({ after: wire.from, into: wire }, event.clientX, event.clientY)} />)}
         </svg>
-        {model.nodes.map((node) => <Node key={node.id} studio={studio} node={node} state={states.get(node.id)} connected={connected} fits={fits}
-          focusable={node.id === (selected ?? model.nodes[0]?.id)} shift={hand.held?.id === node.id ? hand.held.by : null}
-          onPort={(event, side, port) => hand.port(event, node, side, port)} onGrab={(event) => hand.grab(event, node)} onKeyDown={(event) => onNodeKey(event, studio, model, node.id, root)} />)}
-        {hand.loose && <svg class="graph-wires loose" width="1" height="1"><path class={`wire-loose ${kindClass(hand.loose.kind)}`} d={wirePath({ ...hand.loose, crossings: [], aside: 0 })} /></svg>}
+        {model.nodes.map((node) => <Node key={node.id} studio={studio} node={node} state={states.get(node.id)}
+          connected={connected} fits={fits}
+          focusable={node.id === (selected ?? model.nodes[0]?.id)} shift={hand.held?.id === node.id ? hand.held.by
+          : null}
+          onPort={(event, side, port) => hand.port(event, node, side, port)} onGrab={(event) => hand.grab(event, node)}
+          onKeyDown={(event) => onNodeKey(event, studio, model, node.id, root)} />)}
+        {hand.loose && <svg class="graph-wires loose" width="1"
+          height="1"><path class={`wire-loose ${kindClass(hand.loose.kind)}`}
+          d={wirePath({ ...hand.loose, crossings: [], aside: 0 })} /></svg>}
       </div>
       {model.nodes.length === 0 && <p class="empty">Nothing yet. Double click to add a step.</p>}
       <div class="graph-tools">
-        <button type="button" class="plain icon small" aria-label="Add step" data-help="Add step (double click)" onClick={(event) => search({ after: selected }, event.clientX - 320, event.clientY + 20)}><Plus /></button>
-        <button type="button" class="plain icon small" aria-label="Zoom in" onClick={() => setView(zoomedAt(view, middle(root, 0), middle(root, 1), 1.25))}><ZoomIn /></button>
-        <button type="button" class="plain icon small" aria-label="Zoom out" onClick={() => setView(zoomedAt(view, middle(root, 0), middle(root, 1), 0.8))}><ZoomOut /></button>
-        <button type="button" class="plain icon small" aria-label="Fit all" data-help="Fit all (Home)" onClick={fit}><Maximize /></button>
+        <button type="button" class="plain icon small" aria-label="Add step" data-help="Add step (double click)"
+          onClick={(event) => search({ after: selected }, event.clientX - 320, event.clientY + 20)}><Plus /></button>
+        <button type="button" class="plain icon small" aria-label="Zoom in"
+          onClick={() => setView(zoomedAt(view, middle(root, 0), middle(root, 1), 1.25))}><ZoomIn /></button>
+        <button type="button" class="plain icon small" aria-label="Zoom out"
+          onClick={() => setView(zoomedAt(view, middle(root, 0), middle(root, 1), 0.8))}><ZoomOut /></button>
+        <button type="button" class="plain icon small" aria-label="Fit all" data-help="Fit all (Home)"
+          onClick={fit}><Maximize /></button>
       </div>
       {searching && <div class="graph-search" style={{ left: `${searching.left}px`, top: `${searching.top}px` }}>
         <AddStep studio={studio} request={searching.request} onDone={() => setSearching(null)} /></div>}
@@ -70,7 +85,8 @@ function middle(root: { current: HTMLElement | null }, axis: 0 | 1): number {
 }
 
 /** Fits all when it is first seen and when steps come or go, as long as nobody has moved the view. */
-function usePanZoom(root: { current: HTMLElement | null }, model: GraphModel): [PanZoom, (view: PanZoom) => void, () => void] {
+function usePanZoom(root: { current: HTMLElement | null }, model: GraphModel): [PanZoom, (view: PanZoom) => void,
+  () => void] {
   const [view, setView] = useState<PanZoom>({ x: 20, y: 20, scale: 1 });
   const own = useRef(false);
   const latest = useRef({ view, model });
@@ -78,7 +94,8 @@ function usePanZoom(root: { current: HTMLElement | null }, model: GraphModel): [
   const fit = () => {
     own.current = false;
     const box = root.current;
-    if (box && box.clientWidth > 0) setView(fitted(latest.current.model.layout, { width: box.clientWidth, height: box.clientHeight }));
+    if (box && box.clientWidth > 0) setView(fitted(latest.current.model.layout,
+      { width: box.clientWidth, height: box.clientHeight }));
   };
   useLayoutEffect(() => { if (!own.current) fit(); }, [model.layout.width, model.layout.height]);
   useEffect(() => {
@@ -91,7 +108,8 @@ function usePanZoom(root: { current: HTMLElement | null }, model: GraphModel): [
       event.preventDefault();
       const place = box.getBoundingClientRect();
       own.current = true;
-      setView(zoomedAt(latest.current.view, event.clientX - place.left, event.clientY - place.top, Math.exp(-event.deltaY / 500)));
+      setView(zoomedAt(latest.current.view, event.clientX - place.left, event.clientY - place.top,
+        Math.exp(-event.deltaY / 500)));
     };
     box.addEventListener("wheel", onWheel, { passive: false });
     return () => {
@@ -107,7 +125,8 @@ function usePanZoom(root: { current: HTMLElement | null }, model: GraphModel): [
 }
 
 /** Arrows go from node to node, Delete removes, B leaves out, Ctrl+D copies. */
-function onNodeKey(event: KeyboardEvent, studio: Studio, model: GraphModel, id: string, root: { current: HTMLElement | null }): void {
+function onNodeKey(event: KeyboardEvent, studio: Studio, model: GraphModel, id: string,
+  root: { current: HTMLElement | null }): void {
   const plain = !event.ctrlKey && !event.metaKey && !event.altKey;
   if (/^Arrow/.test(event.key) && plain) {
     const next = neighbour(model, id, event.key);
@@ -139,11 +158,13 @@ function Wire({ studio, wire, model, dim, over, onSearch }: WireProps): JSX.Elem
     if (event.key !== "Delete" && event.key !== "Backspace") return;
     event.preventDefault();
     event.stopPropagation();
-    const { edits, label } = disconnectEdits(wire.to, wire.input, studio.document.value.recipe, (name) => studio.operator(name));
+    const { edits, label } = disconnectEdits(wire.to, wire.input, studio.document.value.recipe,
+      (name) => studio.operator(name));
     void studio.edit(edits, label);
   };
   return (
-    <g class={`wire ${kindClass(wire.kind)}${dim ? " dim" : ""}${over ? " over" : ""}`} tabIndex={0} role="button" aria-label={`${wire.from}.${wire.output} to ${wire.to}.${wire.input}; Delete disconnects`}
+    <g class={`wire ${kindClass(wire.kind)}${dim ? " dim" : ""}${over ? " over" : ""}`} tabIndex={0} role="button"
+      aria-label={`${wire.from}.${wire.output} to ${wire.to}.${wire.input}; Delete disconnects`}
       onKeyDown={onKeyDown} onDblClick={(event) => { event.stopPropagation(); onSearch(event); }}>
       <path class="wire-hit" d={path} /><path class="wire-line" d={path} />
     </g>

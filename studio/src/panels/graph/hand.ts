@@ -3,9 +3,11 @@ import { useRef, useState } from "preact/hooks";
 import type { PortInfo } from "../../api/types";
 import type { Studio } from "../../document/studio";
 import type { AddRequest } from "../steps/adding";
-import { type GraphModel, type GraphNode, type GraphWire, type Point, portPoint, wireDistance, wireRun } from "./geometry";
+import { type GraphModel, type GraphNode, type GraphWire, type Point, portPoint, wireDistance,
+  wireRun } from "./geometry";
 import { type PanZoom, toGraph } from "./pan_zoom";
-import { type LooseWire, type Target, bestPort, betweenEdits, connectEdits, disconnectEdits, fittingPorts } from "./wiring";
+import { type LooseWire, type Target, bestPort, betweenEdits, connectEdits, disconnectEdits,
+  fittingPorts } from "./wiring";
 
 export interface Hand {
   panning: boolean;
@@ -51,7 +53,8 @@ function follow(move: (event: PointerEvent) => void, end: (event: PointerEvent |
 }
 
 export function useHand(studio: Studio, root: { current: HTMLElement | null }, model: GraphModel, view: PanZoom,
-                        setView: (view: PanZoom) => void, search: (request: AddRequest, px: number, py: number) => void): Hand {
+                        setView: (view: PanZoom) => void, search: (request: AddRequest, px: number, py: number) =>
+                          void): Hand {
   const [state, setState] = useState<State>({ what: "nothing" });
   const latest = useRef({ model, view });
   latest.current = { model, view };
@@ -63,7 +66,8 @@ export function useHand(studio: Studio, root: { current: HTMLElement | null }, m
     const start = { x: event.clientX, y: event.clientY, view: latest.current.view };
     event.preventDefault();
     setState({ what: "pan" });
-    follow((moved) => setView({ ...start.view, x: start.view.x + moved.clientX - start.x, y: start.view.y + moved.clientY - start.y }),
+    follow((moved) => setView({ ...start.view, x: start.view.x + moved.clientX - start.x,
+      y: start.view.y + moved.clientY - start.y }),
       () => setState({ what: "nothing" }));
   };
   const drawWire = (event: PointerEvent, wire: LooseWire) => {
@@ -96,31 +100,44 @@ export function useHand(studio: Studio, root: { current: HTMLElement | null }, m
     });
   };
   return {
+    ...shownOf(state, model),
+    background(event) {
+      const target = event.target as Element;
+      if (event.button === 1
+        || (event.button === 0 && !target.closest(".node, .wire, .graph-tools, .graph-search"))) pan(event);
+    },
+    port(event, node, side, port) {
+      const wire = event.button === 0 ? takenUp(node, side, port, latest.current.model) : null;
+      if (wire) drawWire(event, wire);
+    },
+    grab,
+  };
+}
+
+function shownOf(state: State, model: GraphModel): Pick<Hand, "panning" | "fits" | "loose" | "held" | "over"> {
+  return {
     panning: state.what === "pan",
     fits: state.what === "wire" ? new Set(state.fits.keys()) : null,
     loose: state.what === "wire" ? looseLine(state.wire, state.at, model) : null,
     held: state.what === "node" ? { id: state.node.id, by: state.by } : null,
     over: state.what === "node" ? state.over : null,
-    background(event) {
-      const target = event.target as Element;
-      if (event.button === 1 || (event.button === 0 && !target.closest(".node, .wire, .graph-tools, .graph-search"))) pan(event);
-    },
-    port(event, node, side, port) {
-      if (event.button !== 0) return;
-      const origin = side === "in" ? latest.current.model.connections.get(node.id)?.get(port.name) : undefined;
-      if (!origin || !("step" in origin)) return drawWire(event, { step: node.id, side, port });
-      const made = latest.current.model.byId.get(origin.step)?.op?.out.find((output) => output.name === origin.port);
-      if (made) drawWire(event, { step: origin.step, side: "out", port: made, off: { to: node.id, input: port.name } });
-    },
-    grab,
   };
+}
+
+/** The wire that begins at a port; a connected input's is taken off it. */
+function takenUp(node: GraphNode, side: "in" | "out", port: PortInfo, model: GraphModel): LooseWire | null {
+  const origin = side === "in" ? model.connections.get(node.id)?.get(port.name) : undefined;
+  if (!origin || !("step" in origin)) return { step: node.id, side, port };
+  const made = model.byId.get(origin.step)?.op?.out.find((output) => output.name === origin.port);
+  return made ? { step: origin.step, side: "out", port: made, off: { to: node.id, input: port.name } } : null;
 }
 
 function looseLine(wire: LooseWire, at: Point, model: GraphModel): Hand["loose"] {
   const node = model.byId.get(wire.step);
   if (!node) return null;
   const end = portPoint(node, wire.side, wire.port.name);
-  return wire.side === "out" ? { from: end, to: at, kind: wire.port.kind } : { from: at, to: end, kind: wire.port.kind };
+  return wire.side === "out" ? { from: end, to: at, kind: wire.port.kind }
+    : { from: at, to: end, kind: wire.port.kind };
 }
 
 function between(studio: Studio, node: GraphNode, wire: GraphWire, model: GraphModel) {
@@ -140,7 +157,8 @@ function wireUnder(studio: Studio, model: GraphModel, node: GraphNode, at: Point
 }
 
 /** On a port that fits: connected. On a node: with its best port. Over nothing: taken off, or operators are offered. */
-function dropWire(studio: Studio, model: GraphModel, wire: LooseWire, fits: ReadonlyMap<string, Target>, event: PointerEvent,
+function dropWire(studio: Studio, model: GraphModel, wire: LooseWire, fits: ReadonlyMap<string, Target>,
+  event: PointerEvent,
                   search: (request: AddRequest, px: number, py: number) => void): void {
   const under = document.elementFromPoint(event.clientX, event.clientY);
   const key = under?.closest<HTMLElement>("[data-port]")?.dataset["port"];
@@ -161,6 +179,7 @@ function dropWire(studio: Studio, model: GraphModel, wire: LooseWire, fits: Read
     void studio.edit(edits, label);
   } else if (!node && under?.closest(".graph")) {
     const end = { step: wire.step, port: wire.port };
-    search(wire.side === "out" ? { after: wire.step, from: end } : { after: null, to: end }, event.clientX, event.clientY);
+    search(wire.side === "out" ? { after: wire.step, from: end } : { after: null, to: end }, event.clientX,
+      event.clientY);
   }
 }

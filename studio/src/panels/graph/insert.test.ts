@@ -19,7 +19,8 @@ const known = [
   op("terrain.mask", "terrain:terrain!", "mask:field"),
   op("terrain.blend", "terrain:terrain! with:terrain! mask:field", "terrain:terrain"),
   op("render.map", "terrain:terrain! labels:labels", "image:image"),
-  op("island.archipelago", "terrain:terrain labels:labels terrain_2:terrain labels_2:labels", "terrain:terrain labels:labels"),
+  op("island.archipelago", "terrain:terrain labels:labels terrain_2:terrain labels_2:labels",
+    "terrain:terrain labels:labels"),
 ];
 const operators = (name: string) => known.find((o) => o.name === name);
 const get = (name: string) => operators(name)!;
@@ -34,7 +35,8 @@ test("shorthand is followed", () => {
     { terrain: { step: "isle", port: "terrain" }, labels: { step: "isle", port: "labels" } });
   const recipe: Recipe = { seamount: 1, steps: [...chain.steps,
     { id: "a", op: "render.map", in: "isle" }, { id: "b", op: "terrain.smooth", in: "isle.coordinate" },
-    { id: "c", op: "island.archipelago", in: ["isle", "reef"] }, { id: "d", op: "terrain.smooth", in: { terrain: "reef", mask: { file: "m.png" } } },
+    { id: "c", op: "island.archipelago", in: ["isle", "reef"] },
+      { id: "d", op: "terrain.smooth", in: { terrain: "reef", mask: { file: "m.png" } } },
     { id: "e", op: "island.build" }] };
   assert.deepEqual(plain(connectionsOf(recipe, 3, operators)),
     { terrain: { step: "isle", port: "terrain" }, labels: { step: "isle", port: "labels" } });
@@ -42,14 +44,24 @@ test("shorthand is followed", () => {
   assert.deepEqual(plain(connectionsOf(recipe, 5, operators)), {
     terrain: { step: "isle", port: "terrain" }, labels: { step: "isle", port: "labels" },
     terrain_2: { step: "reef", port: "terrain" }, labels_2: { step: "reef", port: "labels" } });
-  assert.deepEqual(plain(connectionsOf(recipe, 6, operators)), { terrain: { step: "reef", port: "terrain" }, mask: { file: "m.png" } });
+  assert.deepEqual(plain(connectionsOf(recipe, 6, operators)), { terrain: { step: "reef", port: "terrain" },
+    mask: { file: "m.png" } });
   assert.deepEqual(plain(connectionsOf(recipe, 7, operators)), {});
+});
+
+test("an operator that needs one input takes one of the step before", () => {
+  const extract = { ...op("contour.extract", "tin:tin terrain:terrain", "contours:contours"), needs_one: true };
+  const known2 = (name: string) => (name === "contour.extract" ? extract : operators(name));
+  const recipe: Recipe = { seamount: 1,
+    steps: [{ id: "isle", op: "island.build" }, { id: "lines", op: "contour.extract" }] };
+  assert.deepEqual(plain(connectionsOf(recipe, 1, known2)), { terrain: { step: "isle", port: "terrain" } });
 });
 
 test("what fits is of the kind and makes no cycle", () => {
   const all = allConnections(chain, operators);
   assert.deepEqual([...downstream("isle", all)], ["isle", "reef", "picture"]);
-  assert.deepEqual(offersFor("picture", port("labels:labels"), chain, operators).map((offer) => offer.step), ["isle", "reef"]);
+  assert.deepEqual(offersFor("picture", port("labels:labels"), chain, operators).map((offer) => offer.step),
+    ["isle", "reef"]);
   assert.deepEqual(offersFor("isle", port("labels:labels"), chain, operators), []);
 });
 
@@ -72,7 +84,8 @@ test("required inputs are looked for upstream", () => {
   const recipe: Recipe = { seamount: 1, steps: [{ id: "isle", op: "island.build" }, { id: "m", op: "terrain.mask" }] };
   const { edits } = insertStep(get("terrain.smooth"), "m", recipe, operators);
   const insert = edits.find((edit) => edit.do === "insert");
-  assert.deepEqual(insert?.do === "insert" && insert.value, { id: "smooth", op: "terrain.smooth", in: { terrain: "isle", mask: "m" } });
+  assert.deepEqual(insert?.do === "insert" && insert.value,
+    { id: "smooth", op: "terrain.smooth", in: { terrain: "isle", mask: "m" } });
 });
 
 test("blend takes the step for both", () => {

@@ -112,7 +112,8 @@ export function insertStep(op: OperatorInfo, after: string | null, recipe: Recip
 export function insertIntoWire(op: OperatorInfo, origin: { step: string; port: string }, to: string, input: PortInfo,
                                recipe: Recipe, operators: Operators): Insertion | null {
   const taken = op.in.find((port) => port.name === input.name && port.kind === input.kind)
-    ?? op.in.find((port) => port.kind === input.kind && port.required) ?? op.in.find((port) => port.kind === input.kind);
+    ?? op.in.find((port) => port.kind === input.kind && port.required)
+      ?? op.in.find((port) => port.kind === input.kind);
   const made = op.out.find((port) => port.name === input.name && port.kind === input.kind)
     ?? op.out.find((port) => port.kind === input.kind);
   if (!taken || !made) return null;
@@ -125,7 +126,8 @@ export function insertIntoWire(op: OperatorInfo, origin: { step: string; port: s
 }
 
 /** The edit that lets an input read a step that is just put in at `index`. */
-export function readNew(insertion: Insertion, op: OperatorInfo, output: string, to: string, input: string, index: number, recipe: Recipe,
+export function readNew(insertion: Insertion, op: OperatorInfo, output: string, to: string, input: string,
+  index: number, recipe: Recipe,
                         operators: Operators): Edit {
   const steps = [...recipe.steps.slice(0, index), { id: insertion.id, op: op.name }, ...recipe.steps.slice(index)];
   const wanted = new Map(connectionsOf(recipe, recipe.steps.findIndex((step) => step.id === to), operators));
@@ -156,7 +158,8 @@ export type Fit = "follows" | "upstream" | "begins" | "other";
 
 /** How an operator stands to the selected one: it takes of its outputs what it needs; of all steps' outputs (kinds
  * `made`) it can be given that; it needs nothing; or none of these. */
-export function fitAfter(op: OperatorInfo, selected: OperatorInfo | undefined, made: ReadonlySet<string> = new Set()): Fit {
+export function fitAfter(op: OperatorInfo, selected: OperatorInfo | undefined,
+  made: ReadonlySet<string> = new Set()): Fit {
   const takes = selected && op.in.some((input) =>
     selected.out.some((port) => port.kind === input.kind && (input.required || port.name === input.name)));
   const required = op.in.filter((input) => input.required);

@@ -1,7 +1,8 @@
 // The colour of a kind of value, the same at ports, wires and inputs.
 import type { JSX } from "preact";
 
-const KINDS = ["terrain", "labels", "field", "current", "image", "things", "catalogue", "objects", "drawing", "tin", "contours", "report"];
+const KINDS = ["terrain", "labels", "field", "current", "image", "things", "catalogue", "objects", "drawing", "tin",
+  "contours", "report"];
 
 export function kindClass(kind: string): string {
   return `kind-${KINDS.includes(kind) ? kind : "report"}`;

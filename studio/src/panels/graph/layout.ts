@@ -111,7 +111,8 @@ function keepLanes(work: Work, from: string, to: string, depth: ReadonlyMap<stri
   if (lanes.length === 0) return;
   work.lanes.set(wireName({ from, to }), lanes);
   const chain = [from, ...lanes, to];
-  const replace = (list: string[] | undefined, old: string, by: string) => (list ?? []).map((id) => (id === old ? by : id));
+  const replace = (list: string[] | undefined, old: string, by: string) =>
+    (list ?? []).map((id) => (id === old ? by : id));
   work.after.set(from, replace(work.after.get(from), to, lanes[0]!));
   work.before.set(to, replace(work.before.get(to), from, lanes[lanes.length - 1]!));
   lanes.forEach((lane, i) => {
@@ -145,7 +146,8 @@ function spread(layer: string[], wanted: number[], work: Work, gap: number): num
   const blocks: { first: number; count: number; top: number; weight: number; size: number }[] = [];
   for (let i = 0; i < layer.length; ++i) {
     let block = { first: i, count: 1, top: wanted[i]!, weight: 1, size: height(i) + gap };
-    for (let last = blocks[blocks.length - 1]; last && last.top + last.size > block.top; last = blocks[blocks.length - 1]) {
+    for (let last = blocks[blocks.length - 1]; last && last.top + last.size > block.top;
+      last = blocks[blocks.length - 1]) {
       const weight = last.weight + block.weight;
       const top = (last.top * last.weight + (block.top - last.size) * block.weight) / weight;
       block = { first: last.first, count: last.count + block.count, top, weight, size: last.size + block.size };
@@ -201,7 +203,8 @@ export function layOut(nodes: readonly LayoutNode[], wires: readonly LayoutWire[
   });
   const crossings = new Map<string, Crossing[]>();
   for (const [name, lanes] of work.lanes) {
-    crossings.set(name, lanes.map((lane) => ({ ...columns[places.get(lane)!.layer]!, y: places.get(lane)!.y + LANE / 2 })));
+    crossings.set(name, lanes.map((lane) =>
+      ({ ...columns[places.get(lane)!.layer]!, y: places.get(lane)!.y + LANE / 2 })));
     lanes.forEach((lane) => places.delete(lane));
   }
   return { places, crossings, width: columns[columns.length - 1]?.right ?? 0, height };

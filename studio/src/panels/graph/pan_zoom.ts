@@ -16,9 +16,12 @@ export function zoomedAt(view: PanZoom, px: number, py: number, factor: number):
 }
 
 /** All of it in the middle, no larger than life. */
-export function fitted(content: { width: number; height: number }, box: { width: number; height: number }, margin = 20): PanZoom {
-  const scale = Math.max(MIN_SCALE, Math.min(1, (box.width - 2 * margin) / Math.max(1, content.width), (box.height - 2 * margin) / Math.max(1, content.height)));
-  return { scale, x: Math.max(margin, (box.width - content.width * scale) / 2), y: Math.max(margin, (box.height - content.height * scale) / 2) };
+export function fitted(content: { width: number; height: number }, box: { width: number; height: number },
+  margin = 20): PanZoom {
+  const scale = Math.max(MIN_SCALE, Math.min(1, (box.width - 2 * margin) / Math.max(1, content.width),
+    (box.height - 2 * margin) / Math.max(1, content.height)));
+  return { scale, x: Math.max(margin, (box.width - content.width * scale) / 2),
+    y: Math.max(margin, (box.height - content.height * scale) / 2) };
 }
 
 export function toGraph(view: PanZoom, px: number, py: number): readonly [number, number] {

@@ -30,32 +30,41 @@ export function fittingPorts(wire: LooseWire, model: GraphModel): ReadonlyMap<st
     if (node.id === wire.step) continue;
     if (wire.side === "out") {
       if (downstream(node.id, model.connections).has(wire.step)) continue;
-      for (const port of node.op?.in ?? []) if (port.kind === wire.port.kind) found.set(portKey(node.id, "in", port.name), { step: node.id, port });
+      for (const port of node.op?.in ?? []) if (port.kind === wire.port.kind) found.set(portKey(node.id, "in",
+        port.name), { step: node.id, port });
     } else if (!below.has(node.id)) {
-      for (const port of node.op?.out ?? []) if (port.kind === wire.port.kind) found.set(portKey(node.id, "out", port.name), { step: node.id, port });
+      for (const port of node.op?.out ?? []) if (port.kind === wire.port.kind) found.set(portKey(node.id, "out",
+        port.name), { step: node.id, port });
     }
   }
   return found;
 }
 
-/** Where a wire ends that is dropped on a node and not on one of its ports: an open input first, of its name at best. */
+/** Where a wire ends that is dropped on a node, not on one of its ports: an open input first, of its name at best. */
 export function bestPort(wire: LooseWire, node: GraphNode, model: GraphModel): PortInfo | null {
-  const fits = [...fittingPorts(wire, model).values()].filter((target) => target.step === node.id).map((target) => target.port);
+  const fits = [...fittingPorts(wire, model).values()].filter((target) => target.step === node.id)
+    .map((target) => target.port);
   const taken = model.connections.get(node.id);
-  const score = (port: PortInfo) => (taken?.has(port.name) && wire.side === "out" ? 0 : 4) + (port.name === wire.port.name ? 2 : 0) + (port.required ? 1 : 0);
+  const score = (port: PortInfo) => (taken?.has(port.name) && wire.side === "out"
+    ? 0 : 4) + (port.name === wire.port.name ? 2 : 0) + (port.required ? 1 : 0);
   return fits.sort((a, b) => score(b) - score(a))[0] ?? null;
 }
 
 /** Edits that connect a loose wire with a port. */
-export function connectEdits(wire: LooseWire, target: Target, recipe: Recipe, operators: Operators): { edits: Edit[]; label: string } {
-  const [from, to] = wire.side === "out" ? [{ step: wire.step, port: wire.port }, target] : [target, { step: wire.step, port: wire.port }];
+export function connectEdits(wire: LooseWire, target: Target, recipe: Recipe, operators: Operators): { edits: Edit[];
+  label: string } {
+  const [from, to] = wire.side === "out" ? [{ step: wire.step, port: wire.port }, target]
+    : [target, { step: wire.step, port: wire.port }];
   const off = wire.off ? [{ step: wire.off.to, input: wire.off.input, origin: null }] : [];
   const on = { step: to.step, input: to.port.name, origin: { step: from.step, port: from.port.name } };
-  return { edits: connectingEdits([...off, on], recipe, operators), label: `${to.step}: ${to.port.name} from ${from.step}.${from.port.name}` };
+  return { edits: connectingEdits([...off, on], recipe, operators),
+    label: `${to.step}: ${to.port.name} from ${from.step}.${from.port.name}` };
 }
 
-export function disconnectEdits(step: string, input: string, recipe: Recipe, operators: Operators): { edits: Edit[]; label: string } {
-  return { edits: connectingEdits([{ step, input, origin: null }], recipe, operators), label: `${step}: ${input} disconnected` };
+export function disconnectEdits(step: string, input: string, recipe: Recipe, operators: Operators): { edits: Edit[];
+  label: string } {
+  return { edits: connectingEdits([{ step, input, origin: null }], recipe, operators),
+    label: `${step}: ${input} disconnected` };
 }
 
 /** A node that is dropped on a wire comes in between: null where it does not fit or would close a circle. */

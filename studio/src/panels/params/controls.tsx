@@ -16,15 +16,19 @@ const label = (field: Field): string => titleOf(field.info.name);
 
 export function NumberControl({ field }: ControlProps): JSX.Element {
   const { info, value, fallback } = field;
-  return <NumberField label={label(field)} value={typeof value === "number" ? value : null} unit={info.unit} min={info.min} max={info.max}
-    integer={info.kind === "integer"} usual={typeof fallback === "number" ? fallback : null} help={info.help} quiet={quietly(field)}
-    onChange={(next, gesture, before) => setField(field, next, gesture, before)} onReset={(gesture) => resetField(field, gesture)} />;
+  return <NumberField label={label(field)} value={typeof value === "number" ? value : null} unit={info.unit}
+    min={info.min} max={info.max}
+    integer={info.kind === "integer"} usual={typeof fallback === "number" ? fallback : null} help={info.help}
+    quiet={quietly(field)}
+    onChange={(next, gesture, before) => setField(field, next, gesture, before)}
+    onReset={(gesture) => resetField(field, gesture)} />;
 }
 
 export function SwitchControl({ field }: ControlProps): JSX.Element {
   const on = field.value === true;
   return (
-    <button type="button" role="switch" class="switch" aria-checked={on} aria-label={label(field)} aria-description={field.info.help}
+    <button type="button" role="switch" class="switch" aria-checked={on} aria-label={label(field)}
+      aria-description={field.info.help}
       onClick={() => setField(field, !on)}>
       <span class="switch-track"><span class="switch-thumb" /></span>
       <span class="switch-word">{on ? "on" : "off"}</span>
@@ -38,7 +42,8 @@ export function ChoiceControl({ field }: ControlProps): JSX.Element {
   const letters = choices.reduce((sum, choice) => sum + choice.length + 3, 0);
   if (choices.length > 4 || letters > 34) {
     return (
-      <select class="select" aria-label={label(field)} aria-description={field.info.help} value={String(field.value ?? "")}
+      <select class="select" aria-label={label(field)} aria-description={field.info.help}
+        value={String(field.value ?? "")}
         onChange={(event) => setField(field, event.currentTarget.value)}>
         {field.value === null && <option value="">auto</option>}
         {choices.map((choice) => <option key={choice} value={choice}>{wordOf(choice)}</option>)}
@@ -63,7 +68,8 @@ interface SegmentsProps {
 /** A row of words of which one is chosen; arrows go from one to the next. */
 export function Segments({ label: name, words, chosen, quiet, free, about, onChoose }: SegmentsProps): JSX.Element {
   const onKeyDown = (event: KeyboardEvent) => {
-    const by = event.key === "ArrowRight" || event.key === "ArrowDown" ? 1 : event.key === "ArrowLeft" || event.key === "ArrowUp" ? -1 : 0;
+    const by = event.key === "ArrowRight" || event.key === "ArrowDown" ? 1 : event.key === "ArrowLeft"
+      || event.key === "ArrowUp" ? -1 : 0;
     if (by === 0 || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
@@ -76,8 +82,10 @@ export function Segments({ label: name, words, chosen, quiet, free, about, onCho
   return (
     <div class={`segments${quiet ? " quiet" : ""}`} role="radiogroup" aria-label={name} onKeyDown={onKeyDown}>
       {words.map((word, i) => (
-        <button key={word} type="button" role="radio" aria-checked={word === chosen} tabIndex={word === chosen || (chosen === null && i === 0) ? 0 : -1}
-          data-help={about?.(word)} onClick={() => onChoose(free && word === chosen ? null : word)}>{wordOf(word)}</button>
+        <button key={word} type="button" role="radio" aria-checked={word === chosen}
+          tabIndex={word === chosen || (chosen === null && i === 0) ? 0 : -1}
+          data-help={about?.(word)}
+          onClick={() => onChoose(free && word === chosen ? null : word)}>{wordOf(word)}</button>
       ))}
     </div>
   );
@@ -102,7 +110,8 @@ export function TextControl({ field }: ControlProps): JSX.Element {
   const [text, setText] = useState(stated);
   useEffect(() => setText(stated), [stated]);
   const commit = () => { if (text !== stated) setField(field, text); };
-  return <input type="text" class="text" aria-label={label(field)} aria-description={field.info.help} value={text} placeholder="none"
+  return <input type="text" class="text" aria-label={label(field)} aria-description={field.info.help} value={text}
+    placeholder="none"
     spellcheck={false} onInput={(event) => setText(event.currentTarget.value)} onBlur={commit}
     onKeyDown={(event) => {
       if (event.key === "Enter") commit();
@@ -118,7 +127,8 @@ export function ColourControl({ field }: ControlProps): JSX.Element {
   return (
     <div class="colour">
       <input type="color" value={colour} aria-label={label(field)} aria-description={field.info.help}
-        onInput={(event) => setField(field, event.currentTarget.value, gesture)} onChange={() => setGesture(newGesture())} />
+        onInput={(event) => setField(field, event.currentTarget.value, gesture)}
+        onChange={() => setGesture(newGesture())} />
       <TextControl field={field} />
     </div>
   );
@@ -129,7 +139,8 @@ export function PointControl({ field }: ControlProps): JSX.Element {
   const point = Array.isArray(field.value) ? field.value : [null, null];
   const coordinate = (i: 0 | 1) => (typeof point[i] === "number" ? (point[i] as number) : null);
   const part = (i: 0 | 1, prefix: string, name: string) => (
-    <NumberField label={`${label(field)}, ${name}`} value={coordinate(i)} unit={field.info.unit || "m"} prefix={prefix} help={field.info.help}
+    <NumberField label={`${label(field)}, ${name}`} value={coordinate(i)} unit={field.info.unit || "m"} prefix={prefix}
+      help={field.info.help}
       quiet={quietly(field)} onReset={(gesture) => resetField(field, gesture)} onChange={(next, gesture) => {
         const after: Json = i === 0 ? [next, coordinate(1) ?? 0] : [coordinate(0) ?? 0, next];
         setField(field, after, gesture);
@@ -139,27 +150,31 @@ export function PointControl({ field }: ControlProps): JSX.Element {
 }
 
 export function NumbersControl({ field }: ControlProps): JSX.Element {
-  const values = Array.isArray(field.value) ? field.value.filter((item): item is number => typeof item === "number") : [];
+  const values = Array.isArray(field.value) ? field.value.filter((item): item is number => typeof item === "number")
+    : [];
   const { info } = field;
   const set = (next: number[], gesture?: string) => setField(field, next, gesture);
   return (
     <div class="numbers">
       {values.map((value, i) => (
         <div class="numbers-item" key={i}>
-          <NumberField label={`${label(field)} ${i + 1}`} value={value} unit={info.unit} min={info.min} max={info.max} integer={info.kind === "integers"}
+          <NumberField label={`${label(field)} ${i + 1}`} value={value} unit={info.unit} min={info.min} max={info.max}
+            integer={info.kind === "integers"}
             onChange={(next, gesture) => set(values.map((old, k) => (k === i ? next : old)), gesture)} />
           <button type="button" class="plain icon small" aria-label={`Remove ${amountText(value, info.unit)}`}
             onClick={() => set(values.filter((_, k) => k !== i))}><X size={12} /></button>
         </div>
       ))}
       <button type="button" class="plain compact" aria-label={`Add to ${label(field)}`}
-        onClick={() => set([...values, values[values.length - 1] ?? Math.max(info.min ?? 0, 0)])}><Plus size={13} />Add</button>
+        onClick={() => set([...values, values[values.length - 1] ?? Math.max(info.min ?? 0, 0)])}>
+        <Plus size={13} />Add</button>
     </div>
   );
 }
 
 export function TextsControl({ field }: ControlProps): JSX.Element {
-  const values = Array.isArray(field.value) ? field.value.filter((item): item is string => typeof item === "string") : [];
+  const values = Array.isArray(field.value) ? field.value.filter((item): item is string => typeof item === "string")
+    : [];
   const [text, setText] = useState("");
   const add = () => {
     if (text.trim() === "") return;
@@ -174,7 +189,8 @@ export function TextsControl({ field }: ControlProps): JSX.Element {
             onClick={() => setField(field, values.filter((_, k) => k !== i))}><X size={11} /></button>
         </span>
       ))}
-      <input type="text" class="text" aria-label={`Add to ${label(field)}`} placeholder="Add…" value={text} spellcheck={false}
+      <input type="text" class="text" aria-label={`Add to ${label(field)}`} placeholder="Add…" value={text}
+        spellcheck={false}
         onInput={(event) => setText(event.currentTarget.value)} onBlur={add}
         onKeyDown={(event) => { if (event.key === "Enter") { add(); event.stopPropagation(); } }} />
     </div>

@@ -1,4 +1,5 @@
-// The document itself, shown while no step is selected: its size, its cells, its seed, what it says of itself, variables.
+// The document itself, shown while no step is selected: its size, its cells, its seed, what it says of itself,
+// variables.
 import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { Plus, X } from "lucide-preact";
@@ -11,7 +12,8 @@ import { SeedRow } from "./seed_row";
 import { bytesText, valueText } from "./words";
 
 /** Cells of the document's domain and the memory of one float raster. */
-export function cellsOf(domain: { readonly [member: string]: Json | undefined }, defaults: (name: string) => number): { columns: number; rows: number } {
+export function cellsOf(domain: { readonly [member: string]: Json | undefined },
+  defaults: (name: string) => number): { columns: number; rows: number } {
   const member = (name: string) => (typeof domain[name] === "number" ? (domain[name] as number) : defaults(name));
   const cell = member("cell_m");
   const size = (metres: number) => Math.max(1, Math.round(metres / cell));
@@ -29,7 +31,8 @@ export function DomainPanel({ studio }: { studio: Studio }): JSX.Element {
   const bytes = columns * rows * 4;
   return (
     <div class="params-body" data-fields>
-      <AboutText studio={studio} pointer="/about" owner="document" text={recipe.about} placeholder="What is this? A note for whoever opens it." />
+      <AboutText studio={studio} pointer="/about" owner="document" text={recipe.about}
+        placeholder="What is this? A note for whoever opens it." />
       <ParamList scope={scope} />
       <dl class="facts">
         <div><dt>Cells</dt><dd>{columns} × {rows}</dd></div>
@@ -54,7 +57,8 @@ export function AboutText({ studio, pointer, owner, text = "", placeholder }: Ab
   useEffect(() => setTyped(text), [text]);
   const commit = () => {
     if (typed === text) return;
-    void studio.edit([typed.trim() === "" ? { do: "set", pointer } : { do: "set", pointer, value: typed }], `${owner}: about`);
+    void studio.edit([typed.trim() === "" ? { do: "set", pointer } : { do: "set", pointer, value: typed }],
+      `${owner}: about`);
   };
   const lines = Math.min(6, Math.max(1, Math.ceil(typed.length / 44)));
   return <textarea class="about" rows={lines} aria-label={`About ${owner}`} value={typed} placeholder={placeholder}
@@ -76,7 +80,8 @@ function Variables({ studio }: { studio: Studio }): JSX.Element {
     setName("");
   };
   const set = (variable: string, value: Json, gesture = newGesture()) =>
-    void studio.edit([{ do: "set", pointer: `/variables/${variable}`, value }], `variable ${variable} → ${valueText(value)}`, gesture);
+    void studio.edit([{ do: "set", pointer: `/variables/${variable}`, value }],
+      `variable ${variable} → ${valueText(value)}`, gesture);
   return (
     <section class="variables" aria-label="Variables">
       <h3 data-help={'Values by name: "$name" may stand wherever a parameter’s value does'}>Variables</h3>
@@ -84,15 +89,19 @@ function Variables({ studio }: { studio: Studio }): JSX.Element {
         <div class="param" key={variable}>
           <span class="param-title">${variable}</span>
           <div class="param-control">{typeof value === "number"
-            ? <NumberField label={variable} value={value} unit="" onChange={(next, gesture) => set(variable, next, gesture)} />
+            ? <NumberField label={variable} value={value} unit=""
+              onChange={(next, gesture) => set(variable, next, gesture)} />
             : <span class="muted ellipsis">{valueText(value)}</span>}</div>
           <button type="button" class="plain icon small param-reset" aria-label={`Remove ${variable}`}
-            onClick={() => void studio.edit([{ do: "set", pointer: `/variables/${variable}` }], `variable ${variable} removed`)}><X /></button>
+            onClick={() => void studio.edit([{ do: "set", pointer: `/variables/${variable}` }],
+            `variable ${variable} removed`)}><X /></button>
         </div>
       ))}
       <div class="param">
-        <input type="text" class="text" placeholder="New name" aria-label="Name of a new variable" value={name} spellcheck={false}
-          onInput={(event) => setName(event.currentTarget.value)} onKeyDown={(event) => { if (event.key === "Enter") add(); event.stopPropagation(); }} />
+        <input type="text" class="text" placeholder="New name" aria-label="Name of a new variable" value={name}
+          spellcheck={false}
+          onInput={(event) => setName(event.currentTarget.value)}
+          onKeyDown={(event) => { if (event.key === "Enter") add(); event.stopPropagation(); }} />
         <button type="button" class="plain compact" disabled={!sound} onClick={add}><Plus />Add</button>
       </div>
     </section>

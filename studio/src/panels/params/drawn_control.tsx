@@ -26,7 +26,8 @@ export function DrawnControl({ field }: ControlProps): JSX.Element {
     <div class="drawn">
       <span class={empty ? "drawn-text muted" : "drawn-text"}>{drawnText(field.info.kind, field.value)}</span>
       {!empty && field.stated !== undefined && (
-        <button type="button" class="plain icon small" aria-label={`Remove all of ${titleOf(field.info.name)}`} data-help="Remove all"
+        <button type="button" class="plain icon small" aria-label={`Remove all of ${titleOf(field.info.name)}`}
+          data-help="Remove all"
           onClick={() => resetField(field)}><Trash2 size={13} /></button>
       )}
       <DrawButton field={field} />

@@ -108,7 +108,8 @@ class Reader {
     const text = this.match(name);
     if (text === null) return { value, unit: null };
     const unit = readUnit(text.replace(/\s/g, ""));
-    if (unit === null) throw new Error(`"${text}" is no unit${this.fieldText ? `; here ${unitText(this.fieldText)}` : ""}`);
+    const here = this.fieldText ? `; here ${unitText(this.fieldText)}` : "";
+    if (unit === null) throw new Error(`"${text}" is no unit${here}`);
     return { value: value * unit.factor, unit: { ...unit, factor: 1 } };
   }
 }

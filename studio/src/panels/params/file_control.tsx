@@ -35,7 +35,8 @@ function ChooseFiles({ studio, label, multiple, onFiles, onProblem }: ChooseProp
   };
   return (
     <>
-      <button type="button" class="plain icon" aria-label={`Choose a file for ${label}`} data-help="Choose a file; it is copied beside the document"
+      <button type="button" class="plain icon" aria-label={`Choose a file for ${label}`}
+        data-help="Choose a file; it is copied beside the document"
         aria-busy={busy} disabled={busy} onClick={() => input.current?.click()}><Upload size={14} /></button>
       <input ref={input} type="file" hidden multiple={multiple} tabIndex={-1} aria-hidden="true"
         onChange={(event) => void take(event.currentTarget.files)} />
@@ -60,14 +61,16 @@ export function FileControl({ field }: ControlProps): JSX.Element {
   return (
     <div class="file" onDragOver={(event) => event.preventDefault()} onDrop={(event) => void drop(event)}>
       <TextControl field={field} />
-      <ChooseFiles studio={studio} label={titleOf(field.info.name)} onFiles={([name]) => { if (name) setField(field, name); }} onProblem={onProblem} />
+      <ChooseFiles studio={studio} label={titleOf(field.info.name)}
+        onFiles={([name]) => { if (name) setField(field, name); }} onProblem={onProblem} />
     </div>
   );
 }
 
 export function FilesControl({ field }: ControlProps): JSX.Element {
   const { studio } = field.scope;
-  const names = Array.isArray(field.value) ? field.value.filter((item): item is string => typeof item === "string") : [];
+  const names = Array.isArray(field.value) ? field.value.filter((item): item is string => typeof item === "string")
+    : [];
   return (
     <div class="files">
       {names.map((name, i) => (
@@ -76,7 +79,8 @@ export function FilesControl({ field }: ControlProps): JSX.Element {
             onClick={() => setField(field, names.filter((_, k) => k !== i))}><X size={12} /></button></div>
       ))}
       <div class="files-add"><span class="muted">{names.length === 0 ? "none" : ""}</span>
-        <ChooseFiles studio={studio} label={titleOf(field.info.name)} multiple onFiles={(more) => setField(field, [...names, ...more])}
+        <ChooseFiles studio={studio} label={titleOf(field.info.name)} multiple
+          onFiles={(more) => setField(field, [...names, ...more])}
           onProblem={(text) => { studio.message.value = { kind: "error", text }; }} /></div>
     </div>
   );

@@ -26,10 +26,13 @@ export function Group({ field, search }: { field: Field; search: string }): JSX.
   return (
     <section class={`group${shown ? " open" : ""}`}>
       <div class="group-head">
-        <button type="button" class="plain group-toggle" aria-expanded={shown} data-help={info.help || undefined} onClick={toggle}>
-          <ChevronRight class="chevron" />{title}{count > 0 && <span class="count" aria-label={`${count} changed`}>{count}</span>}
+        <button type="button" class="plain group-toggle" aria-expanded={shown} data-help={info.help || undefined}
+          onClick={toggle}>
+          <ChevronRight class="chevron" />{title}{count > 0 && <span class="count"
+            aria-label={`${count} changed`}>{count}</span>}
         </button>
-        {count > 0 && <button type="button" class="plain icon small" aria-label={`Reset all of ${title}`} data-help="Reset all of them"
+        {count > 0 && <button type="button" class="plain icon small" aria-label={`Reset all of ${title}`}
+          data-help="Reset all of them"
           onClick={() => resetField(field)}><RotateCcw /></button>}
       </div>
       {shown && <div class="group-body"><ParamList scope={inner} search={titleFits ? "" : search} /></div>}

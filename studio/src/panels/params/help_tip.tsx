@@ -36,17 +36,21 @@ export function HelpTips({ within }: { within: { current: HTMLElement | null } }
       window.clearTimeout(timer);
       setTip(null);
     };
-    const focused = (event: FocusEvent) => { if (event.target instanceof Element && event.target.matches(":focus-visible")) later(event); };
+    const focused = (event: FocusEvent) => { if (event.target instanceof Element
+      && event.target.matches(":focus-visible")) later(event); };
     root.addEventListener("pointerover", later);
     root.addEventListener("focusin", focused);
-    for (const name of ["pointerleave", "pointerdown", "focusout", "keydown", "wheel"]) root.addEventListener(name, hide, { passive: true });
+    for (const name of ["pointerleave", "pointerdown", "focusout", "keydown", "wheel"]) root.addEventListener(name,
+      hide, { passive: true });
     return () => {
       hide();
       root.removeEventListener("pointerover", later);
       root.removeEventListener("focusin", focused);
-      for (const name of ["pointerleave", "pointerdown", "focusout", "keydown", "wheel"]) root.removeEventListener(name, hide);
+      for (const name of ["pointerleave", "pointerdown", "focusout", "keydown", "wheel"]) root.removeEventListener(name,
+        hide);
     };
   }, []);
   if (!tip) return null;
-  return <div class={`help-tip${tip.above ? " above" : ""}`} role="tooltip" style={{ left: `${tip.left}px`, top: `${tip.top}px`, width: `${WIDTH}px` }}>{tip.text}</div>;
+  return <div class={`help-tip${tip.above ? " above" : ""}`} role="tooltip"
+    style={{ left: `${tip.left}px`, top: `${tip.top}px`, width: `${WIDTH}px` }}>{tip.text}</div>;
 }

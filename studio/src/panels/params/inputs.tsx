@@ -14,16 +14,19 @@ export function originText(origin: Origin): string {
 
 /** "reef: terrain from isle.terrain". */
 function connect(studio: Studio, step: string, input: string, origin: Origin | null): Promise<boolean> {
-  const edits = connectingEdits([{ step, input, origin }], studio.document.value.recipe, (name) => studio.operator(name));
+  const edits = connectingEdits([{ step, input, origin }], studio.document.value.recipe,
+    (name) => studio.operator(name));
   return studio.edit(edits, origin ? `${step}: ${input} from ${originText(origin)}` : `${step}: ${input} disconnected`);
 }
 
 const FILE = "\0file";
 
-function InputRow({ studio, step, input, origin }: { studio: Studio; step: Step; input: PortInfo; origin: Origin | undefined }): JSX.Element {
+function InputRow({ studio, step, input, origin }: { studio: Studio; step: Step; input: PortInfo;
+  origin: Origin | undefined }): JSX.Element {
   const offers = offersFor(step.id, input, studio.document.value.recipe, (name) => studio.operator(name));
   const current = origin ? originText(origin) : "";
-  const known = origin === undefined || "file" in origin || offers.some((offer) => originText({ step: offer.step, port: offer.port.name }) === current);
+  const known = origin === undefined || "file" in origin
+    || offers.some((offer) => originText({ step: offer.step, port: offer.port.name }) === current);
   const files = studio.schema.kinds.find((kind) => kind.name === input.kind)?.files ?? [];
   const choose = async (value: string) => {
     if (value === FILE) return takeFile(studio, step.id, input, files);
@@ -33,8 +36,10 @@ function InputRow({ studio, step, input, origin }: { studio: Studio; step: Step;
   const open = origin === undefined && input.required;
   return (
     <div class={`input-row${open ? " open" : ""}`}>
-      <span class="param-title" data-help={input.help || undefined}><KindMark kind={input.kind} />{titleOf(input.name)}</span>
-      <select class="select" aria-label={`Input ${input.name}`} value={current} aria-invalid={open} onChange={(event) => void choose(event.currentTarget.value)}>
+      <span class="param-title"
+        data-help={input.help || undefined}><KindMark kind={input.kind} />{titleOf(input.name)}</span>
+      <select class="select" aria-label={`Input ${input.name}`} value={current} aria-invalid={open}
+        onChange={(event) => void choose(event.currentTarget.value)}>
         <option value="">{input.required ? "open: choose…" : "none"}</option>
         {!known && <option value={current}>{current}</option>}
         {origin && "file" in origin && <option value={current}>{current}</option>}
@@ -63,7 +68,8 @@ function takeFile(studio: Studio, step: string, input: PortInfo, endings: readon
       const taken = await studio.api.upload(file.name, file);
       await connect(studio, step, input.name, { file: taken.file });
     } catch (problem) {
-      studio.message.value = { kind: "error", text: problem instanceof Error ? problem.message : String(problem), step };
+      studio.message.value = { kind: "error", text: problem instanceof Error ? problem.message : String(problem),
+        step };
     }
   };
   chooser.click();
@@ -76,13 +82,16 @@ export function Inputs({ studio, step, op }: { studio: Studio; step: Step; op: O
   const connections: Connections = connectionsOf(recipe, recipe.steps.indexOf(step), (name) => studio.operator(name));
   const first = op.in.filter((input) => input.required || connections.has(input.name));
   const rest = op.in.filter((input) => !first.includes(input));
-  const row = (input: PortInfo) => <InputRow key={input.name} studio={studio} step={step} input={input} origin={connections.get(input.name)} />;
+  const row = (input: PortInfo) => <InputRow key={input.name} studio={studio} step={step} input={input}
+    origin={connections.get(input.name)} />;
   return (
     <section class="inputs" aria-label="Inputs">
       {first.map(row)}
       {rest.length > 0 && (
         <button type="button" class="plain group-toggle quiet" aria-expanded={all} onClick={() => setAll(!all)}>
-          <ChevronRight class="chevron" />{first.length > 0 ? `${rest.length} more ${rest.length === 1 ? "input" : "inputs"}` : `${rest.length} ${rest.length === 1 ? "input" : "inputs"}`}
+          <ChevronRight class="chevron" />{first.length > 0
+            ? `${rest.length} more ${rest.length === 1 ? "input" : "inputs"}`
+            : `${rest.length} ${rest.length === 1 ? "input" : "inputs"}`}
         </button>
       )}
       {all && rest.map(row)}

@@ -22,12 +22,14 @@ export function toolOf(info: ParamInfo, item: Json): ToolInfo | undefined {
 /** A few words that tell an item from its neighbours: "1800 m", "3 points, 4.2 km". */
 export function itemText(tool: ToolInfo | undefined, item: Json): string {
   if (!tool || !isMembers(item)) return "";
-  const parts: string[] = typeof item["start"] === "number" || typeof item["end"] === "number" ? [`${item["start"] ?? 0} to ${item["end"] ?? "…"}`] : [];
+  const parts: string[] = typeof item["start"] === "number" || typeof item["end"] === "number"
+    ? [`${item["start"] ?? 0} to ${item["end"] ?? "…"}`] : [];
   for (const param of tool.params) {
     const value = item[param.name];
     if (value === undefined || parts.length >= 3 || param.name === "start" || param.name === "end") continue;
     if (DRAWN.has(param.kind)) parts.push(drawnText(param.kind, value));
-    else if (typeof value === "number") parts.push(parts.length === 0 || param.unit !== "" ? amountText(value, param.unit) : "");
+    else if (typeof value === "number") parts.push(parts.length === 0 || param.unit !== ""
+      ? amountText(value, param.unit) : "");
     else if (typeof value === "string" && value !== "") parts.push(wordOf(value));
   }
   return parts.filter(Boolean).slice(0, 3).join(", ");
@@ -44,10 +46,13 @@ export function ItemList({ field }: { field: Field }): JSX.Element {
       <div class="items-head">
         <span class="param-title" data-help={info.help || undefined}>{title}</span>
         <span class="muted items-count">{items.length > 0 ? counted(items.length, "item") : ""}</span>
-        {items.length > 0 && field.stated !== undefined && <button type="button" class="plain icon small" aria-label={`Remove all of ${title}`}
+        {items.length > 0 && field.stated !== undefined && <button type="button" class="plain icon small"
+          aria-label={`Remove all of ${title}`}
           data-help="Remove all" onClick={() => resetField(field)}><RotateCcw /></button>}
-        {drawn && <button type="button" class="compact draw" aria-pressed={pressed} aria-label={`Draw ${title.toLowerCase()}`}
-          onClick={() => { drawRequest.value = { step: field.scope.step, pointer: field.pointer, kind: info.kind, name: info.name }; }}>
+        {drawn && <button type="button" class="compact draw" aria-pressed={pressed}
+          aria-label={`Draw ${title.toLowerCase()}`}
+          onClick={() => { drawRequest.value = { step: field.scope.step, pointer: field.pointer, kind: info.kind,
+          name: info.name }; }}>
           <Pencil />Draw</button>}
         <AddItem field={field} onAdd={(tool) => addTool(field, tool)} />
       </div>
@@ -64,7 +69,8 @@ export function AddItem({ field, onAdd }: { field: Field; onAdd(tool: ToolInfo):
   const title = titleOf(field.info.name).toLowerCase();
   if (field.info.kind === "groups") {
     const only = tools[0];
-    return only ? <button type="button" class="plain compact" aria-label={`Add to ${title}`} onClick={() => onAdd(only)}><Plus />Add</button> : null;
+    return only ? <button type="button" class="plain compact" aria-label={`Add to ${title}`}
+      onClick={() => onAdd(only)}><Plus />Add</button> : null;
   }
   return (
     <select class="select add-tool" aria-label={`Add to ${title}`} value=""
@@ -111,19 +117,25 @@ function ItemCard({ field, index, item, count }: ItemCardProps): JSX.Element {
     edits.move(Number(from[1]), index);
   };
   return (
-    <li class={`item-card${active ? " active" : ""}${over ? " over" : ""}`} onDragOver={(event) => { event.preventDefault(); setOver(true); }}
+    <li class={`item-card${active ? " active" : ""}${over ? " over" : ""}`}
+      onDragOver={(event) => { event.preventDefault(); setOver(true); }}
       onDragLeave={() => setOver(false)} onDrop={drop}>
       <div class="item-head">
-        <button type="button" class="plain item-name" aria-expanded={active} draggable onKeyDown={onKeyDown} data-help={tool?.about || undefined}
+        <button type="button" class="plain item-name" aria-expanded={active} draggable onKeyDown={onKeyDown}
+          data-help={tool?.about || undefined}
           onDragStart={(event) => event.dataTransfer?.setData("text/x-item", `${field.pointer}\n${index}`)}
           onClick={() => activate(field, active ? null : index)}>
           <span class="item-title">{name}</span><span class="muted ellipsis">{itemText(tool, item)}</span>
         </button>
         <span class="item-actions">
-          {index > 0 && <button type="button" class="plain icon small" aria-label={`Move ${name} up`} onClick={() => edits.move(index, index - 1)}><ArrowUp /></button>}
-          {index + 1 < count && <button type="button" class="plain icon small" aria-label={`Move ${name} down`} onClick={() => edits.move(index, index + 1)}><ArrowDown /></button>}
-          <button type="button" class="plain icon small" aria-label={`Copy ${name}`} onClick={() => edits.insert(index + 1, item, "copied")}><Copy /></button>
-          <button type="button" class="plain icon small" aria-label={`Remove ${name}`} onClick={() => { edits.remove(index); if (active) activate(field, null); }}><Trash2 /></button>
+          {index > 0 && <button type="button" class="plain icon small" aria-label={`Move ${name} up`}
+            onClick={() => edits.move(index, index - 1)}><ArrowUp /></button>}
+          {index + 1 < count && <button type="button" class="plain icon small" aria-label={`Move ${name} down`}
+            onClick={() => edits.move(index, index + 1)}><ArrowDown /></button>}
+          <button type="button" class="plain icon small" aria-label={`Copy ${name}`}
+            onClick={() => edits.insert(index + 1, item, "copied")}><Copy /></button>
+          <button type="button" class="plain icon small" aria-label={`Remove ${name}`}
+            onClick={() => { edits.remove(index); if (active) activate(field, null); }}><Trash2 /></button>
         </span>
       </div>
       {active && tool && <div class="item-body"><ParamList scope={itemScope(field, index, item, tool)} /></div>}
@@ -136,8 +148,10 @@ function itemScope(field: Field, index: number, item: Json, tool: ToolInfo) {
   const list = { ...innerScope(field.scope, field.info.name, [], false, {}), stated: {} };
   const scope = innerScope(list, String(index), tool.params, false, item);
   if (Array.isArray(field.stated)) return scope;
-  const studio = { ...scope.studio, edit: (edits: Parameters<typeof scope.studio.edit>[0], label: string, gesture?: string) =>
-    scope.studio.edit([{ do: "set" as const, pointer: field.pointer, value: itemsOf(field) }, ...edits], label, gesture) };
+  const studio = { ...scope.studio, edit: (edits: Parameters<typeof scope.studio.edit>[0], label: string,
+    gesture?: string) =>
+    scope.studio.edit([{ do: "set" as const, pointer: field.pointer, value: itemsOf(field) }, ...edits], label,
+      gesture) };
   return { ...scope, studio };
 }
 

@@ -16,7 +16,8 @@ export function listEdits(field: Field) {
   const items = itemsOf(field);
   const stated = Array.isArray(field.stated);
   const name = titleOf(field.info.name).toLowerCase();
-  const whole = (next: Json[], label: string) => void studio.edit([{ do: "set", pointer: field.pointer, value: next }], label);
+  const whole = (next: Json[], label: string) => void studio.edit([{ do: "set", pointer: field.pointer, value: next }],
+    label);
   return {
     insert(index: number, value: Json, what = "added") {
       const label = `${owner}: ${name}, ${what}`;

@@ -52,7 +52,8 @@ export function drawnText(kind: ParamKind, value: Json | undefined): string {
   switch (kind) {
     case "points": {
       const points = pointsOf(value);
-      return points.length > 1 ? `${counted(points.length, "point")}, ${distanceText(lengthOf(points))}` : counted(points.length, "point");
+      return points.length > 1 ? `${counted(points.length, "point")}, ${distanceText(lengthOf(points))}`
+        : counted(points.length, "point");
     }
     case "strokes": return `${counted(items.length, "stroke")}, ${length()}`;
     case "rivers": return `${counted(items.length, "river")}, ${length()}`;

@@ -1,5 +1,5 @@
-// A field for one number: drag to change it (Ctrl in whole steps, Shift fine), double click or Enter to type, arrows and
-// Ctrl+wheel to step, Backspace to reset. The filled part shows where in its range it lies.
+// A field for one number: drag to change it (Ctrl in whole steps, Shift fine), double click or Enter to type, arrows
+// and Ctrl+wheel to step, Backspace to reset. The filled part shows where in its range it lies.
 import type { JSX } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { newGesture } from "./scope";
@@ -54,7 +54,8 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
     return coarse === "coarse" ? evenStep(pixel * 10) : coarse === "fine" && !integer ? evenStep(pixel / 10) : pixel;
   }, current);
   useWheel(element, step);
-  const drag = useDrag(props, (gesture, event) => dragged({ start: gesture.start ?? current, dx: event.clientX - gesture.x,
+  const drag = useDrag(props,
+    (gesture, event) => dragged({ start: gesture.start ?? current, dx: event.clientX - gesture.x,
     width: gesture.width, snap: event.ctrlKey || event.metaKey, fine: event.shiftKey }, scale, bounds));
   const onKeyDown = (event: KeyboardEvent) => onFieldKey(event, { step, setTyping, props, drag });
   const edit = (text = value === null ? "" : numberText(value)) => setTyping(text);
@@ -69,13 +70,15 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
   const share = scale && value !== null ? scale.share(value) : null;
   const origin = scale && min !== undefined && min < 0 && max !== undefined && max > 0 ? scale.share(0) : 0;
   return (
-    <div ref={element} class={`number-field${props.quiet ? " quiet" : ""}${drag.active ? " dragging" : ""}`} role="spinbutton"
+    <div ref={element} class={`number-field${props.quiet ? " quiet" : ""}${drag.active ? " dragging" : ""}`}
+      role="spinbutton"
       tabIndex={0} data-number-field aria-label={props.label} aria-description={props.help}
       aria-valuemin={min} aria-valuemax={max} aria-valuenow={value ?? undefined}
       aria-valuetext={value === null ? "auto" : `${numberText(value)} ${unit}`}
       onPointerDown={drag.down} onPointerMove={drag.move} onPointerUp={drag.up} onPointerCancel={drag.cancel}
       onDblClick={() => edit()} onKeyDown={onKeyDown} onEdit={() => edit()}>
-      {share !== null && <span class="number-fill" style={{ left: `${100 * Math.min(share, origin)}%`, width: `${100 * Math.abs(share - origin)}%` }} />}
+      {share !== null && <span class="number-fill"
+        style={{ left: `${100 * Math.min(share, origin)}%`, width: `${100 * Math.abs(share - origin)}%` }} />}
       {props.prefix && <span class="number-prefix">{props.prefix}</span>}
       <span class="number-text">{value === null ? "auto" : numberText(value)}</span>
       {value !== null && unit !== "" && <span class="number-unit">{unitText(unit)}</span>}
@@ -100,7 +103,8 @@ function useSteps(props: NumberFieldProps, bounds: { min?: number; max?: number;
   const burst = useRef<{ id: string; before: number | null; at: number } | null>(null);
   return (direction, how) => {
     const now = performance.now();
-    if (!burst.current || now - burst.current.at > BURST_MS) burst.current = { id: newGesture(), before: props.value, at: now };
+    if (!burst.current || now - burst.current.at > BURST_MS) burst.current = { id: newGesture(), before: props.value,
+      at: now };
     burst.current.at = now;
     const amount = size(how);
     const next = bounded(rounded(current + direction * amount, amount), bounds);
@@ -145,7 +149,8 @@ function useDrag(props: NumberFieldProps, valueAt: (gesture: Gesture, event: Poi
     frame.current = null;
     if (!pending || !gesture.current?.moved) return;
     const next = latest.current.valueAt(gesture.current, pending.event);
-    if (next !== latest.current.props.value) latest.current.props.onChange(next, gesture.current.id, gesture.current.start);
+    if (next !== latest.current.props.value) latest.current.props.onChange(next, gesture.current.id,
+      gesture.current.start);
   };
   const end = () => {
     if (frame.current) cancelAnimationFrame(frame.current.id);
@@ -159,7 +164,8 @@ function useDrag(props: NumberFieldProps, valueAt: (gesture: Gesture, event: Poi
       if (event.button !== 0) return;
       const target = event.currentTarget as HTMLElement;
       target.setPointerCapture(event.pointerId);
-      gesture.current = { id: newGesture(), start: props.value, x: event.clientX, width: Math.max(80, target.clientWidth), moved: false, pointer: event.pointerId };
+      gesture.current = { id: newGesture(), start: props.value, x: event.clientX,
+        width: Math.max(80, target.clientWidth), moved: false, pointer: event.pointerId };
     },
     move(event) {
       const now = gesture.current;
@@ -194,11 +200,14 @@ interface KeyContext {
 function onFieldKey(event: KeyboardEvent, { step, setTyping, props, drag }: KeyContext): void {
   const how = event.shiftKey ? "fine" : event.ctrlKey ? "coarse" : "plain";
   const { value, min, max } = props;
-  const jump = (to: number | undefined) => { if (to !== undefined && to !== value) props.onChange(to, newGesture(), value); };
+  const jump = (to: number | undefined) => { if (to !== undefined && to !== value) props.onChange(to, newGesture(),
+    value); };
   const actions: { [key: string]: () => void } = {
-    ArrowUp: () => step(1, how), ArrowRight: () => step(1, how), ArrowDown: () => step(-1, how), ArrowLeft: () => step(-1, how),
+    ArrowUp: () => step(1, how), ArrowRight: () => step(1, how), ArrowDown: () => step(-1, how),
+      ArrowLeft: () => step(-1, how),
     PageUp: () => step(1, "coarse"), PageDown: () => step(-1, "coarse"), Home: () => jump(min), End: () => jump(max),
-    Enter: () => setTyping(value === null ? "" : numberText(value)), F2: () => setTyping(value === null ? "" : numberText(value)),
+    Enter: () => setTyping(value === null ? "" : numberText(value)),
+      F2: () => setTyping(value === null ? "" : numberText(value)),
     Backspace: () => props.onReset?.(), Delete: () => props.onReset?.(),
   };
   const action = event.altKey ? undefined : actions[event.key];

@@ -18,7 +18,8 @@ interface NumberInputProps {
 function typeIntoNext(from: HTMLElement, backwards: boolean): void {
   const panel = from.closest("[data-fields]");
   if (!panel) return;
-  const fields = [...panel.querySelectorAll<HTMLElement>("[data-number-field]")].filter((field) => field.offsetParent !== null);
+  const fields = [...panel.querySelectorAll<HTMLElement>("[data-number-field]")].filter((field) =>
+    field.offsetParent !== null);
   const next = fields[fields.indexOf(from) + (backwards ? -1 : 1)];
   next?.focus();
   next?.dispatchEvent(new CustomEvent("Edit"));
@@ -56,7 +57,8 @@ export function NumberInput({ label, text, unit, bounds, onDone }: NumberInputPr
   };
   return (
     <div class="number-typing">
-      <input ref={input} type="text" class="number-input" data-number-field aria-label={label} aria-invalid={error !== ""}
+      <input ref={input} type="text" class="number-input" data-number-field aria-label={label}
+        aria-invalid={error !== ""}
         value={typed} spellcheck={false} autocomplete="off" onInput={(event) => setTyped(event.currentTarget.value)}
         onKeyDown={onKeyDown} onBlur={() => finish(error === "" && !empty)} />
       {(error !== "" || sum) && (

@@ -4,7 +4,8 @@ import { RotateCcw, Unlink } from "lucide-preact";
 import type { ParamInfo } from "../../api/types";
 import { CurveControl } from "../curves/curve_control";
 import { HistogramEditor } from "../curves/histogram_editor";
-import { ChoiceControl, ColourControl, NumberControl, NumbersControl, PointControl, PresetControl, SwitchControl, TextControl,
+import { ChoiceControl, ColourControl, NumberControl, NumbersControl, PointControl, PresetControl, SwitchControl,
+  TextControl,
          TextsControl } from "./controls";
 import { DrawButton, DrawnControl } from "./drawn_control";
 import { FileControl, FilesControl } from "./file_control";
@@ -34,8 +35,10 @@ export function Control({ field }: { field: Field }): JSX.Element {
     case "colour": return <ColourControl field={field} />;
     case "point": return <div class="point-draw"><PointControl field={field} /><DrawButton field={field} /></div>;
     case "curve": return <CurveControl field={field} />;
-    case "numbers": case "integers": return isPainted(info) ? <HistogramEditor field={field} /> : <NumbersControl field={field} />;
-    case "points": case "strokes": case "outlines": case "polygons": case "regions": case "rivers": return <DrawnControl field={field} />;
+    case "numbers": case "integers": return isPainted(info)
+      ? <HistogramEditor field={field} /> : <NumbersControl field={field} />;
+    case "points": case "strokes": case "outlines": case "polygons": case "regions": case "rivers":
+      return <DrawnControl field={field} />;
     default: return <span class="muted">{valueText(field.value, info)}</span>;
   }
 }
@@ -43,7 +46,8 @@ export function Control({ field }: { field: Field }): JSX.Element {
 /** A value that comes from a variable is changed there; here it can be made a number of its own. */
 function Variable({ field }: { field: Field }): JSX.Element {
   return (
-    <div class="variable"><span class="tag" data-help={`The variable "${field.variable}" of the document`}>${field.variable}</span>
+    <div class="variable"><span class="tag"
+      data-help={`The variable "${field.variable}" of the document`}>${field.variable}</span>
       <span class="ellipsis">{valueText(field.value, field.info)}</span>
       <button type="button" class="plain icon small" aria-label={`Give ${titleOf(field.info.name)} a value of its own`}
         data-help="Give it a value of its own" onClick={() => setField(field, field.value)}><Unlink /></button></div>
@@ -63,10 +67,12 @@ export function ParamRow({ field }: { field: Field }): JSX.Element {
     <div class={`param${wide ? " wide" : ""}${changed ? " changed" : ""}`} data-param={field.pointer}
       onPointerEnter={() => { hovered.field = field; }} onPointerLeave={() => { hovered.field = null; }}>
       <span class="param-title" data-help={info.help || undefined}>{plainPreset ? "Preset" : title}</span>
-      <div class="param-control">{field.variable !== null ? <Variable field={field} /> : <Control field={field} />}</div>
+      <div class="param-control">{field.variable !== null
+        ? <Variable field={field} /> : <Control field={field} />}</div>
       {changed ? (
         <button type="button" class="plain icon small param-reset" aria-label={`Reset ${title}`}
-          data-help={`Back to ${field.fallback === null ? "auto" : valueText(field.fallback, info)} (Backspace)`} onClick={() => resetField(field)}>
+          data-help={`Back to ${field.fallback === null ? "auto" : valueText(field.fallback, info)} (Backspace)`}
+          onClick={() => resetField(field)}>
           <RotateCcw /></button>
       ) : <span class="param-reset" />}
     </div>

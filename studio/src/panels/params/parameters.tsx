@@ -16,7 +16,8 @@ import { SeedRow } from "./seed_row";
 const LONG = 14;
 
 function countParams(params: readonly ParamInfo[]): number {
-  return params.reduce((sum, info) => sum + 1 + (info.kind === "group" ? countParams(info.tools?.[0]?.params ?? []) : 0), 0);
+  return params.reduce((sum, info) => sum + 1 + (info.kind === "group" ? countParams(info.tools?.[0]?.params ?? [])
+    : 0), 0);
 }
 
 export function Parameters({ studio }: { studio: Studio }): JSX.Element {
@@ -53,7 +54,8 @@ function useBackspace(): void {
 function StepParameters({ studio, step, op }: { studio: Studio; step: Step; op: OperatorInfo }): JSX.Element {
   const [search, setSearch] = useState("");
   const [told, setTold] = useState(false);
-  const scope = scopeOf(studio, step.id, step.id, `/steps/${step.id}/params`, op.params, step.params as Json | undefined);
+  const scope = scopeOf(studio, step.id, step.id, `/steps/${step.id}/params`, op.params,
+    step.params as Json | undefined);
   const long = countParams(op.params) >= LONG;
   const missing = studio.document.value.missing.filter((diagnostic) => isOf(studio, diagnostic.pointer, step));
   return (
@@ -61,23 +63,28 @@ function StepParameters({ studio, step, op }: { studio: Studio; step: Step; op: 
       <header class="params-head">
         <FamilyIcon op={op.name} />
         <h2 class="ellipsis">{step.id}</h2>
-        <button type="button" class="plain params-op" aria-expanded={told} data-help={op.summary} onClick={() => setTold(!told)}>{op.name}</button>
+        <button type="button" class="plain params-op" aria-expanded={told} data-help={op.summary}
+          onClick={() => setTold(!told)}>{op.name}</button>
       </header>
       {told && <OperatorPage op={op} />}
       <div class="params-body" data-fields>
-        {missing.map((diagnostic) => <p class="problem" key={diagnostic.pointer}><TriangleAlert />{diagnostic.message}</p>)}
+        {missing.map((diagnostic) => <p class="problem"
+          key={diagnostic.pointer}><TriangleAlert />{diagnostic.message}</p>)}
         <Inputs studio={studio} step={step} op={op} />
         {long && (
           <div class="params-search"><Search />
-            <input type="search" placeholder="Search parameters" aria-label="Search parameters" value={search} onInput={(event) => setSearch(event.currentTarget.value)}
+            <input type="search" placeholder="Search parameters" aria-label="Search parameters" value={search}
+              onInput={(event) => setSearch(event.currentTarget.value)}
               onKeyDown={(event) => {
                 if (event.key === "Escape") setSearch("");
                 event.stopPropagation();
               }} /></div>
         )}
         <ParamList scope={scope} search={search} />
-        {op.stochastic && search === "" && <SeedRow studio={studio} owner={step.id} pointer={`/steps/${step.id}/seed`} seed={step.seed} derived />}
-        {search === "" && <AboutText studio={studio} pointer={`/steps/${step.id}/about`} owner={step.id} text={step.about} placeholder="A note on this step" />}
+        {op.stochastic && search === "" && <SeedRow studio={studio} owner={step.id} pointer={`/steps/${step.id}/seed`}
+          seed={step.seed} derived />}
+        {search === "" && <AboutText studio={studio} pointer={`/steps/${step.id}/about`} owner={step.id}
+          text={step.about} placeholder="A note on this step" />}
       </div>
     </>
   );
@@ -94,8 +101,11 @@ function OperatorPage({ op }: { op: OperatorInfo }): JSX.Element {
   return (
     <div class="operator-page">
       <p>{op.summary}.</p>
-      {op.in.length > 0 && <dl><dt>Takes</dt>{op.in.map((port) => <dd key={port.name}><b>{port.name}</b> {port.kind}{port.required ? "" : ", optional"}: {port.help}</dd>)}</dl>}
-      <dl><dt>Makes</dt>{op.out.map((port) => <dd key={port.name}><b>{port.name}</b> {port.kind}: {port.help}</dd>)}</dl>
+      {op.in.length > 0 && <dl>
+        <dt>Takes</dt>{op.in.map((port) => <dd key={port.name}><b>{port.name}</b> {port.kind}{port.required ? ""
+        : ", optional"}: {port.help}</dd>)}</dl>}
+      <dl><dt>Makes</dt>{op.out.map((port) => <dd key={port.name}>
+        <b>{port.name}</b> {port.kind}: {port.help}</dd>)}</dl>
       {op.source && <p class="muted">After {op.source}</p>}
     </div>
   );

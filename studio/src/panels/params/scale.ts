@@ -24,7 +24,7 @@ function linear(min: number, max: number): Scale {
   };
 }
 
-/** Even in the logarithm far from zero, even in the value nearer to it than the knee; through zero where the range is. */
+/** Even in the logarithm far from zero, even in the value nearer to it than the knee. */
 function bent(min: number, max: number, knee: number): Scale {
   const low = Math.asinh(min / knee);
   const high = Math.asinh(max / knee);
@@ -93,7 +93,8 @@ export interface Drag {
 }
 
 /** Value of a drag along a field. */
-export function dragged(drag: Drag, scale: Scale | null, bounds: { min?: number; max?: number; integer: boolean }): number {
+export function dragged(drag: Drag, scale: Scale | null,
+  bounds: { min?: number; max?: number; integer: boolean }): number {
   const dx = drag.fine ? drag.dx / 10 : drag.dx;
   let value: number;
   if (scale) {
@@ -107,7 +108,8 @@ export function dragged(drag: Drag, scale: Scale | null, bounds: { min?: number;
   return bounded(rounded(value, step), bounds);
 }
 
-export function bounded(value: number, { min, max, integer }: { min?: number; max?: number; integer: boolean }): number {
+export function bounded(value: number, { min, max, integer }: { min?: number; max?: number;
+  integer: boolean }): number {
   const whole = integer ? Math.round(value) : value;
   return clamp(whole, min ?? -Infinity, max ?? Infinity);
 }

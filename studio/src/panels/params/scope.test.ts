@@ -7,15 +7,20 @@ import { drawnText } from "./measures";
 import { fieldOf, innerScope, isChanged, matchesSearch, presetMembers, resetField, scopeOf, setField } from "./scope";
 import { bytesText, changeLabel, numberText, secondsText, titleOf } from "./words";
 
-const number = (name: string, value: Json, unit = ""): ParamInfo => ({ name, kind: "number", unit, help: `${name} of it`, default: value });
-const slopes: ParamInfo = { ...number("slopes", {}), kind: "group", tools: [{ name: "", about: "", params: [number("creep_m2_yr", 0.005, "m2/yr")] }] };
-const preset: ParamInfo = { ...number("preset", null), kind: "preset", presets: [{ name: "old", about: "", values: { years: 700000, "slopes.creep_m2_yr": 0.04 } }] };
+const number = (name: string, value: Json, unit = ""): ParamInfo =>
+  ({ name, kind: "number", unit, help: `${name} of it`, default: value });
+const slopes: ParamInfo = { ...number("slopes", {}), kind: "group",
+  tools: [{ name: "", about: "", params: [number("creep_m2_yr", 0.005, "m2/yr")] }] };
+const preset: ParamInfo = { ...number("preset", null), kind: "preset",
+  presets: [{ name: "old", about: "", values: { years: 700000, "slopes.creep_m2_yr": 0.04 } }] };
 const params = [preset, number("years", 100000, "yr"), slopes, number("peak_m", null, "m")];
 
-function studioWith(variables: { [name: string]: Json } = {}): { studio: Studio; sent: { edits: Edit[]; label: string }[] } {
+function studioWith(variables: { [name: string]: Json } = {}): { studio: Studio;
+  sent: { edits: Edit[]; label: string }[] } {
   const sent: { edits: Edit[]; label: string }[] = [];
   const recipe: Recipe = { seamount: 1, steps: [], variables };
-  const studio = { document: signal({ recipe }), edit: async (edits: Edit[], label: string) => (sent.push({ edits, label }), true) };
+  const studio = { document: signal({ recipe }), edit: async (edits: Edit[], label: string) =>
+    (sent.push({ edits, label }), true) };
   return { studio: studio as unknown as Studio, sent };
 }
 
@@ -72,9 +77,11 @@ test("words", () => {
 
 test("what is drawn is counted", () => {
   assert.equal(drawnText("strokes", [{ points: [[0, 0], [3000, 4000]], width_m: 100 }]), "1 stroke, 5 km");
-  assert.equal(drawnText("polygons", [[[0, 0], [100, 0], [100, 100], [0, 100]], { outer: [[0, 0], [10, 0], [10, 10], [0, 10]] }]),
+  assert.equal(drawnText("polygons",
+    [[[0, 0], [100, 0], [100, 100], [0, 100]], { outer: [[0, 0], [10, 0], [10, 10], [0, 10]] }]),
     "2 areas, 10100 m²");
   assert.equal(drawnText("points", []), "none");
   assert.equal(drawnText("outlines", [4000, 5200]), "1 outline, up to 5200 m");
-  assert.equal(drawnText("regions", [{ name: "a", ring: [[0, 0], [1000, 0], [1000, 1000], [0, 1000]] }]), "1 region, 1 km²");
+  assert.equal(drawnText("regions", [{ name: "a", ring: [[0, 0], [1000, 0], [1000, 1000], [0, 1000]] }]),
+    "1 region, 1 km²");
 });

@@ -1,5 +1,5 @@
-// Parameters as they stand in a document: what is stated, what a preset says, what is left to the default; and the edits
-// that change one. A scope is the members of one object: a step's params, a group, an item of a list.
+// Parameters as they stand in a document: what is stated, what a preset says, what is left to the default; and the
+// edits that change one. A scope is the members of one object: a step's params, a group, an item of a list.
 import type { Json, ParamInfo } from "../../api/types";
 import type { Studio } from "../../document/studio";
 import { changeLabel, titleOf } from "./words";
@@ -83,16 +83,19 @@ export function presetMembers(params: readonly ParamInfo[], stated: Members): Me
 export function scopeOf(studio: Studio, owner: string, step: string, pointer: string, params: readonly ParamInfo[],
                         stated: Json | undefined): Scope {
   const members = isMembers(stated) ? stated : {};
-  return { studio, owner, step, pointer, params, stated: members, inherited: presetMembers(params, members), parent: null, group: false };
+  return { studio, owner, step, pointer, params, stated: members, inherited: presetMembers(params, members),
+    parent: null, group: false };
 }
 
 /** Of a group, or of an item of a list at `token`. */
-export function innerScope(scope: Scope, token: string, params: readonly ParamInfo[], group: boolean, item?: Json): Scope {
+export function innerScope(scope: Scope, token: string, params: readonly ParamInfo[], group: boolean,
+  item?: Json): Scope {
   const written = item ?? resolved(scope.stated[token], scope.studio.document.value.recipe.variables);
   const stated = isMembers(written) ? written : {};
   const outer = scope.inherited[token];
   const inherited = { ...(group && isMembers(outer) ? outer : {}), ...presetMembers(params, stated) };
-  return { ...scope, pointer: `${scope.pointer}/${escapeToken(token)}`, params, stated, inherited, parent: scope, group };
+  return { ...scope, pointer: `${scope.pointer}/${escapeToken(token)}`, params, stated, inherited, parent: scope,
+    group };
 }
 
 export function fieldOf(scope: Scope, info: ParamInfo): Field {
@@ -105,7 +108,8 @@ export function fieldOf(scope: Scope, info: ParamInfo): Field {
   const value = stated === undefined ? fallback : resolved(stated, variables) ?? null;
   const standing: Standing = variable !== null ? "variable" : stated !== undefined && stated !== null ? "stated"
     : usesPreset ? "preset" : fallback === null ? "derived" : "default";
-  return { info, scope, pointer: `${scope.pointer}/${escapeToken(info.name)}`, stated, value, fallback, standing, variable };
+  return { info, scope, pointer: `${scope.pointer}/${escapeToken(info.name)}`, stated, value, fallback, standing,
+    variable };
 }
 
 export function setField(field: Field, value: Json, gesture?: string, before: Json = field.value): void {
@@ -138,7 +142,8 @@ export function matchesSearch(info: ParamInfo, words: string): boolean {
   const text = words.trim().toLowerCase();
   if (text === "") return true;
   if (`${info.name} ${titleOf(info.name)} ${info.help}`.toLowerCase().includes(text)) return true;
-  return (info.tools ?? []).some((tool) => tool.name.includes(text) || tool.params.some((inner) => matchesSearch(inner, text)));
+  return (info.tools ?? [])
+    .some((tool) => tool.name.includes(text) || tool.params.some((inner) => matchesSearch(inner, text)));
 }
 
 let gestures = 0;

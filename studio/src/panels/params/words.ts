@@ -5,7 +5,8 @@ import { unitText } from "./units";
 const SUFFIX = /_(m|km|m2|km2|deg|px|yr|m_s|m_yr|mm_yr|m2_yr|per_km2|per_km|km2|1_m)$/;
 
 /** Names that say too little by themselves. */
-const TITLES: { readonly [name: string]: string } = { cell_m: "Cell size", crs: "Coordinates", x_m: "East", y_m: "North" };
+const TITLES: { readonly [name: string]: string } = { cell_m: "Cell size", crs: "Coordinates", x_m: "East",
+  y_m: "North" };
 
 /** "peak_m" is "Peak": the unit stands beside the number. */
 export function titleOf(name: string): string {
@@ -25,7 +26,8 @@ export function numberText(value: number): string {
   if (!Number.isFinite(value)) return String(value);
   if (Number.isInteger(value) && Math.abs(value) < 1e9) return String(value);
   const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-4 || size >= 1e9)) return value.toExponential(3).replace(/\.?0+e/, "e").replace("e+", "e");
+  if (size !== 0 && (size < 1e-4 || size >= 1e9)) return value.toExponential(3).replace(/\.?0+e/, "e")
+    .replace("e+", "e");
   return String(Number(value.toPrecision(5)));
 }
 
@@ -42,7 +44,8 @@ export function valueText(value: Json | undefined, info?: Pick<ParamInfo, "unit"
   if (typeof value === "boolean") return value ? "on" : "off";
   if (typeof value === "string") return value === "" ? "none" : value.length > 24 ? `${value.slice(0, 23)}…` : value;
   if (Array.isArray(value)) {
-    if (value.length === 2 && value.every((item) => typeof item === "number")) return value.map((n) => numberText(n as number)).join(", ");
+    if (value.length === 2 && value.every((item) => typeof item === "number")) return value.map((n) =>
+      numberText(n as number)).join(", ");
     return `${value.length} ${value.length === 1 ? "item" : "items"}`;
   }
   return "changed";
@@ -51,7 +54,8 @@ export function valueText(value: Json | undefined, info?: Pick<ParamInfo, "unit"
 /** "reef: subsidence 0.2 → 0.4". */
 export function changeLabel(owner: string, info: ParamInfo, before: Json | undefined, after: Json | undefined): string {
   const name = titleOf(info.name).toLowerCase();
-  if (info.kind === "curve" || (Array.isArray(before) && Array.isArray(after) && valueText(before) === valueText(after))) return `${owner}: ${name} changed`;
+  if (info.kind === "curve" || (Array.isArray(before) && Array.isArray(after)
+    && valueText(before) === valueText(after))) return `${owner}: ${name} changed`;
   return `${owner}: ${name} ${valueText(before, info)} → ${valueText(after, info)}`;
 }
 
@@ -80,9 +84,11 @@ export function bytesText(bytes: number): string {
 
 /** Metres as people say them: "3.2 km", "45 m". */
 export function distanceText(metres: number): string {
-  return metres >= 1000 ? `${numberText(Number((metres / 1000).toPrecision(3)))} km` : `${numberText(Number(metres.toPrecision(3)))} m`;
+  return metres >= 1000 ? `${numberText(Number((metres / 1000).toPrecision(3)))} km`
+    : `${numberText(Number(metres.toPrecision(3)))} m`;
 }
 
 export function areaText(square: number): string {
-  return square >= 1e5 ? `${numberText(Number((square / 1e6).toPrecision(3)))} km²` : `${numberText(Number(square.toPrecision(3)))} m²`;
+  return square >= 1e5 ? `${numberText(Number((square / 1e6).toPrecision(3)))} km²`
+    : `${numberText(Number(square.toPrecision(3)))} m²`;
 }

@@ -32,6 +32,15 @@ function isFirst(studio: OpenedStudio): boolean {
   return file === "" && history.length === 0 && sessionStorage.getItem(kStarted) === null;
 }
 
+/** The browser asks before a window is closed whose latest change is not on disk yet. */
+function guardUnsent(studio: OpenedStudio): () => void {
+  const ask = (event: BeforeUnloadEvent): void => {
+    if (studio.busy.peek()) event.preventDefault();
+  };
+  addEventListener("beforeunload", ask);
+  return () => removeEventListener("beforeunload", ask);
+}
+
 export function App({ studio }: { studio: OpenedStudio }) {
   useEffect(() => {
     const ends = [
@@ -39,6 +48,7 @@ export function App({ studio }: { studio: OpenedStudio }) {
       registerActions(() => toolEntries(studio)),
       listenToKeys(document, (event) => toolKey(studio, event)),
       followLabels(studio),
+      guardUnsent(studio),
     ];
     if (isFirst(studio)) openDialog("examples");
     sessionStorage.setItem(kStarted, "yes");

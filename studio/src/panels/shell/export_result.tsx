@@ -1,9 +1,11 @@
 // An export while it runs and after: how far, the files to take along, and the numbers to type in.
 import { useSignal } from "@preact/signals";
 import { Check, CircleAlert, Copy, Download } from "lucide-preact";
-import { useRef } from "preact/hooks";
-import type { JobEvent } from "../../api/types";
+import { useEffect, useRef } from "preact/hooks";
+import type { JobEvent, Json } from "../../api/types";
 import { Estimate } from "./estimate";
+import { importNumbers, numbersText, sidecarsOf } from "./import_numbers";
+import type { ImportNumbers } from "./import_numbers";
 import { closeDialog, useStudio } from "./shell";
 import { showToast } from "./toasts";
 import { baseName, bytesText, durationText } from "./words";
@@ -39,11 +41,7 @@ function Running({ id, fraction, message }: { id: string; fraction: number; mess
 
 function Written({ job, back }: { job: JobEvent; back: () => void }) {
   const studio = useStudio();
-  const copied = useSignal(false);
-  const copy = async (): Promise<void> => {
-    await navigator.clipboard.writeText(job.notes.join("\n"));
-    copied.value = true;
-  };
+  const numbers = useNumbers(job);
   const download = async (path: string): Promise<void> => {
     try {
       takeAlong(await studio.api.download(path), baseName(path));
@@ -63,20 +61,56 @@ function Written({ job, back }: { job: JobEvent; back: () => void }) {
           </li>
         ))}
       </ul>
-      {job.notes.length > 0 && (
-        <section class="notes" aria-label="What to type in">
-          <header>
-            <h3>What to type in</h3>
-            <button class="plain" onClick={() => void copy()}><Copy aria-hidden />{copied.value ? "Copied" : "Copy"}</button>
-          </header>
-          <ul>{job.notes.map((note) => <li key={note}>{note}</li>)}</ul>
-        </section>
-      )}
+      <Numbers numbers={numbers} notes={job.notes} />
       <div class="bar-group">
         <button onClick={back}>Export more</button>
         <button class="primary" onClick={closeDialog}>Done</button>
       </div>
     </div>
+  );
+}
+
+/** Read from the side-cars that were written. */
+function useNumbers(job: JobEvent): readonly ImportNumbers[] {
+  const studio = useStudio();
+  const found = useSignal<readonly ImportNumbers[]>([]);
+  useEffect(() => {
+    const read = async (path: string): Promise<ImportNumbers | null> => {
+      try {
+        return importNumbers(JSON.parse(await (await studio.api.download(path)).text()) as Json);
+      } catch {
+        return null;  // the file can still be taken along and looked into
+      }
+    };
+    void Promise.all(sidecarsOf(job.files.map(({ path }) => path)).map(read)).then((all) => {
+      found.value = all.filter((one): one is ImportNumbers => one !== null);
+    });
+  }, [job]);
+  return found.value;
+}
+
+function Numbers({ numbers, notes }: { numbers: readonly ImportNumbers[]; notes: readonly string[] }) {
+  const copied = useSignal(false);
+  if (numbers.length === 0 && notes.length === 0) return null;
+  const copy = async (): Promise<void> => {
+    await navigator.clipboard.writeText(numbersText(numbers, notes));
+    copied.value = true;
+  };
+  return (
+    <section class="notes" aria-label="What to type in">
+      <header>
+        <h3>{numbers.length > 0 ? "What to type in" : "Notes"}</h3>
+        <button class="plain" onClick={() => void copy()}><Copy aria-hidden />{copied.value ? "Copied" : "Copy"}</button>
+      </header>
+      {numbers.map(({ file, rows, note }) => (
+        <div key={file} class="import-numbers">
+          <h4>{file}</h4>
+          <dl>{rows.map(([name, value]) => <div key={name}><dt>{name}</dt><dd>{value}</dd></div>)}</dl>
+          {note && <p class="muted">{note}</p>}
+        </div>
+      ))}
+      {notes.length > 0 && <ul>{notes.map((note) => <li key={note}>{note}</li>)}</ul>}
+    </section>
   );
 }
 

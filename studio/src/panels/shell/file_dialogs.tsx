@@ -96,11 +96,12 @@ export function BlankDialog() {
   const studio = useStudio();
   const width_km = useSignal(10);
   const cell_m = useSignal(20);
-  const cells = Math.round((width_km.value * 1000) / cell_m.value);
+  const width_m = width_km.value * 1000;
+  const cells = Math.round(width_m / cell_m.value);
   const possible = cells >= 8 && cells <= 16384;
   const go = (event: Event): void => {
     event.preventDefault();
-    if (possible) void openDocument(studio, { blank: true, width_m: width_km.value * 1000, cell_m: cell_m.value });
+    if (possible) void openDocument(studio, { blank: true, width_m, height_m: width_m, cell_m: cell_m.value });
   };
   return (
     <Dialog title="A blank terrain" class="small-dialog" close={closeDialog}>

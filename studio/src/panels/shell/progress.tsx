@@ -33,7 +33,7 @@ export function Progress() {
   const step = runningStep(engine);
   const percent = Math.round(engine.fraction * 100);
   return (
-    <div class="progress">
+    <div class="engine-progress">
       <span class="progress-text">
         {step ?? "Working"}
         {left !== null && left >= 2 && <span class="muted"> {durationText(left)} left</span>}

@@ -1,5 +1,6 @@
 // Begins the page: shows what stands in the way, or the studio.
 import { render } from "preact";
+import type { JSX } from "preact";
 import { ApiError } from "../../api/api";
 import { openStudio } from "../../document/open_studio";
 import { createClient, takeToken } from "../../api/client";
@@ -23,19 +24,23 @@ function Obstacle({ title, children }: { title: string; children: string }) {
 export async function start(root: HTMLElement, api: Api | null): Promise<void> {
   followTheme(document.documentElement);
   followWindow();
+  const show = (page: JSX.Element): void => {
+    root.replaceChildren();  // what the page says until then
+    render(page, root);
+  };
   if (!api) {
     const words = "Open the address that 'seamount studio' has printed: it carries the key to this studio.";
-    return render(<Obstacle title="This window has no key">{words}</Obstacle>, root);
+    return show(<Obstacle title="This window has no key">{words}</Obstacle>);
   }
   try {
     const studio = await openStudio(api);
-    render(<App studio={studio} />, root);
+    show(<App studio={studio} />);
   } catch (error) {
     const refused = error instanceof ApiError && error.status === 401;
     const words = refused
       ? "The studio was started anew since this window was opened. Open the address that it has printed."
       : "The studio's server does not answer. Is 'seamount studio' still running?";
-    render(<Obstacle title={refused ? "This key is an old one" : "No answer"}>{words}</Obstacle>, root);
+    show(<Obstacle title={refused ? "This key is an old one" : "No answer"}>{words}</Obstacle>);
   }
 }
 

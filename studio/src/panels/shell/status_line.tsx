@@ -39,7 +39,7 @@ function Pointed() {
           <span class="status-number wide">
             {at.height === null ? <span class="muted">no ground</span> : `${numberText(at.height, 1)} m`}
           </span>
-          {at.label && <span class="status-label"><span class={`swatch ${at.label}`} />{at.label}</span>}
+          {at.label && <span class="status-label"><span class={`region-swatch ${at.label}`} />{at.label}</span>}
         </>
       )}
       {pixel_m !== null && <span class="status-number muted">1 px = {scaleText(pixel_m)}</span>}

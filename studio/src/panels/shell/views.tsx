@@ -3,6 +3,7 @@ import { ArrowLeftRight } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
 import { Divider } from "./divider";
 import { arrangement, bigView, splitShare, swapViews } from "./layout";
+import { EmptyView } from "./empty_view";
 import { startViews } from "./parts";
 import { useStudio } from "./shell";
 
@@ -35,6 +36,7 @@ export function Views() {
         />
       )}
       <section class={`view ${placeOf("map")}`} aria-label="Map" ref={map} />
+      <EmptyView />
       {arrangement.value === "inset" && (
         <button class="inset-swap icon" aria-label={`Make the ${small} big`} title={`Make the ${small} big (V)`} onClick={swapViews}>
           <ArrowLeftRight aria-hidden />

@@ -28,7 +28,8 @@ async function add(studio: Studio, op: OperatorInfo, request: AddRequest): Promi
   const end = into && studio.operator(studio.step(into.to)?.op ?? "")?.in.find((port) => port.name === into.input);
   if (into && end) {
     const between = insertIntoWire(op, { step: into.from, port: into.output }, into.to, end, recipe, operators);
-    if (between && await studio.edit(between.edits, `${between.id} added between ${into.from} and ${into.to}`)) studio.selected.value = between.id;
+    if (between && await studio.edit(between.edits,
+      `${between.id} added between ${into.from} and ${into.to}`)) studio.selected.value = between.id;
     return;
   }
   const after = from?.step ?? request.after;
@@ -42,13 +43,15 @@ async function add(studio: Studio, op: OperatorInfo, request: AddRequest): Promi
   }
   const insertion = insertStep(op, after, recipe, operators, wanted);
   const { id, edits } = insertion;
-  const made = to && (op.out.find((port) => port.name === to.port.name && port.kind === to.port.kind) ?? op.out.find((port) => port.kind === to.port.kind));
+  const made = to && (op.out.find((port) => port.name === to.port.name && port.kind === to.port.kind)
+    ?? op.out.find((port) => port.kind === to.port.kind));
   const index = after === null ? recipe.steps.length : recipe.steps.findIndex((step) => step.id === after) + 1;
   if (to && made) edits.push(readNew(insertion, op, made.name, to.step, to.port.name, index, recipe, operators));
   if (await studio.edit(edits, `${id} added`)) studio.selected.value = id;
 }
 
-export function AddStep({ studio, request, onDone }: { studio: Studio; request: AddRequest; onDone(): void }): JSX.Element {
+export function AddStep({ studio, request, onDone }: { studio: Studio; request: AddRequest;
+  onDone(): void }): JSX.Element {
   const [query, setQuery] = useState("");
   const [at, setAt] = useState(0);
   const input = useRef<HTMLInputElement>(null);
@@ -56,16 +59,19 @@ export function AddStep({ studio, request, onDone }: { studio: Studio; request: 
   const steps = studio.document.value.recipe.steps;
   const after = request.from?.step ?? request.after ?? steps[steps.length - 1]?.id;
   const selected = after === undefined ? undefined : studio.operator(studio.step(after)?.op ?? "");
-  const made = useMemo(() => new Set(steps.flatMap((step) => (studio.operator(step.op)?.out ?? []).map((port) => port.kind))), [steps]);
+  const made = useMemo(() =>
+    new Set(steps.flatMap((step) => (studio.operator(step.op)?.out ?? []).map((port) => port.kind))), [steps]);
   const fit = (op: OperatorInfo) => fitAfter(op, selected, made);
-  const found = useMemo(() => findOperators(query, studio.schema.operators.filter((op) => fitsWire(op, request)), (op) => RANK[fit(op)]),
+  const found = useMemo(() => findOperators(query, studio.schema.operators.filter((op) => fitsWire(op, request)),
+    (op) => RANK[fit(op)]),
     [query, selected, studio.schema, request, made]);
   useLayoutEffect(() => {
     const before = document.activeElement;
     input.current?.focus();
     return () => { if (before instanceof HTMLElement && before.isConnected) before.focus(); };
   }, []);
-  useEffect(() => list.current?.querySelector("[aria-selected=true]")?.scrollIntoView({ block: "nearest" }), [at, query]);
+  useEffect(() => list.current?.querySelector("[aria-selected=true]")?.scrollIntoView({ block: "nearest" }),
+    [at, query]);
   const choose = (op: OperatorInfo | undefined) => {
     if (!op) return;
     onDone();
@@ -86,14 +92,18 @@ export function AddStep({ studio, request, onDone }: { studio: Studio; request: 
   return (
     <div class="add-step" role="dialog" aria-label="Add step">
       <div class="add-search"><Search />
-        <input ref={input} type="text" role="combobox" aria-expanded="true" aria-controls="add-step-list" aria-activedescendant={found[at] ? `add-${at}` : undefined}
-          aria-label="Search operators" placeholder={after ? `Add after ${after}…` : "Add a step…"} value={query} spellcheck={false} autocomplete="off"
+        <input ref={input} type="text" role="combobox" aria-expanded="true" aria-controls="add-step-list"
+          aria-activedescendant={found[at] ? `add-${at}` : undefined}
+          aria-label="Search operators" placeholder={after ? `Add after ${after}…` : "Add a step…"} value={query}
+          spellcheck={false} autocomplete="off"
           onInput={(event) => { setQuery(event.currentTarget.value); setAt(0); }} onKeyDown={onKeyDown} />
         <button type="button" class="plain icon small" aria-label="Close" onClick={onDone}><X /></button></div>
       <ul id="add-step-list" ref={list} role="listbox" aria-label="Operators">
         {found.flatMap((op, i) => [
-          ...(query === "" && (i === 0 || fit(found[i - 1]!) !== fit(op)) ? [<li key={fit(op)} class="add-group" role="presentation">{HEADS[fit(op)](after)}</li>] : []),
-          <Choice key={op.name} id={`add-${i}`} op={op} chosen={i === at} fit={fit(op)} onChoose={() => choose(op)} onPoint={() => setAt(i)} />,
+          ...(query === "" && (i === 0 || fit(found[i - 1]!) !== fit(op))
+            ? [<li key={fit(op)} class="add-group" role="presentation">{HEADS[fit(op)](after)}</li>] : []),
+          <Choice key={op.name} id={`add-${i}`} op={op} chosen={i === at} fit={fit(op)} onChoose={() => choose(op)}
+            onPoint={() => setAt(i)} />,
         ])}
         {found.length === 0 && <li class="empty" role="option" aria-selected="false">Nothing is called so.</li>}
       </ul>
@@ -102,7 +112,8 @@ export function AddStep({ studio, request, onDone }: { studio: Studio; request: 
 }
 
 const HEADS: { readonly [fit in Fit]: (after: string | undefined) => string } = {
-  follows: (after) => `Reads ${after ?? "it"}`, upstream: () => "Reads earlier steps", begins: () => "Begins anew", other: () => "Needs something else",
+  follows: (after) => `Reads ${after ?? "it"}`, upstream: () => "Reads earlier steps", begins: () => "Begins anew",
+    other: () => "Needs something else",
 };
 
 interface ChoiceProps {
@@ -117,7 +128,8 @@ interface ChoiceProps {
 function Choice({ id, op, chosen, fit, onChoose, onPoint }: ChoiceProps): JSX.Element {
   const { takes, makes } = takesAndMakes(op);
   return (
-    <li id={id} role="option" aria-selected={chosen} class={`add-choice ${fit}`} onClick={onChoose} onPointerMove={() => { if (!chosen) onPoint(); }}>
+    <li id={id} role="option" aria-selected={chosen} class={`add-choice ${fit}`} onClick={onChoose}
+      onPointerMove={() => { if (!chosen) onPoint(); }}>
       <FamilyIcon op={op.name} />
       <span class="add-words"><span class="add-name">{op.name}</span><span class="add-summary">{op.summary}</span>
         <span class="add-ports">{takes} → {makes}</span></span>

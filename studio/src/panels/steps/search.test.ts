@@ -5,12 +5,15 @@ import { findOperators, fuzzy, takesAndMakes } from "./search";
 
 const op = (name: string, summary: string): OperatorInfo => ({
   name, summary, source: "", stochastic: false, params: [],
-  in: [{ name: "terrain", kind: "terrain", help: "", required: true }, { name: "mask", kind: "field", help: "", required: false }],
+  in: [{ name: "terrain", kind: "terrain", help: "", required: true },
+    { name: "mask", kind: "field", help: "", required: false }],
   out: [{ name: "terrain", kind: "terrain", help: "", required: false }],
 });
-const all = [op("island.build", "An island from its outlines"), op("island.coral", "Sinks an island and grows its reef"),
+const all = [op("island.build", "An island from its outlines"),
+  op("island.coral", "Sinks an island and grows its reef"),
   op("reef.grow", "Grows barrier reefs"), op("erosion.run", "Years of rivers, slides, creep and waves")];
-const names = (query: string, rank = (_: OperatorInfo) => 0) => findOperators(query, all, rank).map((found) => found.name);
+const names = (query: string, rank = (_: OperatorInfo) => 0) => findOperators(query, all, rank).map((found) =>
+  found.name);
 
 test("by name, family and summary", () => {
   assert.equal(names("coral")[0], "island.coral");

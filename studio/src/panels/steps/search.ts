@@ -39,8 +39,10 @@ function scoreOf(query: string, op: OperatorInfo): number {
   for (const word of words) {
     const makes = op.out.map((port) => port.kind).join(" ");
     const summary = op.summary.toLowerCase().includes(word.toLowerCase()) ? fuzzy(word, op.summary) * 0.5 : 0;
-    const also = (ALSO[op.name] ?? "").split(" ").some((other) => word.length > 2 && other.startsWith(word.toLowerCase()));
-    const best = Math.max(fuzzy(word, op.name) * 1.2, summary, also ? 55 : 0, makes.startsWith(word.toLowerCase()) ? 30 : 0);
+    const also = (ALSO[op.name] ?? "").split(" ")
+      .some((other) => word.length > 2 && other.startsWith(word.toLowerCase()));
+    const best = Math.max(fuzzy(word, op.name) * 1.2, summary, also ? 55 : 0, makes.startsWith(word.toLowerCase())
+      ? 30 : 0);
     if (best === 0) return 0;
     sum += best;
   }

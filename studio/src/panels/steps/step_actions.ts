@@ -18,14 +18,20 @@ export function stepActions(studio: Studio): Action[] {
   const onSelected = (run: (id: string) => void) => () => { const id = selected(); if (id !== null) run(id); };
   const any = () => selected() !== null;
   return [
-    { id: "step.add", title: "Add step…", group, icon: ListPlus, keys: ["Shift+A"], words: "operator node new insert", run: add },
+    { id: "step.add", title: "Add step…", group, icon: ListPlus, keys: ["Shift+A"], words: "operator node new insert",
+      run: add },
     { id: "step.add_here", title: "Add step… (over the views)", group, keys: ["Tab"], when: overViews, run: add },
-    { id: "step.bypass", title: "Leave the step out", group, icon: CircleSlash, keys: ["Ctrl+B"], words: "bypass mute disable", when: any,
-      checked: () => studio.step(selected() ?? "")?.bypass === true, run: onSelected((id) => toggleBypass(studio, id)) },
+    { id: "step.bypass", title: "Leave the step out", group, icon: CircleSlash, keys: ["Ctrl+B"],
+      words: "bypass mute disable", when: any,
+      checked: () => studio.step(selected() ?? "")?.bypass === true,
+        run: onSelected((id) => toggleBypass(studio, id)) },
     { id: "step.pin", title: "Pin the step", group, icon: Pin, words: "preview show", when: any,
       checked: () => isPinned(studio, selected() ?? ""), run: onSelected((id) => togglePin(studio, id)) },
-    { id: "step.duplicate", title: "Duplicate the step", group, icon: Copy, keys: ["Shift+D"], words: "copy", when: any, run: onSelected((id) => void duplicate(studio, id)) },
-    { id: "step.remove", title: "Remove the step", group, icon: Trash2, words: "delete", when: any, run: onSelected((id) => void removeStep(studio, id)) },
-    { id: "step.document", title: "Document: size, seed, variables", group, words: "domain cells", run: () => { studio.selected.value = null; } },
+    { id: "step.duplicate", title: "Duplicate the step", group, icon: Copy, keys: ["Shift+D"], words: "copy", when: any,
+      run: onSelected((id) => void duplicate(studio, id)) },
+    { id: "step.remove", title: "Remove the step", group, icon: Trash2, words: "delete", when: any,
+      run: onSelected((id) => void removeStep(studio, id)) },
+    { id: "step.document", title: "Document: size, seed, variables", group, words: "domain cells",
+      run: () => { studio.selected.value = null; } },
   ];
 }

@@ -6,7 +6,8 @@ import type { OperatorInfo, Step, StepState } from "../../api/types";
 import type { Studio } from "../../document/studio";
 import { FamilyIcon } from "./family_icon";
 import { Progress, StandingSign } from "./standing";
-import { duplicate, idProblem, isPinned, moveStep, removeStep, renameStep, toggleBypass, togglePin } from "./step_edits";
+import { duplicate, idProblem, isPinned, moveStep, removeStep, renameStep, toggleBypass,
+  togglePin } from "./step_edits";
 import { Thumbnail } from "./thumbnail";
 
 interface StepCardProps {
@@ -27,7 +28,8 @@ export function StepCard(props: StepCardProps): JSX.Element {
   const [naming, setNaming] = useState(false);
   const selected = studio.selected.value === step.id;
   const stale = state !== undefined && state.standing !== "fresh";
-  const classes = ["step-card", selected && "selected", step.bypass && "bypassed", state?.standing === "failed" && "failed",
+  const classes = ["step-card", selected && "selected", step.bypass && "bypassed", state?.standing === "failed"
+    && "failed",
     props.drop && `drop-${props.drop}`, props.dragged && "dragged"].filter(Boolean).join(" ");
   const onKeyDown = (event: KeyboardEvent) => onCardKey(event, props, () => setNaming(true));
   const card = useRef<HTMLLIElement>(null);
@@ -37,17 +39,22 @@ export function StepCard(props: StepCardProps): JSX.Element {
       <div class="step-main">
         <Thumbnail studio={studio} id={step.id} op={op} stale={stale} />
         {naming ? <NameInput studio={studio} id={step.id} onDone={() => setNaming(false)} /> : (
-          <button type="button" class="plain step-select" aria-pressed={selected} tabIndex={selected || (studio.selected.value === null && props.index === 0) ? 0 : -1}
-            aria-label={`${step.id}, ${step.op}`} onPointerDown={props.onGrab} onClick={() => { studio.selected.value = step.id; }} onDblClick={() => setNaming(true)} onKeyDown={onKeyDown}>
+          <button type="button" class="plain step-select" aria-pressed={selected}
+            tabIndex={selected || (studio.selected.value === null && props.index === 0) ? 0 : -1}
+            aria-label={`${step.id}, ${step.op}`} onPointerDown={props.onGrab}
+            onClick={() => { studio.selected.value = step.id; }} onDblClick={() => setNaming(true)}
+            onKeyDown={onKeyDown}>
             <FamilyIcon op={step.op} /><span class="step-id ellipsis">{step.id}</span>
           </button>
         )}
         <StandingSign state={state} />
-        <span class="step-op ellipsis" title={op?.summary}>{step.op}{props.reads.length > 0 && <span class="step-reads"> ← {props.reads.join(", ")}</span>}</span>
+        <span class="step-op ellipsis" title={op?.summary}>{step.op}{props.reads.length > 0
+          && <span class="step-reads"> ← {props.reads.join(", ")}</span>}</span>
         <CardActions studio={studio} id={step.id} bypassed={step.bypass === true} />
       </div>
       <Progress state={state} />
-      {state?.message && (state.standing === "failed" || state.standing === "incomplete") && <p class="problem"><TriangleAlert />{plainMessage(state.message)}</p>}
+      {state?.message && (state.standing === "failed" || state.standing === "incomplete")
+        && <p class="problem"><TriangleAlert />{plainMessage(state.message)}</p>}
       {selected && state?.notes.map((note) => <p class="note" key={note}>{note}</p>)}
     </li>
   );
@@ -64,11 +71,16 @@ export function CardActions({ studio, id, bypassed }: { studio: Studio; id: stri
   return (
     <span class="step-actions">
       <button type="button" class="plain icon small" aria-pressed={bypassed} aria-label={`Leave ${id} out`}
-        data-help="Leave it out: what it reads is passed on" onClick={() => toggleBypass(studio, id)}><CircleSlash /></button>
-      <button type="button" class="plain icon small" aria-pressed={pinned} aria-label={`Pin ${id}`} data-help="Show this step whatever is selected"
+        data-help="Leave it out: what it reads is passed on"
+        onClick={() => toggleBypass(studio, id)}><CircleSlash /></button>
+      <button type="button" class="plain icon small" aria-pressed={pinned} aria-label={`Pin ${id}`}
+        data-help="Show this step whatever is selected"
         onClick={() => togglePin(studio, id)}><Pin /></button>
-      <button type="button" class="plain icon small" aria-label={`Duplicate ${id}`} data-help="Duplicate" onClick={() => void duplicate(studio, id)}><Copy /></button>
-      <button type="button" class="plain icon small" aria-label={`Remove ${id}`} data-help="Remove; what read it reads what it read" onClick={() => void removeStep(studio, id)}><Trash2 /></button>
+      <button type="button" class="plain icon small" aria-label={`Duplicate ${id}`} data-help="Duplicate"
+        onClick={() => void duplicate(studio, id)}><Copy /></button>
+      <button type="button" class="plain icon small" aria-label={`Remove ${id}`}
+        data-help="Remove; what read it reads what it read"
+        onClick={() => void removeStep(studio, id)}><Trash2 /></button>
     </span>
   );
 }
@@ -117,7 +129,8 @@ function NameInput({ studio, id, onDone }: { studio: Studio; id: string; onDone(
   };
   return (
     <span class="step-naming">
-      <input ref={input} type="text" aria-label={`New name of ${id}`} aria-invalid={problem !== ""} value={name} spellcheck={false}
+      <input ref={input} type="text" aria-label={`New name of ${id}`} aria-invalid={problem !== ""} value={name}
+        spellcheck={false}
         onInput={(event) => setName(event.currentTarget.value)} onBlur={() => finish(problem === "")}
         onKeyDown={(event) => {
           event.stopPropagation();

@@ -6,7 +6,8 @@ import { picturedSource } from "./thumbnail";
 export function toggleBypass(studio: Studio, id: string): void {
   const on = studio.step(id)?.bypass !== true;
   const pointer = `/steps/${id}/bypass`;
-  void studio.edit([on ? { do: "set", pointer, value: true } : { do: "set", pointer }], `${id}: ${on ? "left out" : "taken in again"}`);
+  void studio.edit([on ? { do: "set", pointer, value: true } : { do: "set", pointer }],
+    `${id}: ${on ? "left out" : "taken in again"}`);
 }
 
 /** Shows this step's result whatever is selected; again: what is selected is shown. */
@@ -29,7 +30,8 @@ export async function removeStep(studio: Studio, id: string): Promise<void> {
   const { steps } = studio.document.value.recipe;
   const at = steps.findIndex((step) => step.id === id);
   const next = steps[at + 1]?.id ?? steps[at - 1]?.id ?? null;
-  if (await studio.edit([{ do: "remove_step", id }], `${id} removed`) && (studio.selected.value === id || studio.selected.value === null))
+  if (await studio.edit([{ do: "remove_step", id }], `${id} removed`)
+    && (studio.selected.value === id || studio.selected.value === null))
     studio.selected.value = next;
 }
 

@@ -40,19 +40,26 @@ export function Steps({ studio }: { studio: Studio }): JSX.Element {
   const [grab, setGrab] = useDrag(studio, root);
   useEffect(() => registerActions(stepActions(studio)), [studio]);
   const at = grab ? recipe.steps.findIndex((step) => step.id === grab.id) : -1;
-  const drop = (index: number) => (!grab?.moved || grab.to !== index || index === at ? null : index < at ? "before" as const : "after" as const);
+  const drop = (index: number) => (!grab?.moved || grab.to !== index || index === at ? null : index < at
+    ? "before" as const : "after" as const);
   return (
     <div class="steps" ref={root}>
       <header class="panel-head"><h2>Steps</h2><span class="muted">{recipe.steps.length || ""}</span>
-        <button type="button" class="plain icon small" aria-pressed={studio.selected.value === null} aria-label="Document" data-help="The document: size, cells, seed, variables"
+        <button type="button" class="plain icon small" aria-pressed={studio.selected.value === null}
+          aria-label="Document" data-help="The document: size, cells, seed, variables"
           onClick={() => { studio.selected.value = null; }}><SlidersHorizontal /></button>
-        <button type="button" class="compact" aria-haspopup="dialog" aria-expanded={adding.value !== null} data-help="Add a step after the selected one (Shift+A)"
-          onClick={() => { adding.value = adding.value ? null : { after: studio.selected.value }; }}><Plus />Add step</button></header>
+        <button type="button" class="compact" aria-haspopup="dialog" aria-expanded={adding.value !== null}
+          data-help="Add a step after the selected one (Shift+A)"
+          onClick={() => { adding.value = adding.value ? null : { after: studio.selected.value }; }}>
+          <Plus />Add step</button></header>
       {adding.value && <AddStep studio={studio} request={adding.value} onDone={() => { adding.value = null; }} />}
       {recipe.steps.length === 0 && <p class="empty">Nothing yet. Add a step, or open an example.</p>}
-      <ol class="step-list" aria-label="Steps" onPointerDown={(event) => { if (event.target === event.currentTarget) studio.selected.value = null; }}>
-        {recipe.steps.map((step, i) => <StepCard key={step.id} studio={studio} step={step} index={i} op={studio.operator(step.op)} state={states.get(step.id)}
-          reads={reads.get(step.id) ?? []} drop={drop(i)} dragged={grab?.moved === true && grab.id === step.id} onGrab={(event) => setGrab(step.id, event)} />)}
+      <ol class="step-list" aria-label="Steps"
+        onPointerDown={(event) => { if (event.target === event.currentTarget) studio.selected.value = null; }}>
+        {recipe.steps.map((step, i) => <StepCard key={step.id} studio={studio} step={step} index={i}
+          op={studio.operator(step.op)} state={states.get(step.id)}
+          reads={reads.get(step.id) ?? []} drop={drop(i)} dragged={grab?.moved === true && grab.id === step.id}
+          onGrab={(event) => setGrab(step.id, event)} />)}
       </ol>
       <OutputList studio={studio} />
       <HelpTips within={root} />
@@ -61,7 +68,8 @@ export function Steps({ studio }: { studio: Studio }): JSX.Element {
 }
 
 /** A card is dragged by its name; Escape lets it be. */
-function useDrag(studio: Studio, root: { current: HTMLElement | null }): [Grab | null, (id: string, event: PointerEvent) => void] {
+function useDrag(studio: Studio, root: { current: HTMLElement | null }): [Grab | null,
+  (id: string, event: PointerEvent) => void] {
   const [grab, setGrab] = useState<Grab | null>(null);
   const held = useRef<Grab | null>(null);
   const update = (next: Grab | null) => {

@@ -39,7 +39,8 @@ class Wanted {
   }
 
   private ask(): void {
-    const fresh = new Set(this.studio.engine.peek().steps.filter((step) => step.standing === "fresh").map((step) => step.id));
+    const fresh = new Set(this.studio.engine.peek().steps.filter((step) => step.standing === "fresh")
+      .map((step) => step.id));
     const sources = [...this.shown.keys()].filter((source) => fresh.has(source.split(".")[0]!)).sort();
     const asked = sources.join("\n");
     if (asked === this.asked) return;
@@ -56,7 +57,8 @@ function wantedOf(studio: Studio): Wanted {
 }
 
 const OTHER: { readonly [kind: string]: () => JSX.Element } = {
-  image: () => <Image />, current: () => <Navigation />, things: () => <Box />, objects: () => <Trees />, catalogue: () => <FileText />,
+  image: () => <Image />, current: () => <Navigation />, things: () => <Box />, objects: () => <Trees />,
+    catalogue: () => <FileText />,
   drawing: () => <Route />, tin: () => <Waypoints />, contours: () => <Activity />,
 };
 
@@ -73,7 +75,8 @@ async function draw(studio: Studio, source: string, kind: string, canvas: HTMLCa
     if (blob.size === 0) return false;
     const bitmap = await createImageBitmap(blob);
     const scale = Math.max(WIDTH / bitmap.width, HEIGHT / bitmap.height);
-    context.drawImage(bitmap, (WIDTH - bitmap.width * scale) / 2, (HEIGHT - bitmap.height * scale) / 2, bitmap.width * scale, bitmap.height * scale);
+    context.drawImage(bitmap, (WIDTH - bitmap.width * scale) / 2, (HEIGHT - bitmap.height * scale) / 2,
+      bitmap.width * scale, bitmap.height * scale);
     bitmap.close();
     return true;
   }
@@ -85,7 +88,8 @@ async function draw(studio: Studio, source: string, kind: string, canvas: HTMLCa
   return true;
 }
 
-export function Thumbnail({ studio, id, op, stale }: { studio: Studio; id: string; op: OperatorInfo | undefined; stale: boolean }): JSX.Element {
+export function Thumbnail({ studio, id, op, stale }: { studio: Studio; id: string; op: OperatorInfo | undefined;
+  stale: boolean }): JSX.Element {
   const pictured = picturedSource(id, op);
   const source = pictured?.source ?? "";
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -111,7 +115,8 @@ export function Thumbnail({ studio, id, op, stale }: { studio: Studio; id: strin
     const element = canvas.current;
     if (!element || !pictured || key === "" || key === drawn) return;
     let current = true;
-    draw(studio, source, pictured.kind, element).then((done) => { if (done && current) setDrawn(key); }, () => undefined);
+    draw(studio, source, pictured.kind, element).then((done) => { if (done && current) setDrawn(key); },
+      () => undefined);
     return () => { current = false; };
   }, [studio, source, key]);
   const Icon = OTHER[op?.out[0]?.kind ?? ""] ?? (() => <Shapes />);

@@ -6,8 +6,10 @@ type Colour = readonly [number, number, number];
 const LABELS: readonly Colour[] = [[140, 107, 79], [227, 207, 143], [95, 201, 196], [217, 112, 143], [39, 81, 138]];
 const NOTHING: Colour = [96, 104, 112];
 /** Share of the greatest depth, then of the greatest height. */
-const SEA: readonly (readonly [number, Colour])[] = [[0, [112, 176, 190]], [0.06, [74, 140, 170]], [0.4, [44, 96, 140]], [1, [24, 54, 92]]];
-const LAND: readonly (readonly [number, Colour])[] = [[0, [196, 186, 140]], [0.04, [122, 146, 92]], [0.35, [104, 128, 82]], [0.65, [142, 128, 104]], [0.9, [186, 180, 172]], [1, [240, 242, 244]]];
+const SEA: readonly (readonly [number, Colour])[] = [[0, [112, 176, 190]], [0.06, [74, 140, 170]], [0.4, [44, 96, 140]],
+  [1, [24, 54, 92]]];
+const LAND: readonly (readonly [number, Colour])[] = [[0, [196, 186, 140]], [0.04, [122, 146, 92]],
+  [0.35, [104, 128, 82]], [0.65, [142, 128, 104]], [0.9, [186, 180, 172]], [1, [240, 242, 244]]];
 
 function ramp(stops: readonly (readonly [number, Colour])[], at: number): Colour {
   for (let i = 1; i < stops.length; ++i) {
@@ -34,7 +36,8 @@ function coverer(raster: Raster, width: number, height: number): (px: number, py
 function shader(raster: Raster): (column: number, row: number) => number {
   const { columns, rows, cell_m } = raster.frame;
   const values = raster.values;
-  const at = (column: number, row: number) => values[Math.min(rows - 1, Math.max(0, row)) * columns + Math.min(columns - 1, Math.max(0, column))]!;
+  const at = (column: number, row: number) => values[Math.min(rows - 1, Math.max(0, row)) * columns
+    + Math.min(columns - 1, Math.max(0, column))]!;
   const relief = Math.max(1e-6, raster.max - raster.min);
   const exaggeration = Math.max(1, (0.22 * cell_m * Math.max(columns, rows)) / relief);
   return (column, row) => {
@@ -47,7 +50,8 @@ function shader(raster: Raster): (column: number, row: number) => number {
 
 function terrainColour(raster: Raster): (value: number, light: number) => Colour {
   return (value, light) => {
-    const colour = value < 0 ? ramp(SEA, value / Math.min(-1e-9, raster.min)) : ramp(LAND, (value - Math.max(0, raster.min)) / Math.max(1e-9, raster.max - Math.max(0, raster.min)));
+    const colour = value < 0 ? ramp(SEA, value / Math.min(-1e-9, raster.min))
+      : ramp(LAND, (value - Math.max(0, raster.min)) / Math.max(1e-9, raster.max - Math.max(0, raster.min)));
     const strength = value < 0 ? 0.75 + 0.35 * light : 0.5 + 0.72 * light;
     return [colour[0] * strength, colour[1] * strength, colour[2] * strength];
   };

@@ -1,5 +1,5 @@
-// Events that begin and end: bars on a line of time, dragged as a whole or by an end. Where the operator has a number of
-// iterations or years, a mark shows how far it runs; it is dragged, and play lets it run step by step.
+// Events that begin and end: bars on a line of time, dragged as a whole or by an end. Where the operator has a number
+// of iterations or years, a mark shows how far it runs; it is dragged, and play lets it run step by step.
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Pause, Play } from "lucide-preact";
@@ -14,7 +14,8 @@ const TIMES = ["iterations", "years", "steps"];
 /** Whether all its tools have a begin and an end. */
 export function hasTimes(info: ParamInfo): boolean {
   const tools = info.tools ?? [];
-  return tools.length > 0 && tools.every((tool) => ["start", "end"].every((name) => tool.params.some((param) => param.name === name)));
+  return tools.length > 0
+    && tools.every((tool) => ["start", "end"].every((name) => tool.params.some((param) => param.name === name)));
 }
 
 function spanOf(info: ParamInfo, item: Json): Span {
@@ -49,14 +50,18 @@ export function EventLines({ field }: { field: Field }): JSX.Element {
     const edits = (["start", "end"] as const).filter((name) => span[name] !== before[name])
       .map((name) => ({ do: "set" as const, pointer: `${field.pointer}/${index}/${name}`, value: span[name] }));
     const last = isEndless(span) ? "on" : `to ${numberText(span.end)}`;
-    if (edits.length > 0) void studio.edit(edits, `${owner}: event ${index + 1} from ${numberText(span.start)} ${last}`, gesture);
+    if (edits.length > 0) void studio.edit(edits, `${owner}: event ${index + 1} from ${numberText(span.start)} ${last}`,
+      gesture);
   };
   return (
     <div class="timeline">
       <div class="timeline-rows" ref={track}>
-        {marks(end, 6).map((at) => <span key={at} class="timeline-mark" style={{ left: `${(100 * at) / end}%` }}>{numberText(at)}</span>)}
-        {items.map((item, i) => <EventBar key={i} name={nameOf(item, i)} span={spans[i]!} end={end} step={step} pointer={`${field.pointer}/${i}`}
-          stepId={field.scope.step} perPixel={perPixel} onHold={(on) => { held.current = on ? end : null; }} onChange={(span, gesture) => setSpan(i, span, gesture)} />)}
+        {marks(end, 6).map((at) => <span key={at} class="timeline-mark"
+          style={{ left: `${(100 * at) / end}%` }}>{numberText(at)}</span>)}
+        {items.map((item, i) => <EventBar key={i} name={nameOf(item, i)} span={spans[i]!} end={end} step={step}
+          pointer={`${field.pointer}/${i}`}
+          stepId={field.scope.step} perPixel={perPixel} onHold={(on) => { held.current = on ? end : null; }}
+          onChange={(span, gesture) => setSpan(i, span, gesture)} />)}
         {time && <PlayMark time={time} runs={runs} end={end} step={step} perPixel={perPixel} />}
       </div>
       {time && <PlayButton time={time} runs={runs} end={end} step={step} />}
@@ -112,7 +117,8 @@ function EventBar({ name, span, end, step, pointer, stepId, perPixel, onHold, on
   };
   return (
     <div class="timeline-row">
-      <button type="button" class={`timeline-bar${activeItem.value?.pointer === pointer ? " active" : ""}`} style={{ left: `${left}%`, width: `${Math.max(1.5, right - left)}%` }}
+      <button type="button" class={`timeline-bar${activeItem.value?.pointer === pointer ? " active" : ""}`}
+        style={{ left: `${left}%`, width: `${Math.max(1.5, right - left)}%` }}
         aria-label={`${name}, from ${numberText(span.start)} ${isEndless(span) ? "on" : `to ${numberText(span.end)}`}`}
         onPointerDown={down} onPointerMove={move} onPointerUp={up} onPointerCancel={up} onKeyDown={onKeyDown}
         onClick={() => { activeItem.value = { step: stepId, pointer }; }}><span class="ellipsis">{name}</span></button>
@@ -129,9 +135,11 @@ interface PlayProps {
 
 function PlayMark({ time, runs, end, step, perPixel }: PlayProps & { perPixel(): number }): JSX.Element {
   const drag = useRef<{ gesture: string; x: number; runs: number; scale: number } | null>(null);
-  const set = (to: number, gesture: string, before: number) => setField(time, Math.min(time.info.max ?? Infinity, Math.max(0, Math.round(to / step) * step)), gesture, before);
+  const set = (to: number, gesture: string, before: number) =>
+    setField(time, Math.min(time.info.max ?? Infinity, Math.max(0, Math.round(to / step) * step)), gesture, before);
   return (
-    <span class="timeline-now" style={{ left: `${Math.min(100, (100 * runs) / end)}%` }} data-help={`${titleOf(time.info.name)}: drag to change`}
+    <span class="timeline-now" style={{ left: `${Math.min(100, (100 * runs) / end)}%` }}
+      data-help={`${titleOf(time.info.name)}: drag to change`}
       onPointerDown={(event) => {
         event.currentTarget.setPointerCapture(event.pointerId);
         drag.current = { gesture: newGesture(), x: event.clientX, runs, scale: perPixel() };
@@ -151,13 +159,16 @@ function PlayButton({ time, runs, end, step }: PlayProps): JSX.Element {
   const stride = Math.max(step, Math.round(end / 40 / step) * step);
   useEffect(() => {
     if (!playing || !settled) return;
-    const timer = window.setTimeout(() => setField(time, nextTime(runs, Math.floor(end), stride), playing.gesture, playing.before), 200);
+    const timer = window.setTimeout(() => setField(time, nextTime(runs, Math.floor(end), stride), playing.gesture,
+      playing.before), 200);
     return () => window.clearTimeout(timer);
   }, [playing, settled, runs]);
   return (
     <div class="timeline-play">
-      <button type="button" class="plain icon small" aria-label={playing ? "Pause" : "Play"} aria-pressed={playing !== null}
-        onClick={() => setPlaying(playing ? null : { gesture: newGesture(), before: runs })}>{playing ? <Pause /> : <Play />}</button>
+      <button type="button" class="plain icon small" aria-label={playing ? "Pause" : "Play"}
+        aria-pressed={playing !== null}
+        onClick={() => setPlaying(playing ? null : { gesture: newGesture(), before: runs })}>{playing
+        ? <Pause /> : <Play />}</button>
       <span class="muted">{titleOf(time.info.name)} {numberText(runs)}</span>
     </div>
   );

@@ -27,13 +27,16 @@ export function Timeline({ studio }: { studio: Studio }): JSX.Element {
   const info = eventsOf(op);
   if (!step || !op || !info) {
     const able = studio.schema.operators.filter((operator) => eventsOf(operator)).map((operator) => operator.name);
-    return <p class="empty">No step has events{able.length > 0 ? `: add ${able.join(" or ")} to let storms, currents and a changing sea shape what grows` : ""}.</p>;
+    return <p class="empty">No step has events{able.length > 0
+      ? `: add ${able.join(" or ")} to let storms, currents and a changing sea shape what grows` : ""}.</p>;
   }
-  const field = fieldOf(scopeOf(studio, step.id, step.id, `/steps/${step.id}/params`, op.params, step.params as Json | undefined), info);
+  const field = fieldOf(scopeOf(studio, step.id, step.id, `/steps/${step.id}/params`, op.params,
+    step.params as Json | undefined), info);
   return (
     <div class="timeline-panel" ref={root}>
       <div class="items-head">
-        <button type="button" class="plain compact" aria-pressed={studio.selected.value === step.id} onClick={() => { studio.selected.value = step.id; }}>{step.id}</button>
+        <button type="button" class="plain compact" aria-pressed={studio.selected.value === step.id}
+          onClick={() => { studio.selected.value = step.id; }}>{step.id}</button>
         <span class="muted items-count">{itemsOf(field).length === 0 ? "No events yet" : ""}</span>
         <AddItem field={field} onAdd={(tool) => { studio.selected.value = step.id; addTool(field, tool); }} />
       </div>

@@ -1,0 +1,101 @@
+// What a person does in a window of the studio, for tests: choosing steps and tools, drawing on the map.
+import assert from "node:assert/strict";
+import type { Browser, Page } from "playwright-core";
+import type { Json, Recipe } from "../src/api/types";
+import { openPage, Server, until } from "./harness";
+
+/** A window of the studio on a server of its own, used as a person would. */
+export class Desk {
+  constructor(readonly server: Server, readonly page: Page, readonly errors: string[]) {}
+
+  static async open(browser: Browser, document: Recipe | null, size: { width?: number; height?: number } = {}): Promise<Desk> {
+    const server = await Server.start(document);
+    const { page, errors } = await openPage(browser, server.address, size);
+    const desk = new Desk(server, page, errors);
+    await page.locator("[data-key]").first().waitFor();
+    if (document) await page.keyboard.press("v"); // the map is the big view
+    return desk;
+  }
+
+  async close(): Promise<void> {
+    assert.deepEqual(this.errors, []);
+    await this.page.context().close();
+    await this.server.end();
+  }
+
+  select(step: string): Promise<void> {
+    return this.page.getByRole("list", { name: "Steps" }).getByText(step, { exact: true }).first().click();
+  }
+
+  tool(name: string | RegExp): Promise<void> {
+    return this.page.getByRole("toolbar", { name: "Tools" }).getByRole("button", { name }).first().click();
+  }
+
+  async params(step: string): Promise<{ [name: string]: Json }> {
+    return (await this.server.document()).recipe.steps.find(({ id }) => id === step)?.params ?? {};
+  }
+
+  key(): Promise<string | null> {
+    return this.page.locator("[data-key]").first().getAttribute("data-key");
+  }
+
+  /** A place of the map as shares of its width and height. */
+  async place(x: number, y: number): Promise<[number, number]> {
+    const box = (await this.page.getByRole("region", { name: "Map" }).boundingBox())!;
+    return [box.x + x * box.width, box.y + y * box.height];
+  }
+
+  async drag(...places: [number, number][]): Promise<void> {
+    const { mouse } = this.page;
+    const [first, ...rest] = await Promise.all(places.map(([x, y]) => this.place(x, y)));
+    await mouse.move(...first!);
+    await mouse.down();
+    for (const to of rest) await mouse.move(...to, { steps: 8 });
+    await mouse.up();
+  }
+
+  /** Does something that changes the document and the terrain, and takes it back. */
+  async changes(what: string, act: () => Promise<void>): Promise<Recipe> {
+    const before = await this.server.document(), key = await this.key();
+    await act();
+    const after = await until(`${what}: the recipe changes`, async () => {
+      const now = await this.server.document();
+      return now.revision > before.revision && now;
+    });
+    await until(`${what}: another terrain is seen`, async () => (await this.key()) !== key);
+    await until(`${what}: and it is a full one`, async () => (await this.page.locator("[data-key]").first().getAttribute("data-coarse")) === "false");
+    assert.equal(after.done, before.done + 1, `${what} is one entry of the history`);
+    const settled = (await this.server.document()).recipe;
+    await this.page.keyboard.press("Control+z");
+    await until(`${what}: undo`, async () => (await this.server.document()).done === before.done);
+    assert.deepEqual((await this.server.document()).recipe, before.recipe, `${what}: undone`);
+    await this.page.keyboard.press("Control+Shift+z");
+    await until(`${what}: redo`, async () => (await this.server.document()).done === before.done + 1);
+    assert.deepEqual((await this.server.document()).recipe, settled, `${what}: made again`);
+    return settled;
+  }
+
+  /** Adds a step behind the selected one, by its operator's name. */
+  async add(op: string): Promise<void> {
+    const before = (await this.server.document()).recipe.steps.length;
+    await this.page.getByRole("button", { name: "Add step" }).first().click();
+    await this.page.getByRole("combobox", { name: "Search operators" }).fill(op);
+    await this.page.getByRole("option").filter({ hasText: op }).first().click();
+    await until(`${op} is added`, async () => (await this.server.document()).recipe.steps.length > before);
+  }
+
+  /** Types a number into a field of a step's panel. */
+  async type(step: string, field: RegExp, text: string): Promise<void> {
+    await this.select(step);
+    await this.page.getByRole("spinbutton", { name: field }).first().focus();
+    await this.page.keyboard.press("Enter");
+    await this.page.keyboard.type(text);
+    await this.page.keyboard.press("Enter");
+  }
+
+  /** Waits until all that is wanted is computed and drawn. */
+  async rest(): Promise<void> {
+    await until("nothing is computed any more", () => this.page.locator(".progress").count().then((count) => count === 0), 120);
+    await this.page.waitForTimeout(2500);
+  }
+}
