@@ -83,8 +83,9 @@ export class Gestures {
     window.addEventListener("blur", () => this.released(), { signal });
   }
 
-  get busy(): boolean {
-    return this.stroke !== null || this.moving !== null || this.fingers.size > 1;
+  /** The view is being moved. */
+  get navigating(): boolean {
+    return this.moving !== null || this.fingers.size > 1;
   }
 
   dispose(): void {

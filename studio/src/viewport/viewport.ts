@@ -298,12 +298,18 @@ export class Viewport {
   /** A view moves: quick pictures now, a good one when it rests. */
   private moved(): void {
     this.map.inkStale = this.world.inkStale = true;
+    this.restSoon();
+    this.dirty();
+  }
+
+  /** At rest once nothing has moved for longer than slow pictures take, and no button is held that moves a view. */
+  private restSoon(): void {
     clearTimeout(this.restTimer);
     this.restTimer = window.setTimeout(() => {
+      if (this.gestures.some((gestures) => gestures.navigating)) return this.restSoon();
       this.restTimer = 0;
       this.dirty();
-    }, restAfter_ms);
-    this.dirty();
+    }, Math.max(restAfter_ms, Math.min(1200, 2 * this.renderer.pace.quickMs)));
   }
 
   private dirty(): void {
