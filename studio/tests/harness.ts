@@ -42,12 +42,17 @@ export class Server {
     const work = join(this.folder, "work");
     const rest = ["--no-browser", "--no-cache", "--state", join(this.folder, "state"), "--port", String(await freePort())];
     const document = withRecipe ? [join(work, "test.json")] : ["--folder", work];
-    this.process = spawn(program, ["studio", ...document, ...rest], { stdio: ["ignore", "pipe", "inherit"] });
-    const lines = createInterface({ input: this.process.stdout! });
+    this.process = spawn(program, ["studio", ...document, ...rest], { stdio: ["ignore", "pipe", "ignore"] });
+    const child = this.process, lines = createInterface({ input: child.stdout! });
+    process.once("exit", () => child.kill("SIGKILL"));
     this.address = await new Promise<string>((done, fail) => {
       lines.once("line", done);
-      this.process!.once("exit", (code) => fail(new Error(`the server ended with ${code}`)));
+      child.once("exit", (code) => fail(new Error(`the server ended with ${code}`)));
     });
+    // A test that failed before it ended its server ends all the same.
+    lines.close();
+    child.stdout!.destroy();
+    child.unref();
   }
 
   kill(): Promise<void> {
@@ -104,7 +109,12 @@ export async function openPage(
   const errors: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));
   page.on("console", (message) => {
-    if (message.type() === "error") errors.push(message.text());
+    if (message.type() === "error" && !message.text().startsWith("Failed to load resource")) errors.push(message.text());
+  });
+  page.on("response", (response) => {
+    // A result that was overtaken is gone when it is asked for; text that is being typed is refused.
+    const expected = (response.status() === 404 && response.url().includes("/api/values/")) || response.status() === 422;
+    if (response.status() >= 400 && !expected) errors.push(`${response.status()} ${response.request().method()} ${response.url()}`);
   });
   await page.goto(address);
   return { page, errors };

@@ -12,8 +12,8 @@ using recipe::EngineState;
 using recipe::Quality;
 using recipe::Source;
 
-/// Results of a source that can still be fetched: the one that is shown and the one before it.
-constexpr size_t kKept = 2;
+/// Results of a source that can still be fetched: the one that is shown and those just before it.
+constexpr size_t kKept = 4;
 
 constexpr std::array<const char*, 8> kStandings = {"fresh",  "stale",   "queued",     "running",
                                                    "failed", "blocked", "incomplete", "bypassed"};

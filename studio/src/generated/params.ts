@@ -274,6 +274,55 @@ export interface OperatorParams {
         }
     )[];
   };
+  /** A field painted with a pen: a mask, a density, a hardness, where ground is to be made anew */
+  "terrain.paint": {
+    /** value where nothing is painted and no values come in */
+    base?: number;
+    /** where nothing is painted nothing is known, in place of `base`: for the levelset of learned.sketch */
+    unknown?: boolean;
+    /** what is painted, one stroke after another */
+    strokes?: (
+      | {
+          tool: "brush";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** how hard the pen was pressed at each point: share of what the stroke does; none: 1 */
+          pressure?: number[];
+          /** reach to either side, where the stroke ends [m] */
+          radius_m?: number;
+          /** 0: soft from the middle on; 1: the same all over, with a sharp edge */
+          hardness?: number;
+          /** what is painted */
+          value?: number;
+          /** how much of what is there is covered in the middle: 0 nothing, 1 all */
+          opacity?: number;
+        }
+      | {
+          tool: "area";
+          /** what is filled, at least one; an outline may cross itself */
+          polygons?: Polygon[];
+          /** what is painted */
+          value?: number;
+          /** how much of what is there is covered in the middle: 0 nothing, 1 all */
+          opacity?: number;
+          /** over which it fades beyond its edge [m] */
+          feather_m?: number;
+        }
+      | {
+          tool: "erase";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** how hard the pen was pressed at each point: share of what the stroke does; none: 1 */
+          pressure?: number[];
+          /** reach to either side, where the stroke ends [m] */
+          radius_m?: number;
+          /** 0: soft from the middle on; 1: the same all over, with a sharp edge */
+          hardness?: number;
+          /** share of the earlier strokes that goes */
+          opacity?: number;
+        }
+    )[];
+  };
   /** A soft selection by height, depth, slope, aspect, curvature, regions, drawn areas and lines, noise or any field */
   "terrain.mask": {
     /** what is selected; none: everything */
@@ -1662,6 +1711,50 @@ export interface OperatorParams {
   "classify.follow": {
     /** level of the sea [m] */
     sea_m?: number;
+  };
+  /** Regions of an island painted with a pen, over those of a label map or from nothing, and its subsidence */
+  "classify.paint": {
+    /** region where nothing is painted and no labels come in */
+    base?: "mountain" | "beach" | "lagoon" | "reef" | "abyss";
+    /** what is painted, one stroke after another */
+    strokes?: (
+      | {
+          tool: "region";
+          /** what is painted */
+          region?: "mountain" | "beach" | "lagoon" | "reef" | "abyss";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** half the width of the stroke [m] */
+          radius_m?: number;
+        }
+      | {
+          tool: "area";
+          /** what is painted */
+          region?: "mountain" | "beach" | "lagoon" | "reef" | "abyss";
+          /** what is filled, at least one; an outline may cross itself */
+          polygons?: Polygon[];
+        }
+      | {
+          tool: "sink";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** how hard the pen was pressed at each point: share of what the stroke does; none: 1 */
+          pressure?: number[];
+          /** reach to either side, where the stroke ends [m] */
+          radius_m?: number;
+          /** 0: soft from the middle on; 1: the same all over, with a sharp edge */
+          hardness?: number;
+          /** in the middle of the stroke: 0 not at all, 1 wholly */
+          subsidence?: number;
+        }
+      | {
+          tool: "erase";
+          /** places of the pen, at least one; a spline runs through them */
+          points?: Point[];
+          /** half the width of the stroke [m] */
+          radius_m?: number;
+        }
+    )[];
   };
   /** Spreads trees, corals, rocks or models of your own over a terrain, at drawn places or by a density */
   "ecosystem.scatter": {

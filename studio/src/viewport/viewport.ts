@@ -190,9 +190,7 @@ export class Viewport {
     if (before === null || !sameRectangle(before, field)) this.begin(field);
     this.map.inkStale = this.world.inkStale = true;
     this.profile.update();
-    // Coarse results come in a row: quick pictures until they rest.
-    if (raster.coarse) this.moved();
-    else this.dirty();
+    this.moved();  // a quick picture at once, since results may come in a row; a good one when they rest
   }
 
   /** Another terrain: all of it is shown, as high as shows its forms. */
