@@ -75,13 +75,17 @@ export class Desk {
     return settled;
   }
 
-  /** Adds a step behind the selected one, by its operator's name. */
-  async add(op: string): Promise<void> {
+  /** Adds a step behind the selected one, by its operator's name: its id. */
+  async add(op: string): Promise<string> {
     const before = (await this.server.document()).recipe.steps.length;
     await this.page.getByRole("button", { name: "Add step" }).first().click();
     await this.page.getByRole("combobox", { name: "Search operators" }).fill(op);
     await this.page.getByRole("option").filter({ hasText: op }).first().click();
-    await until(`${op} is added`, async () => (await this.server.document()).recipe.steps.length > before);
+    const { recipe } = await until(`${op} is added`, async () => {
+      const now = await this.server.document();
+      return now.recipe.steps.length > before && now;
+    });
+    return recipe.steps.find((step) => step.op === op)!.id;
   }
 
   /** Types a number into a field of a step's panel. */

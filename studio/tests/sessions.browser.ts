@@ -49,11 +49,11 @@ test("a volcanic island becomes an atoll", async () => {
   });
   await desk.changes("the coast", () => desk.drag(...ring(box.width / box.height)));
   await picture(desk, "coast");
-  await desk.add("island.coral");
-  await desk.changes("the age", () => desk.type("reef", /subsidence/i, "0.15"));
+  const reef = await desk.add("island.coral");
+  await desk.changes("the age", () => desk.type(reef, /subsidence/i, "0.15"));
   await desk.page.keyboard.press("v");
   await picture(desk, "reef");
-  await desk.changes("the atoll", () => desk.type("reef", /subsidence/i, "0.7"));
+  await desk.changes("the atoll", () => desk.type(reef, /subsidence/i, "0.7"));
   await picture(desk, "atoll");
   const { recipe } = await desk.server.document();
   assert.deepEqual(recipe.steps.map((step) => step.op), ["island.build", "island.coral"]);

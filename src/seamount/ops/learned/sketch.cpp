@@ -72,9 +72,9 @@ SEAMOUNT_VECTORISED void add_profile(const float* distance, int width, float by,
 void meet_lines(const ScalarField& from_river, const ScalarField& from_ridge, float depth, HeightField& heights,
                 const RunContext& run) {
   if (!(depth > 0)) return;
-  for (const auto& [distance, sign] : {std::pair{&from_river, -1.0F}, std::pair{&from_ridge, 1.0F}}) {
+  for (const ScalarField* distance : {&from_river, &from_ridge}) {
     if (distance->empty()) continue;
-    const float by = sign * depth;
+    const float by = distance == &from_river ? -depth : depth;
     parallel_rows(run, heights.width(), heights.height(), [&](int begin, int end) {
       for (int y = begin; y < end; ++y)
         add_profile(distance->row(y).data(), heights.width(), by, heights.row(y).data());
