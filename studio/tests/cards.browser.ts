@@ -127,7 +127,7 @@ test("a wire is drawn, taken off, and only what fits lights up", async () => {
   await page.mouse.move(...from);
   await page.mouse.down();
   await page.mouse.move(to[0] - 20, to[1], { steps: 4 });
-  assert.ok(await page.locator(".port.fits").count() >= 3);
+  await expect("what fits lights up", async () => (await page.locator(".port.fits").count()) >= 3);
   assert.equal(await page.locator(".port.fits.kind-labels").count(), 0);
   await page.mouse.move(...to);
   await page.mouse.up();
