@@ -27,6 +27,7 @@ LINKED = [("dev", "apps/seamount/seamount", "run"), ("dev", "recipe_tests", "tes
           ("sanitize", "tests/fuzz/recipe_fuzz", "test")]
 SCRIPTS = {
     "run": ["run", "tools/setup.sh"],
+    "studio": ["tools/page.sh"],
     "test": ["test", ".ci/run", "tools/*.sh", "tools/*.py", "tests/*.py", "tests/cli/*", "README.md", "docs/guide/*.md"],
 }
 BEFORE = r"then|do|else|if|while|until|exec|command|sudo|env|xargs|nice"  # a command follows them
@@ -177,7 +178,8 @@ def main():
         return 0
     debian = Debian()
     allowed = {"run": debian.base | debian.closure(listed("run"))}
-    allowed["test"] = allowed["run"] | debian.closure(listed("test"))
+    allowed["studio"] = allowed["run"] | debian.closure(listed("studio"))
+    allowed["test"] = allowed["studio"] | debian.closure(listed("test"))
     problems, seen = set(), set()
     for file, by, purpose in used():
         if not file.startswith(SYSTEM) or file.startswith("/usr/local/"):

@@ -46,16 +46,3 @@ build() {
   shift
   (set -o pipefail && cd "build/$preset" && ninja "$@" | sed -uE '/no work to do|Re-checking globbed/d' >&2)
 }
-
-# build_page: the studio's page into studio/dist/page, where something of it has changed.
-build_page() {
-  (
-    cd studio || exit
-    if [[ package-lock.json -nt node_modules/.package-lock.json ]]; then
-      say "seamount: fetching what the studio's page is built with"
-      npm ci --no-audit --no-fund --loglevel=error >&2 || exit
-      touch node_modules/.package-lock.json
-    fi
-    [[ -e dist/page/index.html && ! $(find src examples build.mjs package-lock.json -newer dist/page/index.html) ]] || node build.mjs
-  )
-}
