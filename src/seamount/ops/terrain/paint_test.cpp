@@ -49,7 +49,8 @@ TEST(Paint, LaysValuesOverEachOtherInOrder) {
 TEST(Paint, StaysBetweenWhatIsThereAndWhatIsPainted) {
   Brush curl = kBrush;
   for (int i = 0; i < 60; ++i) curl.points.push_back({700 + 60 * std::cos(0.9 * i), 100 + 60 * std::sin(0.9 * i)});
-  for (const float v : painted({PaintBrush{curl, 1, 1}}).cells()) ASSERT_TRUE(v >= 0.0F && v <= 1.0F);
+  const ScalarField curled = painted({PaintBrush{curl, 1, 1}});
+  for (const float v : curled.cells()) ASSERT_TRUE(v >= 0.0F && v <= 1.0F);
 }
 
 TEST(Paint, FillsAreasAndFeathersThem) {
@@ -92,8 +93,8 @@ TEST(Paint, UnknownIsPaintedWhereTheStrokeHasHalfItsWeight) {
   for (const float v : none.cells()) ASSERT_TRUE(std::isnan(v));
   Brush wide = kBrush;
   wide.radius_m = 900;
-  for (const float v : painted({PaintBrush{kBrush}, PaintErase{wide, 1}}, 0.0, true).cells())
-    ASSERT_TRUE(std::isnan(v));
+  const ScalarField erased = painted({PaintBrush{kBrush}, PaintErase{wide, 1}}, 0.0, true);
+  for (const float v : erased.cells()) ASSERT_TRUE(std::isnan(v));
   std::vector<std::string> notes;
   const ScalarField values(kFrame, 0.0F);
   paint(kFrame, &values, {0.0, true, {}}, {.note = [&](const std::string& line) { notes.push_back(line); }});
