@@ -151,7 +151,7 @@ bool draw_cells(const Polyline& line, Grid<uint8_t>& cells) {
       const double t = static_cast<double>(s) / steps;
       const double column = frame.column(from.x) + t * columns, row = frame.row(from.y) + t * rows;
       if (column < -0.5 || row < -0.5 || column >= frame.width - 0.5 || row >= frame.height - 0.5) continue;
-      cells(static_cast<int>(std::lround(column)), static_cast<int>(std::lround(row))) = 1;
+      cells(static_cast<int>(std::floor(column + 0.5)), static_cast<int>(std::floor(row + 0.5))) = 1;
       inside = true;
     }
   }
