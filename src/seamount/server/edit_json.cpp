@@ -136,6 +136,18 @@ OrderedJson write_changes(const std::vector<recipe::Change>& changes) {
   return list;
 }
 
+OrderedJson write_diagnostics(const std::vector<recipe::Diagnostic>& diagnostics) {
+  OrderedJson list = OrderedJson::array();
+  for (const recipe::Diagnostic& item : diagnostics)
+    list.push_back(
+        {{"pointer", item.pointer}, {"message", item.message}, {"line", item.line}, {"column", item.column}});
+  return list;
+}
+
+std::string one_line(const OrderedJson& json) {
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
 std::vector<recipe::Change> inverse(const std::vector<recipe::Change>& changes) {
   std::vector<recipe::Change> back(changes.rbegin(), changes.rend());
   for (recipe::Change& change : back) std::swap(change.before, change.after);

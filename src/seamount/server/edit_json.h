@@ -19,6 +19,12 @@ OrderedJson write_edit(const recipe::Edit& edit);
 
 OrderedJson write_changes(const std::vector<recipe::Change>& changes);
 
+/// Defects, or open inputs, with their places.
+OrderedJson write_diagnostics(const std::vector<recipe::Diagnostic>& diagnostics);
+
+/// JSON on one line, of text that may be no UTF-8.
+std::string one_line(const OrderedJson& json);
+
 /// What takes these changes back, in order.
 std::vector<recipe::Change> inverse(const std::vector<recipe::Change>& changes);
 

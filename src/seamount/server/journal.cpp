@@ -28,7 +28,7 @@ constexpr size_t kUnsavedKept = 20;  // of documents that were begun and left
 std::string hash_of(std::string_view text) { return hash_bytes(std::as_bytes(std::span(text))).hex(); }
 
 std::string line_of(const OrderedJson& record) {
-  const std::string text = record.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+  const std::string text = one_line(record);
   return hash_of(text) + " " + text + "\n";
 }
 

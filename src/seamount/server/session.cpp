@@ -22,16 +22,6 @@ uint64_t revision_to_begin_with() {
   return 1000 * static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(now).count());
 }
 
-OrderedJson missing_json(const std::vector<recipe::Diagnostic>& diagnostics) {
-  OrderedJson list = OrderedJson::array();
-  for (const recipe::Diagnostic& item : diagnostics)
-    list.push_back(
-        {{"pointer", item.pointer}, {"message", item.message}, {"line", item.line}, {"column", item.column}});
-  return list;
-}
-
-std::string line(const OrderedJson& json) { return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace); }
-
 }  // namespace
 
 std::unique_ptr<Session> Session::open_file(const std::string& file, const SessionOptions& options, EventHub& hub) {
@@ -112,7 +102,7 @@ OrderedJson Session::document_json() const {
             {"text", document.text()},
             {"history", history},
             {"done", document.done()},
-            {"missing", missing_json(document.missing())},
+            {"missing", write_diagnostics(document.missing())},
             {"notice", notice_}};
   });
   return json;
@@ -188,9 +178,9 @@ std::string Session::announce(const Asker& asker, const std::vector<recipe::Chan
              {"done", document.done()},
              {"undone", document.history().size() - document.done()},
              {"saved", document.json() == saved_json_},
-             {"missing", missing_json(document.missing())}};
+             {"missing", write_diagnostics(document.missing())}};
   });
-  std::string text = line(event);
+  std::string text = one_line(event);
   if (changes.empty()) return text;
   recent_.emplace_back(revision, text);
   if (recent_.size() > kRecentEvents) recent_.pop_front();

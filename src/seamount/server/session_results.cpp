@@ -39,8 +39,6 @@ OrderedJson frame_json(const GridFrame& frame) {
           {"west", frame.west_m},   {"north", frame.north_m}, {"crs", frame.crs}};
 }
 
-std::string line(const OrderedJson& json) { return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace); }
-
 /// "step.port", or "step" for its first output; nothing for a step or port that the document does not have.
 std::optional<Source> source_of(const std::string& name, const recipe::Document& document,
                                 const recipe::Registry& registry) {
@@ -82,7 +80,7 @@ void Session::pass_wishes_on() {
     std::erase_if(keys_, [&](const auto& item) {
       if (names.contains(item.first)) return false;
       for (const std::string& key : item.second) let_go(key);
-      hub_.withdraw_state("value " + item.first, line({{"event", "gone"}, {"source", item.first}}));
+      hub_.withdraw_state("value " + item.first, one_line({{"event", "gone"}, {"source", item.first}}));
       return true;
     });
     wanted_ = {names.begin(), names.end()};
@@ -145,7 +143,7 @@ void Session::publish_results() {
       if (!source) continue;
       if (const auto finished = engine_->value(*source)) publish_value(name, *finished);
     }
-    hub_.publish_state("state", line(state_json(engine_->state(), first_revision_)));
+    hub_.publish_state("state", one_line(state_json(engine_->state(), first_revision_)));
     lock.lock();
   }
 }
@@ -179,7 +177,7 @@ void Session::publish_value(const std::string& name, const recipe::Finished& fin
     event["min"] = range->first;
     event["max"] = range->second;
   }
-  hub_.publish_state("value " + name, line(event));
+  hub_.publish_state("value " + name, one_line(event));
 }
 
 }  // namespace seamount::server

@@ -23,19 +23,7 @@ constexpr int kExampleColumns = 480;
 constexpr const char* kBlank =
     R"({"seamount": 1, "domain": {"width_m": 10240, "height_m": 10240, "cell_m": 20}, "seed": 0, "steps": []})";
 
-std::string text_of(const OrderedJson& json) {
-  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
-}
-
-Reply json_reply(const OrderedJson& json, int status = 200) { return {.status = status, .bytes = text_of(json)}; }
-
-OrderedJson diagnostics_json(const std::vector<recipe::Diagnostic>& diagnostics) {
-  OrderedJson list = OrderedJson::array();
-  for (const recipe::Diagnostic& item : diagnostics)
-    list.push_back(
-        {{"pointer", item.pointer}, {"message", item.message}, {"line", item.line}, {"column", item.column}});
-  return list;
-}
+Reply json_reply(const OrderedJson& json, int status = 200) { return {.status = status, .bytes = one_line(json)}; }
 
 /// The members of a request's body. Throws InvalidArgument for what is missing or of another type.
 class Body {
@@ -115,7 +103,7 @@ Reply guarded(const Handle& handle) {
   } catch (const OutOfDate& error) {
     return refusal_of(error);
   } catch (const recipe::RecipeError& error) {
-    return json_reply({{"error", error.what()}, {"diagnostics", diagnostics_json(error.diagnostics())}}, 422);
+    return json_reply({{"error", error.what()}, {"diagnostics", write_diagnostics(error.diagnostics())}}, 422);
   } catch (const InvalidArgument& error) {
     return error_reply(400, error.what());
   } catch (const IncompatibleInputs& error) {
@@ -202,7 +190,7 @@ Reply Studio::get_events(const Request& request) {
   if (window.size() > 64) throw InvalidArgument("window", "is longer than 64 bytes");
   Reply reply{.type = "application/x-ndjson"};
   reply.stream = hub_.open(window);
-  reply.stream->greet(text_of({{"event", "hello"}, {"version", kVersion}, {"revision", session()->revision()}}));
+  reply.stream->greet(one_line({{"event", "hello"}, {"version", kVersion}, {"revision", session()->revision()}}));
   return reply;
 }
 
@@ -295,7 +283,7 @@ Reply Studio::post_text(const Request& request) {
 }
 
 Reply Studio::post_check(const Request& request) {
-  return json_reply({{"diagnostics", diagnostics_json(session()->check(Body(request.body).text("text")))}});
+  return json_reply({{"diagnostics", write_diagnostics(session()->check(Body(request.body).text("text")))}});
 }
 
 Reply Studio::post_want(const Request& request) {
@@ -325,7 +313,7 @@ Reply Studio::opened(std::unique_ptr<Session> session) {
   before->retire();
   hub_.forget_states();
   OrderedJson document = next->document_json();
-  hub_.publish(text_of({{"event", "opened"}, {"file", document["file"]}, {"revision", document["revision"]}}));
+  hub_.publish(one_line({{"event", "opened"}, {"file", document["file"]}, {"revision", document["revision"]}}));
   return json_reply(document);
 }
 
