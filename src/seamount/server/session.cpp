@@ -133,10 +133,16 @@ std::string Session::edit(const Asker& asker, const std::vector<recipe::Edit>& e
 }
 
 std::string Session::replace_text(const Asker& asker, const std::string& text) {
-  const recipe::Document next(text, file_.empty() ? "unsaved" : file_, options_.folder, *options_.registry);
+  const recipe::Document next(text, "the text", document_folder(), *options_.registry);
   std::vector<recipe::Edit> edits;
   engine_->look([&](const recipe::Document& document) { edits = differences(document.json(), next.json()); });
   return edit(asker, edits, "", "recipe text edited");
+}
+
+std::string Session::document_folder() const {
+  std::string folder;
+  engine_->look([&](const recipe::Document& document) { folder = document.folder(); });
+  return folder;
 }
 
 std::string Session::undo(const Asker& asker) { return travel(asker, true); }
@@ -191,7 +197,7 @@ std::string Session::announce(const Asker& asker, const std::vector<recipe::Chan
 
 std::vector<recipe::Diagnostic> Session::check(const std::string& text) const {
   try {
-    const recipe::Document document(text, "the text", options_.folder, *options_.registry);
+    const recipe::Document document(text, "the text", document_folder(), *options_.registry);
     return document.missing();
   } catch (const recipe::RecipeError& error) {
     return error.diagnostics();

@@ -105,6 +105,8 @@ class Session {
   Session(recipe::Document document, std::string file, std::string saved_text, std::unique_ptr<Journal> journal,
           const SessionOptions& options, EventHub& hub);
 
+  /// Where the document's relative names begin.
+  std::string document_folder() const;
   void check_base(const Asker& asker) const;
   std::string travel(const Asker& asker, bool back);
   std::string announce(const Asker& asker, const std::vector<recipe::Change>& changes, const std::string& label);
