@@ -115,6 +115,12 @@ def test_frames_that_no_raster_has(wrong, field):
     assert caught.value.field == field
 
 
+@pytest.mark.parametrize("wrong", [("a", 4, 1), (4.5, 4, 1), (4, 4, "x"), (4, 4, 1, None, "y")])
+def test_frames_are_numbers(wrong):
+    with pytest.raises((TypeError, ValueError)):
+        sm.Frame(*wrong)
+
+
 def test_cells_of_places(frame):
     rows, columns = frame.index(frame.x[None, :] + 0 * frame.y[:, None], frame.y[:, None] + 0 * frame.x[None, :])
     assert np.array_equal(rows, np.indices(frame.shape)[0]) and np.array_equal(columns, np.indices(frame.shape)[1])

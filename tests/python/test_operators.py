@@ -67,6 +67,28 @@ def test_errors_know_the_field():
     assert [row["pointer"] for row in caught.value.diagnostics] == ["/gain", "/octaves"] or len(caught.value.diagnostics) == 2
 
 
+def test_seeds_and_threads(hills):
+    for call, field in [(lambda: sm.terrain.noise(seed=-1), "seed"), (lambda: sm.terrain.noise(seed=2**64), "seed"),
+                        (lambda: sm.terrain.smooth(hills, threads=-2), "threads"), (lambda: sm.terrain.smooth(hills, threads=5000), "threads")]:
+        with pytest.raises(sm.InvalidArgument) as caught:
+            call()
+        assert caught.value.field == field
+    with pytest.raises(TypeError, match="takes no seed"):
+        sm.terrain.smooth(hills, seed=1)
+    with pytest.raises(TypeError):
+        sm.terrain.noise(seed=1.5)
+    largest = sm.terrain.noise(domain=hills, seed=np.uint64(2**64 - 1))
+    assert np.array_equal(largest.array, sm.terrain.noise(domain=hills, seed=2**64 - 1, threads=1).array)
+
+
+def test_names_of_files_that_are_no_text(tmp_path, hills):
+    path = os.fsencode(tmp_path) + b"/\xff hills.tif"
+    hills.save(tmp_path / "hills.tif")
+    os.rename(tmp_path / "hills.tif", path)
+    assert np.array_equal(sm.terrain.import_(file=os.fsdecode(path)).array, hills.array)
+    assert np.array_equal(sm.Terrain.read(os.fsdecode(path)).array, hills.array)
+
+
 def test_wrong_kinds_and_sizes(hills):
     with pytest.raises(sm.InvalidArgument, match="is a field, not a terrain"):
         sm.terrain.smooth(sm.Field(hills.array, hills.frame))

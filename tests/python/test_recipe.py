@@ -161,6 +161,20 @@ def test_every_example_is_read():
         sm.Recipe.example("atlantis")
 
 
+def test_threads_may_share_a_recipe(recipe):
+    made = {}
+
+    def ask(index):
+        made[index] = recipe.value("reef" if index % 2 else "isle").array
+
+    threads = [threading.Thread(target=ask, args=(index,)) for index in range(6)]
+    for thread in threads:
+        thread.start()
+    while any(thread.is_alive() for thread in threads):
+        assert len(recipe.steps) == 2
+    assert len(made) == 6 and np.array_equal(made[1], made[5]) and np.array_equal(made[0], made[4])
+
+
 def test_a_cache_folder_is_shared(tmp_path, recipe):
     text = recipe.text
     first = sm.Recipe(text, cache=tmp_path).value("reef")

@@ -1,6 +1,4 @@
 // What is in values that are no rasters.
-#include <pybind11/stl.h>
-
 #include "buffer.h"
 #include "json.h"
 #include "seamount/geom/contour/lines.h"
@@ -66,7 +64,7 @@ py::dict area_geometry(const NamedArea& area) {
 }
 
 void add_attributes(py::dict& properties, const Attributes& attributes) {
-  for (const Attribute& one : attributes) properties[py::str(one.name)] = one.value;
+  for (const Attribute& one : attributes) properties[to_text(one.name)] = one.value;
 }
 
 py::list features_of_drawing(const Drawing& drawing) {
@@ -74,7 +72,7 @@ py::list features_of_drawing(const Drawing& drawing) {
   py::list features;
   for (const NamedArea& area : drawing.areas) {
     py::dict properties;
-    properties["name"] = area.name;
+    properties["name"] = to_text(area.name);
     add_attributes(properties, area.attributes);
     features.append(feature(area_geometry(area), properties));
   }
@@ -96,7 +94,7 @@ py::list features_of_drawing(const Drawing& drawing) {
 py::dict properties_of(const Scene& scene, const SceneObject& object) {
   py::dict row;
   row["id"] = object.id;
-  row["class"] = scene.catalogue.classes[static_cast<size_t>(object.of_class)].name;
+  row["class"] = to_text(scene.catalogue.classes[static_cast<size_t>(object.of_class)].name);
   row["size"] = object.size;
   row["fitness"] = object.fitness;
   row["born"] = object.born;
@@ -130,15 +128,15 @@ py::tuple features(const Held& held) {
   const Value& value = held.value;
   if (value.is<kinds::Drawing>()) {
     const auto& drawing = value.get<kinds::Drawing>();
-    return py::make_tuple(features_of_drawing(drawing), drawing.crs);
+    return py::make_tuple(features_of_drawing(drawing), to_text(drawing.crs));
   }
   if (value.is<kinds::Contours>()) {
     const auto& set = value.get<kinds::Contours>();
-    return py::make_tuple(features_of_drawing(geom::to_cut_lines(set)), set.frame.crs);
+    return py::make_tuple(features_of_drawing(geom::to_cut_lines(set)), to_text(set.frame.crs));
   }
   if (value.is<kinds::Objects>()) {
     const auto& scene = value.get<kinds::Objects>();
-    return py::make_tuple(features_of_scene(scene), scene.frame.crs);
+    return py::make_tuple(features_of_scene(scene), to_text(scene.frame.crs));
   }
   throw InvalidArgument("value", "a " + value.kind().name + " has no features");
 }
@@ -151,7 +149,7 @@ py::tuple drawing(const std::string& geojson, const std::string& crs) {
   Held read{
       work.run([&] { return Value::of<kinds::Drawing>(io::read_geojson(bytes, "drawing", options, work.context())); }),
       true};
-  return py::make_tuple(py::cast(std::move(read)), work.notes());
+  return py::make_tuple(py::cast(std::move(read)), to_texts(work.notes()));
 }
 
 /// The arrays of a network, by name.
@@ -200,7 +198,7 @@ py::dict instances(const Held& held) {
   arrays["shape"] = column(owner, count, &first.shape);
   arrays["level"] = column(owner, count, &first.level);
   py::list names;
-  for (const ThingShape& shape : things.shapes) names.append(shape.name);
+  for (const ThingShape& shape : things.shapes) names.append(to_text(shape.name));
   arrays["shapes"] = names;
   return arrays;
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "json.h"
 #include "seamount/base/error.h"
 
 namespace seamount::python {
@@ -33,13 +34,7 @@ py::object new_class(py::module_& module, const char* name, const py::tuple& bas
   return made;
 }
 
-/// Text that may be no UTF-8: names of files come as they are on disk.
-py::str text(const std::string& bytes) {
-  return py::reinterpret_steal<py::str>(
-      PyUnicode_DecodeUTF8(bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "surrogateescape"));
-}
-
-py::object make(const py::object& of, const std::exception& error) { return of(text(error.what())); }
+py::object make(const py::object& of, const std::exception& error) { return of(to_text(error.what())); }
 
 void raise(const py::object& exception) {
   PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
@@ -49,8 +44,8 @@ py::list diagnostics_list(const std::vector<recipe::Diagnostic>& diagnostics) {
   py::list list;
   for (const recipe::Diagnostic& one : diagnostics) {
     py::dict row;
-    row["pointer"] = text(one.pointer);
-    row["message"] = text(one.message);
+    row["pointer"] = to_text(one.pointer);
+    row["message"] = to_text(one.message);
     row["line"] = one.line;
     row["column"] = one.column;
     list.append(row);
@@ -60,14 +55,14 @@ py::list diagnostics_list(const std::vector<recipe::Diagnostic>& diagnostics) {
 
 void raise_invalid(const InvalidArgument& error, const std::vector<recipe::Diagnostic>& diagnostics) {
   const py::object exception = make(classes().invalid_argument, error);
-  exception.attr("field") = text(error.field());
+  exception.attr("field") = to_text(error.field());
   exception.attr("diagnostics") = diagnostics_list(diagnostics);
   raise(exception);
 }
 
 void raise_io(const py::object& of, const IoError& error) {
   const py::object exception = make(of, error);
-  exception.attr("path") = text(error.path());
+  exception.attr("path") = to_text(error.path());
   raise(exception);
 }
 
@@ -77,7 +72,7 @@ void translate(std::exception_ptr thrown) {
   } catch (const recipe::RecipeError& error) {
     const py::object exception = make(classes().recipe_error, error);
     exception.attr("diagnostics") = diagnostics_list(error.diagnostics());
-    exception.attr("field") = text(error.diagnostics().empty() ? "" : error.diagnostics().front().pointer);
+    exception.attr("field") = to_text(error.diagnostics().empty() ? "" : error.diagnostics().front().pointer);
     raise(exception);
   } catch (const InvalidArguments& error) {
     raise_invalid(error, error.diagnostics);

@@ -10,6 +10,14 @@ constexpr int kDeepest = 64;
 template <class AnyJson>
 AnyJson convert(py::handle value, const std::string& place, int depth);
 
+/// As UTF-8; names of files that are none come as they are on disk.
+std::string text_of(py::handle value) {
+  const auto bytes =
+      py::reinterpret_steal<py::bytes>(PyUnicode_AsEncodedString(value.ptr(), "utf-8", "surrogateescape"));
+  if (!bytes) throw py::error_already_set();
+  return bytes;
+}
+
 template <class AnyJson>
 AnyJson convert_whole(py::handle value, const std::string& place) {
   int overflow = 0;
@@ -27,7 +35,7 @@ AnyJson convert_mapping(py::handle value, const std::string& place, int depth) {
   AnyJson object = AnyJson::object();
   for (const auto& item : py::reinterpret_borrow<py::dict>(value)) {
     if (!py::isinstance<py::str>(item.first)) throw InvalidArgument(place, "has a name that is no text");
-    const auto name = item.first.cast<std::string>();
+    const std::string name = text_of(item.first);
     object[name] = convert<AnyJson>(item.second, place + "." + name, depth + 1);
   }
   return object;
@@ -47,7 +55,7 @@ template <class AnyJson>
 AnyJson convert_other(py::handle value, const std::string& place, int depth) {
   if (PyIndex_Check(value.ptr()) != 0)
     return convert_whole<AnyJson>(py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr())), place);
-  if (py::hasattr(value, "__fspath__")) return value.attr("__fspath__")().cast<std::string>();
+  if (py::hasattr(value, "__fspath__")) return convert<AnyJson>(value.attr("__fspath__")(), place, depth + 1);
   if (py::hasattr(value, "tolist")) return convert<AnyJson>(value.attr("tolist")(), place, depth + 1);
   if (PyMapping_Check(value.ptr()) != 0 && py::hasattr(value, "items"))
     return convert_mapping<AnyJson>(py::dict(py::reinterpret_borrow<py::object>(value)), place, depth);
@@ -62,7 +70,7 @@ AnyJson convert(py::handle value, const std::string& place, int depth) {
   if (PyBool_Check(value.ptr())) return value.ptr() == Py_True;
   if (PyFloat_Check(value.ptr())) return PyFloat_AS_DOUBLE(value.ptr());
   if (PyLong_Check(value.ptr())) return convert_whole<AnyJson>(value, place);
-  if (PyUnicode_Check(value.ptr())) return value.cast<std::string>();
+  if (PyUnicode_Check(value.ptr())) return text_of(value);
   if (PyDict_Check(value.ptr())) return convert_mapping<AnyJson>(value, place, depth);
   if (PyList_Check(value.ptr()) || PyTuple_Check(value.ptr())) return convert_list<AnyJson>(value, place, depth);
   return convert_other<AnyJson>(value, place, depth);
@@ -81,7 +89,7 @@ py::object restore(const AnyJson& json) {
     case Type::number_float:
       return py::float_(json.template get<double>());
     case Type::string:
-      return py::str(json.template get<std::string>());
+      return to_text(json.template get<std::string>());
     case Type::array: {
       py::list list;
       for (const AnyJson& item : json) list.append(restore(item));
@@ -89,7 +97,7 @@ py::object restore(const AnyJson& json) {
     }
     case Type::object: {
       py::dict object;
-      for (const auto& [name, item] : json.items()) object[py::str(name)] = restore(item);
+      for (const auto& [name, item] : json.items()) object[to_text(name)] = restore(item);
       return object;
     }
     default:
@@ -98,6 +106,17 @@ py::object restore(const AnyJson& json) {
 }
 
 }  // namespace
+
+py::str to_text(const std::string& bytes) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "surrogateescape"));
+}
+
+py::list to_texts(const std::vector<std::string>& lines) {
+  py::list list;
+  for (const std::string& line : lines) list.append(to_text(line));
+  return list;
+}
 
 recipe::Json to_json(py::handle value, const std::string& place) { return convert<recipe::Json>(value, place, 0); }
 recipe::OrderedJson to_ordered_json(py::handle value, const std::string& place) {

@@ -3,11 +3,18 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string>
+#include <vector>
+
 #include "seamount/recipe/edit.h"
 
 namespace seamount::python {
 
 namespace py = pybind11;
+
+/// Text that may be no UTF-8, such as names of files: what is none comes as Python has it from the file system.
+py::str to_text(const std::string& bytes);
+py::list to_texts(const std::vector<std::string>& lines);
 
 /// None, bool, whole and real numbers, text, paths, mappings, sequences, and NumPy's numbers and arrays. Throws
 /// InvalidArgument{place} for anything else, and beyond 64 levels.

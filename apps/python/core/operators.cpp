@@ -1,5 +1,3 @@
-#include <pybind11/stl.h>
-
 #include "operators.h"
 
 #include "errors.h"
@@ -39,7 +37,7 @@ Json params_of(const Operator& op, const py::dict& given, py::list& notes) {
   recipe::Diagnostics found;
   Json complete = op.complete(params, {"", found});
   if (!found.empty()) throw_defects(found);
-  for (const recipe::Diagnostic& note : found.notes()) notes.append(note.pointer + ": " + note.message);
+  for (const recipe::Diagnostic& note : found.notes()) notes.append(to_text(note.pointer + ": " + note.message));
   return complete;
 }
 
@@ -78,7 +76,7 @@ py::tuple call(const Handle& handle, const py::dict& inputs, const py::dict& par
   py::tuple results(op.out.size());
   for (size_t i = 0; i < op.out.size(); ++i)
     results[i] = py::cast(Held{std::move(made.find(op.out[i].name)->second), true});
-  for (const std::string& note : work.notes()) notes.append(note);
+  for (const std::string& note : work.notes()) notes.append(to_text(note));
   return py::make_tuple(results, notes);
 }
 

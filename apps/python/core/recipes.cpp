@@ -80,19 +80,19 @@ class Recipe {
     recipe::EngineState state;
     {
       const py::gil_scoped_release released;
-      while (!engine_->wait_for(kPollMilliseconds)) continue;  // for the plan; nothing else is wanted
-      state = engine_->state();
+      do engine_->wait_for(kPollMilliseconds);  // for the plan, not for what another thread waits for
+      while ((state = engine_->state()).revision != engine_->revision());
     }
     py::list rows;
     for (const recipe::StepState& step : state.steps) {
       py::dict row;
-      row["id"] = step.id;
+      row["id"] = to_text(step.id);
       row["op"] = step.op;
       row["standing"] = kStandings[static_cast<size_t>(step.standing)];
       row["seconds"] = step.seconds;
       row["cached"] = step.cached;
-      row["message"] = step.message;
-      row["notes"] = step.notes;
+      row["message"] = to_text(step.message);
+      row["notes"] = to_texts(step.notes);
       rows.append(row);
     }
     return rows;
@@ -164,15 +164,16 @@ py::tuple Recipe::values(const std::vector<std::pair<std::string, std::string>>&
   std::vector<Source> sources;
   for (const auto& [step, port] : wanted) sources.push_back({step, port, ""});
   const Wanting wanting(*engine_, sources, coarse ? recipe::Quality::coarse : recipe::Quality::full);
+  const uint64_t revision = engine_->revision();
   wait(progress);
   py::list values, notes;
   for (const Source& source : sources) {
     const auto found = engine_->value(source);
-    if (!found || found->revision != engine_->revision()) throw_failure(source);
+    if (!found || found->revision < revision) throw_failure(source);
     values.append(py::cast(Held{found->value, false}));
   }
   for (const recipe::StepState& step : engine_->state().steps)
-    for (const std::string& note : step.notes) notes.append("step '" + step.id + "': " + note);
+    for (const std::string& note : step.notes) notes.append(to_text("step '" + step.id + "': " + note));
   return py::make_tuple(values, notes);
 }
 
@@ -182,24 +183,24 @@ py::tuple Recipe::run(const std::string& folder, const py::object& progress) {
   py::list outputs, steps, notes;
   for (const recipe::OutputReport& output : report.outputs) {
     py::dict row;
-    row["path"] = output.path;
+    row["path"] = to_text(output.path);
     row["format"] = output.format;
     row["seconds"] = output.seconds;
-    row["files"] = output.files;
-    row["notes"] = output.notes;
+    row["files"] = to_texts(output.files);
+    row["notes"] = to_texts(output.notes);
     outputs.append(row);
   }
   for (const recipe::StepReport& step : report.steps) {
     py::dict row;
-    row["id"] = step.id;
+    row["id"] = to_text(step.id);
     row["op"] = step.op;
     row["seconds"] = step.seconds;
     row["cached"] = step.cached;
-    row["notes"] = step.notes;
+    row["notes"] = to_texts(step.notes);
     steps.append(row);
-    for (const std::string& note : step.notes) notes.append("step '" + step.id + "': " + note);
+    for (const std::string& note : step.notes) notes.append(to_text("step '" + step.id + "': " + note));
   }
-  for (const std::string& note : work.notes()) notes.append(note);
+  for (const std::string& note : work.notes()) notes.append(to_text(note));
   return py::make_tuple(outputs, steps, notes);
 }
 
@@ -220,7 +221,7 @@ void add_recipes(py::module_& module) {
       .def("bytes", &Recipe::bytes)
       .def("text",
            [](const Recipe& recipe) {
-             return recipe.of_document<std::string>([](const Document& document) { return document.text(); });
+             return to_text(recipe.of_document<std::string>([](const Document& document) { return document.text(); }));
            })
       .def("json",
            [](const Recipe& recipe) {
@@ -237,7 +238,7 @@ void add_recipes(py::module_& module) {
              py::list lines;
              for (const auto& one : recipe.of_document<std::vector<recipe::Diagnostic>>(
                       [](const Document& document) { return document.missing(); }))
-               lines.append(one.pointer + ": " + one.message);
+               lines.append(to_text(one.pointer + ": " + one.message));
              return lines;
            })
       .def("save", [](const Recipe& recipe, const std::string& path) { recipe.save(path); });

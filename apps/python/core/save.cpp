@@ -1,6 +1,4 @@
 // Values as files: what an output of a recipe does, with the steps that prepare it.
-#include <pybind11/stl.h>
-
 #include <filesystem>
 
 #include "errors.h"
@@ -84,7 +82,7 @@ py::tuple save(const Held& held, const std::string& path, const py::object& as, 
   Saving saving(held, path, as, params, companions);
   Work work(0, progress);
   const std::vector<std::string> files = work.run([&] { return saving.write(work.context()); });
-  return py::make_tuple(py::cast(files), py::cast(work.notes()));
+  return py::make_tuple(to_texts(files), to_texts(work.notes()));
 }
 
 }  // namespace

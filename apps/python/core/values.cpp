@@ -1,5 +1,3 @@
-#include <pybind11/stl.h>
-
 #include "values.h"
 
 #include <fmt/format.h>
@@ -8,6 +6,7 @@
 #include <sstream>
 
 #include "buffer.h"
+#include "json.h"
 #include "seamount/base/text.h"
 #include "seamount/io/find_model.h"
 #include "seamount/io/image_file.h"
@@ -119,7 +118,7 @@ py::tuple read_value(const std::string& kind, const std::string& path, const py:
   const GridFrame where = frame_of_any(frame).value_or(recipe::domain_frame({}));
   Work work(0, py::none());
   Held read{work.run([&] { return Value(wanted, wanted.read_file({path, where, false, work.context()})); }), true};
-  return py::make_tuple(py::cast(std::move(read)), work.notes());
+  return py::make_tuple(py::cast(std::move(read)), to_texts(work.notes()));
 }
 
 py::bytes to_bytes(const Held& held) {
@@ -147,7 +146,7 @@ py::tuple domain(double width_m, double height_m, double cell_m, const std::stri
 }  // namespace
 
 py::tuple frame_tuple(const GridFrame& frame) {
-  return py::make_tuple(frame.width, frame.height, frame.cell_m, frame.west_m, frame.north_m, frame.crs);
+  return py::make_tuple(frame.width, frame.height, frame.cell_m, frame.west_m, frame.north_m, to_text(frame.crs));
 }
 
 GridFrame frame_of(const py::tuple& frame) {

@@ -54,6 +54,9 @@ Interruptible::~Interruptible() {
 }
 
 Work::Work(int threads, py::object progress) : progress_(std::move(progress)) {
+  constexpr int kMostThreads = 1024;
+  if (threads < 0 || threads > kMostThreads)
+    throw InvalidArgument("threads", std::to_string(threads) + " is outside [0, " + std::to_string(kMostThreads) + "]");
   context_.threads = threads;
   context_.cancelled = &cancelled_;
   context_.note = [this](const std::string& line) {

@@ -2,6 +2,7 @@
 
 import collections
 import keyword
+import operator
 import os
 import sys
 import types
@@ -43,15 +44,15 @@ def _function(op, module):
     name = python_name(op["name"].partition(".")[2])
     outputs = [python_name(port["name"]) for port in op["out"]]
     result = None if len(outputs) == 1 else collections.namedtuple(name.title() + "Result", outputs)
-    stochastic = op["stochastic"]
 
-    def call(*args, domain=None, seed=0, threads=0, progress=None, **given):
+    def call(*args, domain=None, seed=None, threads=0, progress=None, **given):
         if len(args) > len(order):
             raise TypeError(f"{op['name']}: {len(args)} inputs are given, it takes {len(order)}")
         for port, value in zip(order, args):
             if port in given:
                 raise TypeError(f"{op['name']}: '{port}' is given twice")
             given[port] = value
+        seed = _checked_seed(op, seed)
         frame = None if domain is None else _frame_of(domain)
         inputs, values = {}, {}
         for key, value in given.items():
@@ -71,8 +72,17 @@ def _function(op, module):
     call.__module__ = module
     call.__doc__ = _describe.docstring(op)
     call.__signature__ = _describe.signature(op)
-    del stochastic
     return call
+
+
+def _checked_seed(op, seed):
+    if seed is None:
+        return 0
+    if not op["stochastic"]:
+        raise TypeError(f"{op['name']}: takes no seed, nothing in it is random")
+    if not 0 <= operator.index(seed) < 2**64:
+        raise _invalid("seed", f"{seed} is outside [0, 2^64 - 1]")
+    return operator.index(seed)
 
 
 def _frame_of(domain):
@@ -91,16 +101,17 @@ def _is_value(value, kind):
 
 
 def _held_inputs(op, given, domain):
-    """What the compiled part takes, in the order of the ports: arrays lie where the raster before them does."""
-    frame, held = domain, {}
+    """What the compiled part takes. Arrays lie where the first raster does, in the order of the ports, else on the domain."""
+    first, held = None, {}
     for port in op["in"]:
         value = given.get(port["name"])
         if value is None:
             continue
-        value = held_value = value if isinstance(value, Value) else _as_value(value, port, frame)
-        held[port["name"]] = held_value._held
-        if isinstance(value, Raster) and not held.get("_frame"):
-            frame = value.frame
+        if not isinstance(value, Value):
+            value = _as_value(value, port, domain if first is None else first.frame)
+        if first is None and isinstance(value, Raster):
+            first = value
+        held[port["name"]] = value._held
     return held
 
 

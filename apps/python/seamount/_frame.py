@@ -1,6 +1,7 @@
 """Where a raster lies."""
 
 import dataclasses
+import operator
 import typing
 
 from . import _core
@@ -30,10 +31,11 @@ class Frame:
     crs: str = ""
 
     def __post_init__(self):
-        west = -0.5 * self.width * self.cell_m if self.west_m is None else self.west_m
-        north = 0.5 * self.height * self.cell_m if self.north_m is None else self.north_m
+        width, height, cell = operator.index(self.width), operator.index(self.height), float(self.cell_m)
+        west = -0.5 * width * cell if self.west_m is None else float(self.west_m)
+        north = 0.5 * height * cell if self.north_m is None else float(self.north_m)
         crs = _core.metric_crs(self.crs) if self.crs else ""
-        for name, value in zip(_NAMES, _core.frame((self.width, self.height, self.cell_m, west, north, crs))):
+        for name, value in zip(_NAMES, _core.frame((width, height, cell, west, north, crs))):
             object.__setattr__(self, name, value)
 
     @classmethod

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import threading
 import typing
 
 from . import _core
@@ -64,8 +65,9 @@ class Recipe:
         neither. Relative names in it start at `folder`.
         `cache`: True for the folder that the command line uses, False for none, or a folder. Raises RecipeError with all defects."""
         text = document if isinstance(document, str) else json.dumps({"seamount": 1, "steps": [], "outputs": [], **(document or {})})
-        cache = None if cache is True else "" if not cache else os.fspath(cache)
-        self._engine = _core.Recipe(text, file, os.fspath(folder), threads, cache, memory_bytes, coarse_cells)
+        cache = None if cache is True else "" if not cache else os.fsencode(cache)
+        self._asking = threading.Lock()
+        self._engine = _core.Recipe(text, file, os.fsencode(folder), threads, cache, memory_bytes, coarse_cells)
 
     @classmethod
     def load(cls, path, **options):
@@ -104,7 +106,7 @@ class Recipe:
 
     def save(self, path):
         """Writes `text` to a file, whole or not at all."""
-        self._engine.save(os.fspath(path))
+        self._engine.save(os.fsencode(path))
 
     def get(self, place):
         """What stands at a place of the document: "/steps/reef/params/subsidence". A step's default that is not written down is
@@ -201,7 +203,9 @@ class Recipe:
 
     def values(self, sources, *, coarse=False, progress=None):
         """The same of several."""
-        made, notes = self._engine.values([self._source(source) for source in sources], coarse, progress)
+        wanted = [self._source(source) for source in sources]
+        with self._asking:  # the engine knows one thing that is wanted at a time
+            made, notes = self._engine.values(wanted, coarse, progress)
         say(notes)
         return [wrap(held) for held in made]
 
@@ -216,7 +220,7 @@ class Recipe:
 
     def run(self, folder="out", *, progress=None):
         """Writes the outputs, all of them or none: the same bytes as `seamount run`."""
-        outputs, steps, notes = self._engine.run(os.fspath(folder), progress)
+        outputs, steps, notes = self._engine.run(os.fsencode(folder), progress)
         say(notes)
         return Run([Output(**row) for row in outputs], {row["id"]: row["seconds"] for row in steps})
 

@@ -24,7 +24,7 @@ class Value:
     @classmethod
     def read(cls, path, *, frame=None):
         """Of a file; what says nothing of its place is laid over `frame`. Raises IoError."""
-        held, notes = _core.read(cls.kind, os.fspath(path), None if frame is None else as_tuple(frame))
+        held, notes = _core.read(cls.kind, os.fsencode(path), None if frame is None else as_tuple(frame))
         say(notes)
         return cls._of(held)
 
@@ -33,7 +33,7 @@ class Value:
         "mesh", ...) with its parameters. `with_`: values that belong to it, by name ("labels", "rivers"). Returns the files.
         Raises WriteError, InvalidArgument."""
         companions = {name: value._held for name, value in (with_ or {}).items()}
-        files, notes = _core.save(self._held, os.fspath(path), as_, params, companions, progress)
+        files, notes = _core.save(self._held, os.fsencode(path), as_, params, companions, progress)
         say(notes)
         return files
 
