@@ -6,11 +6,13 @@ import textwrap
 
 NAMES = {"number": "float", "integer": "int", "switch": "bool", "text": "str", "file": "Path", "files": "Sequence[Path]",
          "model": "str", "colour": "str", "point": "Point", "curve": "Sequence[Point]", "numbers": "Sequence[float]",
-         "integers": "Sequence[int]", "texts": "Sequence[str]", "points": "Sequence[Point]", "strokes": "Sequence[Stroke]",
+         "integers": "Sequence[int]", "texts": "Sequence[str]", "points": "Sequence[Point]",
+         "strokes": "Sequence[Stroke]",
          "outlines": "Sequence[Outline]", "polygons": "Sequence[Polygon]", "regions": "Sequence[Region]",
          "rivers": "Sequence[River]"}
 INPUTS = {"drawing": "Drawing | Shapes | Path", "terrain": "Terrain | Array | Path", "field": "Field | Array | Path",
-          "labels": "Labels | Array | Path", "image": "Image | Array | Path", "catalogue": "Catalogue | Mapping[str, Any] | Path"}
+          "labels": "Labels | Array | Path", "image": "Image | Array | Path",
+          "catalogue": "Catalogue | Mapping[str, Any] | Path"}
 COMMON = {"domain": ("Frame | Raster | Mapping[str, Any] | None", None,
                      "where what is made lies, if no input says so; 1024 x 1024 cells of 10 m around (0, 0) if left out"),
           "seed": ("int", 0, "of everything random: same seed, same bytes"),
@@ -19,6 +21,7 @@ COMMON = {"domain": ("Frame | Raster | Mapping[str, Any] | None", None,
 
 
 def python_name(name):
+    """`with` and `import` are words of the language: with_, import_."""
     return name + "_" if keyword.iskeyword(name) else name
 
 
@@ -63,7 +66,8 @@ def parameters(op):
         if port["name"] in by_name:
             kind += " | " + param_type(by_name[port["name"]])
         needed = port["required"] and ordered
-        yield python_name(port["name"]), kind if needed else optional(kind), inspect.Parameter.empty if needed else None, True
+        default = inspect.Parameter.empty if needed else None
+        yield python_name(port["name"]), kind if needed else optional(kind), default, True
     inputs = {port["name"] for port in op["in"]}
     for param in op["params"]:
         if param["name"] not in inputs:

@@ -1,23 +1,19 @@
 """The operators as functions, made from the library's own tables: nothing about them is written here."""
 
 import collections
-import keyword
 import operator
 import os
 import sys
 import types
 
 from . import _core, _describe
+from ._describe import python_name
 from ._frame import Frame, as_tuple
 from ._notes import say
-from ._values import CLASSES, Catalogue, Drawing, Image, Raster, Value, _invalid, wrap
+from ._value import Value, invalid
+from ._values import CLASSES, Catalogue, Drawing, Image, Raster, wrap
 
 _RASTERS = {"terrain", "field", "labels"}
-
-
-def python_name(name):
-    """`with` and `import` are words of the language: with_, import_."""
-    return name + "_" if keyword.iskeyword(name) else name
 
 
 def families(package):
@@ -81,7 +77,7 @@ def _checked_seed(op, seed):
     if not op["stochastic"]:
         raise TypeError(f"{op['name']}: takes no seed, nothing in it is random")
     if not 0 <= operator.index(seed) < 2**64:
-        raise _invalid("seed", f"{seed} is outside [0, 2^64 - 1]")
+        raise invalid("seed", f"{seed} is outside [0, 2^64 - 1]")
     return operator.index(seed)
 
 
@@ -124,7 +120,8 @@ def _as_value(value, port, frame):
         return cls.from_xarray(value)
     if kind in _RASTERS and hasattr(value, "__array__"):
         if frame is None:
-            raise _invalid(port["name"], f"is an array without a place: seamount.{cls.__name__}(array, cell_m=...) gives it one")
+            raise invalid(port["name"], "is an array without a place: "
+                          f"seamount.{cls.__name__}(array, cell_m=...) gives it one")
         return cls(value, frame)
     if kind == "image" and hasattr(value, "__array__"):
         return Image(value)
@@ -132,4 +129,4 @@ def _as_value(value, port, frame):
         return Drawing(value)
     if kind == "catalogue" and hasattr(value, "keys"):
         return Catalogue(value)
-    raise _invalid(port["name"], f"is of the type '{type(value).__name__}', which is no {kind}")
+    raise invalid(port["name"], f"is of the type '{type(value).__name__}', which is no {kind}")

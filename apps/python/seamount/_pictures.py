@@ -8,7 +8,8 @@ from . import _core
 
 LARGEST = 640
 WIDTH = 960
-_NAMED = {"mountain": (255, 255, 0), "beach": (0, 255, 0), "lagoon": (0, 255, 255), "reef": (0, 0, 255), "abyss": (255, 0, 0)}
+_NAMED = {"mountain": (255, 255, 0), "beach": (0, 255, 0), "lagoon": (0, 255, 255), "reef": (0, 0, 255),
+          "abyss": (255, 0, 0)}
 _RAMP = numpy.array([(30, 20, 70), (60, 80, 140), (40, 140, 140), (120, 195, 95), (250, 230, 60)], float)
 _UNKNOWN = (235, 235, 235)
 
@@ -49,12 +50,10 @@ def ramp(cells):
 
 def _terrain_png(terrain):
     """A map of at most LARGEST cells a side."""
-    from ._frame import Frame
     frame = terrain.frame
     cells, step = _thinned(terrain.array)
-    thinned = Frame(cells.shape[1], cells.shape[0], frame.cell_m * step, frame.west_m, frame.north_m)
-    values = numpy.ascontiguousarray(cells)
-    held = _core.raster("terrain", (thinned.width, thinned.height, thinned.cell_m, thinned.west_m, thinned.north_m, ""), [values])
+    place = (cells.shape[1], cells.shape[0], frame.cell_m * step, frame.west_m, frame.north_m, "")
+    held = _core.raster("terrain", place, [numpy.ascontiguousarray(cells)])
     (image,), _ = _core.operator("render.map").call({"terrain": held}, {"width_px": WIDTH}, None, 0, 0, None)
     return encode(numpy.asarray(image.bands()[0]))
 
@@ -70,7 +69,8 @@ def svg_of(features):
     scale, left, top = 460 / side, min(x), max(y)
     marks = []
     for shape in shapes:
-        lines = [" ".join(f"{10 + (px - left) * scale:.1f},{10 + (top - py) * scale:.1f}" for px, py in line) for line in _lines(shape)]
+        lines = [" ".join(f"{10 + (px - left) * scale:.1f},{10 + (top - py) * scale:.1f}" for px, py in line)
+                 for line in _lines(shape)]
         if shape["type"] == "Point":
             cx, cy = lines[0].split(",")
             marks.append(f'<circle cx="{cx}" cy="{cy}" r="2.5" fill="#205080"/>')

@@ -57,13 +57,14 @@ def examples():
 
 
 class Recipe:
-    """A recipe: steps that form a graph, and outputs. Only what follows from a change is computed again, and only when it is
-    asked for. Members may be called from any thread."""
+    """A recipe: steps that form a graph, and outputs. Only what follows from a change is computed again, and only when it
+    is asked for. Members may be called from any thread."""
 
-    def __init__(self, document=None, *, folder=".", file="recipe", threads=0, cache=True, memory_bytes=1 << 30, coarse_cells=256):
+    def __init__(self, document=None, *, folder=".", file="recipe", threads=0, cache=True, memory_bytes=1 << 30,
+                 coarse_cells=256):
         """`document`: text of a recipe, or a mapping as recipes are, in which steps and outputs may be left out; absent: one with
-        neither. Relative names in it start at `folder`.
-        `cache`: True for the folder that the command line uses, False for none, or a folder. Raises RecipeError with all defects."""
+        neither. Relative names in it start at `folder`. `cache`: True for the folder that the command line uses, False for
+        none, or a folder. Raises RecipeError with all defects."""
         text = document if isinstance(document, str) else json.dumps({"seamount": 1, "steps": [], "outputs": [], **(document or {})})
         cache = None if cache is True else "" if not cache else os.fsencode(cache)
         self._asking = threading.Lock()
@@ -109,8 +110,7 @@ class Recipe:
         self._engine.save(os.fsencode(path))
 
     def get(self, place):
-        """What stands at a place of the document: "/steps/reef/params/subsidence". A step's default that is not written down is
-        None."""
+        """What stands at a place of the document: "/steps/reef/params/subsidence". None: nothing, such as a default."""
         found = self.document
         for part in place.strip("/").split("/"):
             if isinstance(found, list):
@@ -124,8 +124,8 @@ class Recipe:
     # Edits. Each is refused with all that would be wrong after it, and then nothing has changed.
 
     def edit(self, *edits, gesture="", label=""):
-        """Edits as the studio has them: {"do": "set", "pointer": ..., "value": ...}, insert, remove, move, rename, remove_step; all of
-        them or none. Those of one `gesture` are undone as one. True: something has changed."""
+        """Edits as the studio has them: {"do": "set", "pointer": ..., "value": ...}, insert, remove, move, rename,
+        remove_step; all of them or none. Those of one `gesture` are undone as one. True: something has changed."""
         return self._engine.edit(list(edits), gesture, label)
 
     def set(self, place, value):
@@ -138,16 +138,19 @@ class Recipe:
 
     def set_params(self, step, **params):
         """Parameters of a step, as one edit."""
-        return self.edit(*({"do": "set", "pointer": f"/steps/{step}/params/{name}", "value": value} for name, value in params.items()))
+        return self.edit(*({"do": "set", "pointer": f"/steps/{step}/params/{name}", "value": value}
+                           for name, value in params.items()))
 
     def add(self, step, op, in_=None, at=None, **params):
-        """A step more: its id, its operator, where its inputs come from ({"terrain": "isle.terrain"} or {"terrain": {"file": ...}})."""
+        """A step more: its id, its operator, where its inputs come from ({"terrain": "isle.terrain"}, {"terrain":
+        {"file": ...}})."""
         item = {"id": step, "op": op, "in": in_ or {}, "params": params}
         return self.edit({"do": "insert", "list": "/steps", "value": item, **({} if at is None else {"index": at})})
 
     def connect(self, step, port, source):
         """An input of a step to "step.port" or {"file": name}; None leaves it open."""
-        return self.set(f"/steps/{step}/in/{port}", source) if source is not None else self.unset(f"/steps/{step}/in/{port}")
+        place = f"/steps/{step}/in/{port}"
+        return self.unset(place) if source is None else self.set(place, source)
 
     def output(self, source, path, as_=None, **params):
         """An output more."""
@@ -215,7 +218,8 @@ class Recipe:
             return step, port
         op = self.get(f"/steps/{step}/op")
         if op is None:
-            raise ValueError(f"there is no step '{step}', known are: {', '.join(item['id'] for item in self.document['steps'])}")
+            known = ", ".join(item["id"] for item in self.document["steps"])
+            raise ValueError(f"there is no step '{step}', known are: {known}")
         return step, _FIRST_OUTPUT[op]
 
     def run(self, folder="out", *, progress=None):

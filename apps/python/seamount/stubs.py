@@ -9,6 +9,7 @@ import argparse
 import inspect
 import keyword
 import pathlib
+import re
 import sys
 
 from . import _core, _describe
@@ -75,7 +76,8 @@ class Stub:
             rows.append(f"{parameter}: {kind}" + ("" if default is inspect.Parameter.empty else f" = {default!r}"))
         result = _describe.result_type(op)
         if len(op["out"]) > 1:
-            fields = "\n".join(f"    {_describe.python_name(port['name'])}: {_describe.class_of(port['kind'])}" for port in op["out"])
+            fields = "\n".join(f"    {_describe.python_name(port['name'])}: {_describe.class_of(port['kind'])}"
+                               for port in op["out"])
             self.classes.append(f"class {result}(NamedTuple):\n{fields}")
         text = _describe.docstring(op).rstrip().replace("\\", "\\\\").replace("\n", "\n    ")
         body = "\n    ".join(line.rstrip() for line in f'    """{text}\n    """'.split("\n    "))
@@ -93,7 +95,7 @@ def package_text(families):
     for part in imported:
         module, _, names = part.removeprefix("from ").partition(" import ")
         if module != "._families":
-            lines += [f"from {module} import {name} as {name}" for name in names.replace("(", "").replace(")", "").replace(",", " ").split()]
+            lines += [f"from {module} import {name} as {name}" for name in re.findall(r"\w+", names)]
     lines += [f"from . import {family} as {family}" for family in families]
     return "\n".join([*lines, "", "__version__: str", ""])
 
@@ -122,8 +124,8 @@ def main():
             path.write_text(text)
     others = {path.name for path in given.folder.glob("*.pyi")} - set(made) - {"_core.pyi"}
     if given.check and (stale or others):
-        print(f"not of these operators: {', '.join(sorted(stale) + sorted(others))}; python3 -m seamount.stubs {given.folder} "
-              "writes them anew", file=sys.stderr)
+        print(f"not of these operators: {', '.join(sorted(stale) + sorted(others))}; "
+              f"python3 -m seamount.stubs {given.folder} writes them anew", file=sys.stderr)
         return 1
     return 0
 

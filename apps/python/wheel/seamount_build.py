@@ -1,5 +1,5 @@
-"""What pip calls to build the module (PEP 517): the checkout's own build, and the package with recipes, data and networks as a
-wheel. Needs nothing but the packages of packages/run.txt and packages/python.txt."""
+"""What pip calls to build the module (PEP 517): the checkout's own build, and the package with recipes, data and networks as
+a wheel. Needs nothing but the packages of packages/run.txt and packages/python.txt."""
 
 import base64
 import hashlib
@@ -11,7 +11,8 @@ import sysconfig
 import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-LEFT_OUT = re.compile(r"__pycache__|\.critic\.safetensors$")
+PLAIN = (".py", ".pyi", ".typed")
+SHARED = ("recipes", "data", "models")
 CONFIGURE = """
 source tools/setup.sh
 install_packages run python || exit
@@ -23,7 +24,8 @@ configure dev "${settings[@]}" && build dev seamount_python
 CONFIGURE_OTHER = """
 source tools/setup.sh
 install_packages run python || exit
-cmake --preset dev -B "build/$1" -DSEAMOUNT_PYTHON=ON -DSEAMOUNT_TESTS=OFF -DPython_EXECUTABLE="$2" >&2 && build "$1" seamount_python
+cmake --preset dev -B "build/$1" -DSEAMOUNT_PYTHON=ON -DSEAMOUNT_TESTS=OFF -DPython_EXECUTABLE="$2" >&2 || exit
+build "$1" seamount_python
 """
 
 
@@ -52,12 +54,14 @@ def built_package():
 
 
 def files_of(package):
-    """(name in the wheel, file) of all that is installed; other Pythons' modules are not."""
-    for path in sorted(package.rglob("*")) + sorted(p for folder in (package / "share").iterdir() for p in folder.rglob("*")):
-        name = path.relative_to(package.parent).as_posix()
-        other = path.suffix == ".so" and not name.endswith(sysconfig.get_config_var("EXT_SUFFIX"))
-        if path.is_file() and not LEFT_OUT.search(name) and not other:
-            yield name, path
+    """(name in the wheel, file) of all that is installed: the module as it was built, the rest as it is in the checkout."""
+    yield from ((f"seamount/{path.name}", path) for path in package.glob("_core*" + sysconfig.get_config_var("EXT_SUFFIX")))
+    sources = ROOT / "apps/python/seamount"
+    yield from ((f"seamount/{path.name}", path) for path in sorted(sources.iterdir()) if path.suffix in PLAIN)
+    for folder in SHARED:
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.is_file() and not path.name.endswith(".critic.safetensors"):
+                yield f"seamount/share/{path.relative_to(ROOT).as_posix()}", path
 
 
 def metadata():
@@ -73,7 +77,8 @@ Requires-Dist: numpy
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     package = built_package()
     info = f"seamount-{version()}.dist-info"
-    texts = {f"{info}/METADATA": metadata(), f"{info}/WHEEL": f"Wheel-Version: 1.0\nGenerator: seamount\nRoot-Is-Purelib: false\nTag: {tag()}\n"}
+    kind = f"Wheel-Version: 1.0\nGenerator: seamount\nRoot-Is-Purelib: false\nTag: {tag()}\n"
+    texts = {f"{info}/METADATA": metadata(), f"{info}/WHEEL": kind}
     contents = {name: path.read_bytes() for name, path in files_of(package)}
     contents |= {name: text.encode() for name, text in texts.items()}
     rows = []
