@@ -1,4 +1,4 @@
-"""An atoll grows: an island sinks while its reef keeps up with the sea. Written as atoll.png, an animation that browsers show.
+"""An atoll grows: an island sinks while its reef keeps up with the sea. atoll.png is an animation that browsers show.
 
     python3 atoll_growth.py [FRAMES]
 """
@@ -28,7 +28,8 @@ def animation(pngs, milliseconds):
     (header,) = [content for name, content in chunks(pngs[0]) if name == b"IHDR"]
     parts, number = [chunk(b"IHDR", header), chunk(b"acTL", struct.pack(">II", len(pngs), 0))], 0
     for index, png in enumerate(pngs):
-        parts.append(chunk(b"fcTL", struct.pack(">I", number) + header[:8] + struct.pack(">IIHHBB", 0, 0, milliseconds, 1000, 0, 0)))
+        shown = struct.pack(">IIHHBB", 0, 0, milliseconds, 1000, 0, 0)
+        parts.append(chunk(b"fcTL", struct.pack(">I", number) + header[:8] + shown))
         number += 1
         pixels = b"".join(content for name, content in chunks(png) if name == b"IDAT")
         if index == 0:

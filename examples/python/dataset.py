@@ -11,12 +11,13 @@ import seamount as sm
 
 
 def pairs(count, side=128, cell_m=60, first_seed=0):
-    """Yields (regions: 5 x side x side of 0 and 1, heights: side x side in kilometres), each pair of a seed of its own. Made while
-    they are asked for; nothing is written. Other processes make other seeds."""
+    """Yields (regions: 5 x side x side of 0 and 1, heights: side x side in kilometres), each pair of a seed of its own, made
+    when it is asked for. Other processes make other seeds."""
     frame = sm.Frame(side, side, cell_m)
     for seed in range(first_seed, first_seed + count):
         random = np.random.default_rng(seed)
-        isle = sm.island.build(domain=frame, seed=seed, peak_m=random.uniform(200, 1200), irregularity=random.uniform(0.2, 0.6))
+        isle = sm.island.build(domain=frame, seed=seed, peak_m=random.uniform(200, 1200),
+                               irregularity=random.uniform(0.2, 0.6))
         reef = sm.island.coral(*isle, subsidence=random.uniform(0, 0.8))
         regions = np.eye(len(sm.Labels.regions), dtype=np.float32)[reef.labels.array].transpose(2, 0, 1)
         yield regions, reef.terrain.array / 1000

@@ -24,7 +24,8 @@ def main():
         writer.writerows(zip(*table.values()))
     for name in np.unique(table["class"]):
         of = table["class"] == name
-        print(f"{name:<16} {of.sum():5d}  fitness {table['fitness'][of].mean():.2f}  at {table['height_m'][of].mean():6.1f} m on average")
+        fitness, height = table["fitness"][of].mean(), table["height_m"][of].mean()
+        print(f"{name:<16} {of.sum():5d}  fitness {fitness:.2f}  at {height:6.1f} m on average")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-"""A parameter sweep: how much land is left while an island sinks, for three heights of its peak. sweep.csv has the numbers, sweep.png
-the maps side by side. Only what follows from a parameter is computed again.
+"""A parameter sweep: how much land is left while an island sinks, for three heights of its peak. sweep.csv has the numbers,
+sweep.png the maps side by side. Only what follows from a parameter is computed again.
 
     python3 sweep.py
 """

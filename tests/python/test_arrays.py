@@ -2,6 +2,7 @@
 
 import gc
 import pickle
+import sys
 
 import numpy as np
 import pytest
@@ -35,8 +36,8 @@ def test_a_read_only_array_is_not_copied_either():
     assert core_address(sm.Terrain(array, cell_m=1)) == address(array)
 
 
-@pytest.mark.parametrize("array", [np.arange(12).reshape(3, 4), np.arange(12.0).reshape(3, 4), np.zeros((4, 3), np.float32).T,
-                                   np.zeros((6, 8), np.float32)[::2, ::2], np.zeros((3, 4), bool)])
+@pytest.mark.parametrize("array", [np.arange(12).reshape(3, 4), np.arange(12.0).reshape(3, 4),
+                                   np.zeros((4, 3), np.float32).T, np.zeros((6, 8), np.float32)[::2, ::2], np.zeros((3, 4), bool)])
 def test_another_type_or_order_is_copied_once(array):
     raster = sm.Terrain(array, cell_m=1)
     assert raster.array.dtype == np.float32 and raster.array.shape == (3, 4)
@@ -54,6 +55,17 @@ def test_results_are_views_that_keep_their_memory(frame):
     gc.collect()
     others = [sm.terrain.noise(domain=frame, seed=i) for i in range(20)]
     assert np.array_equal(array, before) and others
+
+
+def test_arrays_given_are_let_go():
+    array = np.zeros((300, 300), np.float32)
+    before = sys.getrefcount(array)
+    terrain = sm.Terrain(array, cell_m=10)
+    assert sys.getrefcount(array) > before
+    smooth = sm.terrain.smooth(terrain)
+    del terrain
+    gc.collect()
+    assert sys.getrefcount(array) == before and smooth.array.shape == array.shape
 
 
 def test_a_result_goes_on_without_a_copy(hills):
@@ -80,7 +92,8 @@ def test_an_array_without_a_place_is_refused():
     assert caught.value.field == "terrain"
 
 
-@pytest.mark.parametrize("wrong", [np.zeros(4), np.zeros((2, 2, 2)), np.zeros((0, 3)), np.array([["a"]]), np.zeros((2, 2), complex)])
+@pytest.mark.parametrize("wrong", [np.zeros(4), np.zeros((2, 2, 2)), np.zeros((0, 3)), np.array([["a"]]),
+                                   np.zeros((2, 2), complex)])
 def test_what_is_no_raster_is_refused(wrong):
     with pytest.raises((ValueError, TypeError), match="array"):
         sm.Terrain(wrong, cell_m=1)

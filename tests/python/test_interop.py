@@ -49,7 +49,8 @@ def test_rasterio(placed, tmp_path):
 
 def test_rasterio_masks(tmp_path):
     rasterio = pytest.importorskip("rasterio")
-    profile = {**sm.Terrain(np.zeros((5, 6), np.float32), UTM.__class__(6, 5, 50, 500000, 3100000, "EPSG:32627")).to_rasterio_profile(), "nodata": -9999}
+    flat = sm.Terrain(np.zeros((5, 6), np.float32), sm.Frame(6, 5, 50, 500000, 3100000, "EPSG:32627"))
+    profile = {**flat.to_rasterio_profile(), "nodata": -9999}
     with rasterio.open(tmp_path / "holes.tif", "w", **profile) as file:
         array = np.ones((5, 6), np.float32)
         array[2, 3] = -9999
@@ -76,8 +77,8 @@ def test_geopandas(placed):
     assert back.crs == "EPSG:32627" and len(back) == len(outlines)
     degrees = sm.Drawing(table.to_crs(4326))
     assert degrees.crs and degrees.features[0]["geometry"]["type"] in ("Polygon", "MultiPolygon")
-    mask = sm.terrain.mask(placed, areas=table[["geometry"]].iloc[:1]) if "areas" in sm.terrain.mask.__signature__.parameters else None
-    assert mask is None or 0 < mask.array.mean() < 1
+    mask = sm.terrain.mask(placed, drawing=table.iloc[:1], criteria=[{"tool": "area"}])
+    assert 0 < mask.array.mean() < 1
 
 
 def test_shapely():
@@ -95,14 +96,16 @@ def test_geojson_goes_there_and_back(placed):
     assert again.crs == "EPSG:32627" and len(again) == len(contours)
     heights = [feature["properties"]["height_m"] for feature in contours.features]
     assert sorted(heights) == sorted(feature["properties"]["height_m"] for feature in again.features)
-    for wrong in (7, [{"type": "Feature"}], {"type": "FeatureCollection", "features": []}, {"type": "Polygon", "coordinates": [[[0]]]}):
+    for wrong in (7, [{"type": "Feature"}], {"type": "FeatureCollection", "features": []},
+                  {"type": "Polygon", "coordinates": [[[0]]]}):
         with pytest.raises((sm.Error, TypeError, ValueError)):
             sm.Drawing(wrong)
 
 
 def test_rings_turn_as_geojson_wants():
     ring = [[0, 0], [0, 90], [90, 90], [90, 0], [0, 0]]
-    (rings,) = [feature["geometry"]["coordinates"] for feature in sm.Drawing({"type": "Polygon", "coordinates": [ring]}).features]
+    (feature,) = sm.Drawing({"type": "Polygon", "coordinates": [ring]}).features
+    rings = feature["geometry"]["coordinates"]
     area = sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(rings[0], rings[0][1:])) / 2
     assert area == 8100 and rings[0][0] == rings[0][-1]
 

@@ -66,10 +66,12 @@ def test_a_wrong_edit_changes_nothing(recipe):
 
 def test_several_edits_are_one(recipe):
     revision = recipe.revision
-    recipe.edit({"do": "set", "pointer": "/seed", "value": 5}, {"do": "set", "pointer": "/steps/isle/params/peak_m", "value": 700})
+    recipe.edit({"do": "set", "pointer": "/seed", "value": 5},
+                {"do": "set", "pointer": "/steps/isle/params/peak_m", "value": 700})
     assert recipe.revision == revision + 1 and recipe.get("/seed") == 5
     recipe.undo()
-    assert recipe.get("/seed") == 3 and recipe.get("/steps/isle/params/peak_m") == 500 and recipe.get("/steps/no/where") is None
+    assert recipe.get("/seed") == 3 and recipe.get("/steps/isle/params/peak_m") == 500
+    assert recipe.get("/steps/no/where") is None
 
 
 def test_bypass_rename_remove(recipe):
@@ -142,7 +144,8 @@ def test_interrupted(recipe, ask, tmp_path):
 
 
 def test_all_defects_with_their_places(tmp_path):
-    text = '{\n  "seamount": 1,\n  "steps": [\n    {"id": "a", "op": "terrain.noise", "params": {"octaves": 99, "gian": 1}}\n  ]\n}'
+    step = '{"id": "a", "op": "terrain.noise", "params": {"octaves": 99, "gian": 1}}'
+    text = '{\n  "seamount": 1,\n  "steps": [\n    ' + step + "\n  ]\n}"
     (tmp_path / "wrong.json").write_text(text)
     with pytest.raises(sm.RecipeError) as caught:
         sm.Recipe.load(tmp_path / "wrong.json")

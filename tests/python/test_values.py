@@ -24,7 +24,8 @@ def test_rasters_show_themselves(isle):
     large = sm.Field(np.zeros((1300, 2600), np.float32), cell_m=1)
     assert max(size_of(large._repr_png_())) <= 640
     assert size_of(sm.Field(np.full((3, 3), np.nan), cell_m=1)._repr_png_()) == (3, 3)
-    assert size_of(sm.Current(np.ones((4, 5), np.float32), np.ones((4, 5), np.float32), sm.Frame(5, 4, 1))._repr_png_()) == (5, 4)
+    ones = np.ones((4, 5), np.float32)
+    assert size_of(sm.Current(ones, ones, sm.Frame(5, 4, 1))._repr_png_()) == (5, 4)
     assert size_of(sm.render.relief(isle.terrain)._repr_png_())[0] > 100
 
 
@@ -53,7 +54,8 @@ def test_objects_and_things_are_tables(isle):
     table = things.table()
     count = len(table["z_m"])
     assert count > 10 and table["place"].shape == (count, 2) and table["rotation"].shape == (count, 4)
-    assert np.allclose(np.linalg.norm(table["rotation"], axis=1), 1, atol=1e-5) and table["shape"].max() < len(table["shapes"])
+    assert np.allclose(np.linalg.norm(table["rotation"], axis=1), 1, atol=1e-5)
+    assert table["shape"].max() < len(table["shapes"])
     west, south, east, north = isle.terrain.bounds
     assert ((table["place"] >= (west, south)) & (table["place"] <= (east, north))).all()
 
@@ -87,7 +89,8 @@ def test_files(isle, tmp_path):
 
 
 def test_what_cannot_be_written(isle, tmp_path):
-    for call, field in [(lambda: isle.terrain.save(tmp_path / "x.doc"), "path"), (lambda: isle.terrain.save(tmp_path / "x.png", "mapp"), "as"),
+    for call, field in [(lambda: isle.terrain.save(tmp_path / "x.doc"), "path"),
+                        (lambda: isle.terrain.save(tmp_path / "x.png", "mapp"), "as"),
                         (lambda: isle.terrain.save(tmp_path / "x.glb", max_triangls=3), "max_triangls"),
                         (lambda: sm.read(tmp_path, "nothing"), "kind")]:
         with pytest.raises(sm.InvalidArgument) as caught:
