@@ -37,7 +37,10 @@ def test_a_read_only_array_is_not_copied_either():
 
 
 @pytest.mark.parametrize("array", [np.arange(12).reshape(3, 4), np.arange(12.0).reshape(3, 4),
-                                   np.zeros((4, 3), np.float32).T, np.zeros((6, 8), np.float32)[::2, ::2], np.zeros((3, 4), bool)])
+                                   np.zeros((4, 3), np.float32).T, np.zeros((6, 8), np.float32)[::2, ::2],
+                                   np.zeros((3, 4), bool), np.zeros((3, 4), ">f4"),
+                                   np.frombuffer(bytes(49), np.uint8)[1:].view(np.float32).reshape(3, 4),
+                                   np.zeros((3, 4), np.float32)[::-1]])
 def test_another_type_or_order_is_copied_once(array):
     raster = sm.Terrain(array, cell_m=1)
     assert raster.array.dtype == np.float32 and raster.array.shape == (3, 4)
@@ -157,6 +160,14 @@ def test_values_are_pickled(make, hills):
         if hasattr(value, look):
             assert np.array_equal(getattr(again, look), getattr(value, look)) if look == "array" else getattr(
                 again, look) == getattr(value, look)
+
+
+def test_results_and_operators_are_pickled(frame):
+    isle = sm.island.build(domain=frame)
+    again = pickle.loads(pickle.dumps(isle))
+    assert type(again) is type(isle) and np.array_equal(again.labels.array, isle.labels.array)
+    assert pickle.loads(pickle.dumps(sm.terrain.import_)) is sm.terrain.import_
+    assert pickle.loads(pickle.dumps(frame)) == frame
 
 
 def test_damaged_pickles_are_refused(hills):

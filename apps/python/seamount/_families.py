@@ -26,7 +26,7 @@ def families(package):
             module.__all__ = []
             sys.modules[module.__name__] = module
         module = modules[family]
-        function = _function(op, module.__name__)
+        function = _function(op, module)
         setattr(module, function.__name__, function)
         module.__all__.append(function.__name__)
     return list(modules.values())
@@ -39,7 +39,9 @@ def _function(op, module):
     params = {python_name(param["name"]): param["name"] for param in op["params"]}
     name = python_name(op["name"].partition(".")[2])
     outputs = [python_name(port["name"]) for port in op["out"]]
-    result = None if len(outputs) == 1 else collections.namedtuple(name.title() + "Result", outputs)
+    result = None if len(outputs) == 1 else collections.namedtuple(_describe.result_type(op), outputs, module=module.__name__)
+    if result is not None:
+        setattr(module, result.__name__, result)  # where pickle looks for it
 
     def call(*args, domain=None, seed=None, threads=0, progress=None, **given):
         if len(args) > len(order):
@@ -65,7 +67,7 @@ def _function(op, module):
         return wrap(made[0]) if result is None else result._make(map(wrap, made))
 
     call.__name__ = call.__qualname__ = name
-    call.__module__ = module
+    call.__module__ = module.__name__
     call.__doc__ = _describe.docstring(op)
     call.__signature__ = _describe.signature(op)
     return call

@@ -17,7 +17,7 @@ def plain_array(array, dtype):
     if dtype.kind == "u" and array.dtype != dtype:
         if array.size and not (numpy.min(array) >= 0 and numpy.max(array) <= 255 and numpy.all(array == numpy.floor(array))):
             raise ValueError("array: labels are whole numbers from 0 to 4")
-    array = numpy.ascontiguousarray(array, dtype=dtype) if array.ndim == 2 else array
+    array = numpy.require(array, dtype, ["C", "A"]) if array.ndim == 2 else array
     if array.ndim != 2 or array.size == 0:
         raise ValueError(f"array: has the shape {array.shape}, not rows and columns")
     return array
