@@ -7,7 +7,7 @@ import { fitted, toGround, toScreen, type MapEye, type Rectangle } from "./map_c
 import { drawFurniture } from "./map_furniture";
 import { MapMover } from "./map_mover";
 import type { ViewOptions } from "./options";
-import type { PictureRenderer } from "./picture_renderer";
+import type { PictureRenderer, Sort } from "./picture_renderer";
 import { drawShapes } from "./shapes_ink";
 import type { GroundOverlay, OverlayShape, Raster } from "./types";
 import { ViewSurface } from "./view_surface";
@@ -24,8 +24,8 @@ export class MapView {
   private eye: MapEye = { x: 0, y: 0, pixel_m: 1 };
   private framed = true;
 
-  constructor(element: HTMLElement, mostRatio: number, private readonly changed: () => void, private readonly scaled: (pixel_m: number) => void) {
-    this.surface = new ViewSurface(element, "Map of the terrain", mostRatio, () => {
+  constructor(element: HTMLElement, software: boolean, private readonly changed: () => void, private readonly scaled: (pixel_m: number) => void) {
+    this.surface = new ViewSurface(element, "Map of the terrain", software, () => {
       if (this.framed && this.field !== null) this.frame(this.field);
       this.changed();
     });
@@ -83,11 +83,11 @@ export class MapView {
     return { x, y, height: this.field.at(x, y), pixel_m: this.eye.pixel_m };
   }
 
-  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, quick: number): void {
+  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, size: number, sort: Sort): void {
     const { width, height } = this.surface.pixels;
-    const pixels = { width: Math.ceil(width * quick), height: Math.ceil(height * quick) };
-    renderer.drawMap(field, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element));
-    this.surface.show(renderer.canvas, pixels.width, pixels.height);
+    const pixels = { width: Math.ceil(width * size), height: Math.ceil(height * size) };
+    renderer.drawMap(field, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element), sort);
+    renderer.show(this.surface, pixels, sort);
   }
 
   drawInk(options: ViewOptions): void {
