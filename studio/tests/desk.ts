@@ -8,8 +8,11 @@ import { openPage, Server, until } from "./harness";
 export class Desk {
   constructor(readonly server: Server, readonly page: Page, readonly errors: string[]) {}
 
-  static async open(browser: Browser, document: Recipe | null, size: { width?: number; height?: number } = {}): Promise<Desk> {
-    const server = await Server.start(document);
+  static async open(
+    browser: Browser, document: Recipe | null, size: { width?: number; height?: number } = {},
+    files: { [name: string]: string } = {},
+  ): Promise<Desk> {
+    const server = await Server.start(document, files);
     const { page, errors } = await openPage(browser, server.address, size);
     const desk = new Desk(server, page, errors);
     await page.locator("[data-key]").first().waitFor();
@@ -97,9 +100,23 @@ export class Desk {
     await this.page.keyboard.press("Enter");
   }
 
+  /** A picture of the window to look at, where LOOKS names a folder. */
+  async look(name: string): Promise<void> {
+    const folder = process.env["LOOKS"];
+    if (!folder) return;
+    await this.rest();
+    await this.page.screenshot({ path: `${folder}/${name}.png` });
+  }
+
   /** Waits until all that is wanted is computed and drawn. */
   async rest(): Promise<void> {
-    await until("nothing is computed any more", () => this.page.locator(".progress").count().then((count) => count === 0), 120);
-    await this.page.waitForTimeout(2500);
+    let quiet = 0;
+    await until("nothing is computed any more", async () => {
+      const coarse = await this.page.locator("[data-coarse=true]").count();
+      const working = coarse + (await this.page.locator(".engine-progress").count());
+      quiet = working === 0 ? quiet + 1 : 0;
+      return quiet > 60;
+    }, 180);
+    await this.page.waitForTimeout(1200);
   }
 }

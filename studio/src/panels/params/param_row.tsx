@@ -4,6 +4,8 @@ import { RotateCcw, Unlink } from "lucide-preact";
 import type { ParamInfo } from "../../api/types";
 import { CurveControl } from "../curves/curve_control";
 import { HistogramEditor } from "../curves/histogram_editor";
+import { namesClass } from "../../document/catalogue";
+import { ClassControl, ClassesControl } from "./class_control";
 import { ChoiceControl, ColourControl, NumberControl, NumbersControl, PointControl, PresetControl, SwitchControl,
   TextControl,
          TextsControl } from "./controls";
@@ -28,8 +30,8 @@ export function Control({ field }: { field: Field }): JSX.Element {
     case "switch": return <SwitchControl field={field} />;
     case "choice": return <ChoiceControl field={field} />;
     case "preset": return <PresetControl field={field} />;
-    case "text": return <TextControl field={field} />;
-    case "texts": return <TextsControl field={field} />;
+    case "text": return namesClass(info) ? <ClassControl field={field} /> : <TextControl field={field} />;
+    case "texts": return namesClass(info) ? <ClassesControl field={field} /> : <TextsControl field={field} />;
     case "file": case "model": return <FileControl field={field} />;
     case "files": return <FilesControl field={field} />;
     case "colour": return <ColourControl field={field} />;

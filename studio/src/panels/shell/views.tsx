@@ -1,6 +1,7 @@
 // The 3D view and the map: side by side, one in the other's corner, or one alone.
 import { ArrowLeftRight } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
+import { ClassLegend } from "./class_legend";
 import { Divider } from "./divider";
 import { arrangement, bigView, splitShare, swapViews } from "./layout";
 import { EmptyView } from "./empty_view";
@@ -35,7 +36,7 @@ export function Views() {
           }}
         />
       )}
-      <section class={`view ${placeOf("map")}`} aria-label="Map" ref={map} />
+      <section class={`view ${placeOf("map")}`} aria-label="Map" ref={map}><ClassLegend /></section>
       <EmptyView />
       {arrangement.value === "inset" && (
         <button class="inset-swap icon" aria-label={`Make the ${small} big`} title={`Make the ${small} big (V)`} onClick={swapViews}>

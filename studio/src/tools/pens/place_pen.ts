@@ -1,5 +1,6 @@
 // Sets places: a click makes one, dragging an old one moves it; where it has a height, typing digits gives it.
 import type { Json } from "../../api/types";
+import type { SceneObject } from "../../viewport/objects_content";
 import type { GroundPointer } from "../../viewport/types";
 import { moveFeature } from "../changes";
 import { Drawing, pointOf, withIteration, type Desk, type Pen, type PenKey } from "../desk";
@@ -9,6 +10,7 @@ import type { Gesture } from "../gesture";
 import { distance, roundedPoint, roundingStep, type Point } from "../geometry";
 import { kReach_px } from "../hit";
 import { lookOf } from "../names";
+import { objectInk, objectMembers, objectUnder } from "../objects";
 import { token } from "../place";
 import type { Slot } from "../slots";
 import { TypedNumber } from "../typed_number";
@@ -18,6 +20,8 @@ export class PlacePen implements Pen {
   private drawing: Drawing | null = null;
   private held: { feature: Feature; from: Point; gesture: Gesture } | null = null;
   private readonly typed: TypedNumber;
+  /** What was under the pen where it went down. */
+  private object: SceneObject | null = null;
   private readonly slot: Slot;
 
   constructor(private readonly desk: Desk) {
@@ -35,7 +39,7 @@ export class PlacePen implements Pen {
 
   /** A height that nobody chose is the ground's. */
   private members(at: GroundPointer): { [name: string]: Json } {
-    const members = withIteration(this.desk, this.slot, this.desk.members(this.slot));
+    const members = { ...withIteration(this.desk, this.slot, this.desk.members(this.slot)), ...objectMembers(this.object) };
     const height = this.slot.members.find((member) => member.name === "height_m");
     if (!height || at.height === null || members["height_m"]) return members;
     const rounded = Math.round(at.height);
@@ -55,6 +59,7 @@ export class PlacePen implements Pen {
       if (!near[0]) this.drag(at);
       return;
     }
+    this.object = objectUnder(this.slot, pointOf(at), at.pixel_m);
     this.drawing = new Drawing(this.desk, this.slot, this.slot.parts[0]!, lookOf(this.slot).done);
     this.drawing.live([this.at(at)], this.members(at));
   }
@@ -109,8 +114,10 @@ export class PlacePen implements Pen {
   hover(at: GroundPointer | null): void {
     const radius = this.desk.members(this.slot)["radius_m"];
     const { role } = lookOf(this.slot);
-    if (!at || typeof radius !== "number") return this.desk.draw([]);
-    this.desk.draw([{ shape: "circle", at: pointOf(at), radius_m: radius, role }]);
+    if (!at) return this.desk.draw([]);
+    const meant = objectInk(objectUnder(this.slot, pointOf(at), at.pixel_m));
+    const circle = { shape: "circle" as const, at: pointOf(at), role };
+    this.desk.draw(typeof radius === "number" ? [...meant, { ...circle, radius_m: radius }] : meant);
   }
 }
 
