@@ -1,7 +1,7 @@
 // What a person does in a window of the studio, for tests: choosing steps and tools, drawing on the map.
 import assert from "node:assert/strict";
 import type { Browser, Page } from "playwright-core";
-import type { Json, Recipe } from "../src/api/types";
+import type { DocumentAnswer, Json, Recipe } from "../src/api/types";
 import { openPage, Server, until } from "./harness";
 
 /** A window of the studio on a server of its own, used as a person would. */
@@ -57,18 +57,18 @@ export class Desk {
     await mouse.up();
   }
 
-  /** Does something that changes the document and the terrain, and takes it back. */
-  async changes(what: string, act: () => Promise<void>): Promise<Recipe> {
+  /** Does something that changes the document and the terrain (unless it is what lies over it), and takes it back. */
+  async changes(what: string, act: () => Promise<void>, terrain = true): Promise<Recipe> {
     const before = await this.server.document(), key = await this.key();
     await act();
     const after = await until(`${what}: the recipe changes`, async () => {
       const now = await this.server.document();
       return now.revision > before.revision && now;
     });
-    await until(`${what}: another terrain is seen`, async () => (await this.key()) !== key);
+    if (terrain) await until(`${what}: another terrain is seen`, async () => (await this.key()) !== key);
     await until(`${what}: and it is a full one`, async () => (await this.page.locator("[data-key]").first().getAttribute("data-coarse")) === "false");
     assert.equal(after.done, before.done + 1, `${what} is one entry of the history`);
-    const settled = (await this.server.document()).recipe;
+    const settled = (await this.sent()).recipe;
     await this.page.keyboard.press("Control+z");
     await until(`${what}: undo`, async () => (await this.server.document()).done === before.done);
     assert.deepEqual((await this.server.document()).recipe, before.recipe, `${what}: undone`);
@@ -76,6 +76,18 @@ export class Desk {
     await until(`${what}: redo`, async () => (await this.server.document()).done === before.done + 1);
     assert.deepEqual((await this.server.document()).recipe, settled, `${what}: made again`);
     return settled;
+  }
+
+  /** The document once no more edits come. */
+  async sent(): Promise<DocumentAnswer> {
+    let last = await this.server.document();
+    await until("no more edits come", async () => {
+      await this.page.waitForTimeout(300);
+      const before = last.revision;
+      last = await this.server.document();
+      return last.revision === before;
+    });
+    return last;
   }
 
   /** Adds a step behind the selected one, by its operator's name: its id. */

@@ -29,6 +29,30 @@ function terrainAbove(recipe: Recipe, schema: Schema, id: string): string | null
   return null;
 }
 
+/** The first terrain that is made of what a step makes: what a network or a plan becomes. */
+function terrainBelow(recipe: Recipe, schema: Schema, id: string): string | null {
+  const reached = new Set([id]);
+  let grown = true;
+  while (grown) {
+    grown = false;
+    for (const step of recipe.steps) {
+      if (reached.has(step.id)) continue;
+      const reads = connectionsOf(recipe, schema, step).some(({ from }) => from && "step" in from && reached.has(from.step));
+      if (!reads) continue;
+      const out = operatorOf(schema, step.op)?.out.find((port) => port.kind === "terrain");
+      if (out) return `${step.id}.${out.name}`;
+      reached.add(step.id);
+      grown = true;
+    }
+  }
+  return null;
+}
+
+/** The ground that a step without a terrain of its own is about. */
+function terrainAround(recipe: Recipe, schema: Schema, id: string): string | null {
+  return terrainAbove(recipe, schema, id) ?? terrainBelow(recipe, schema, id);
+}
+
 type Ground = Pick<Shown, "terrain" | "overlay">;
 
 function shownOfSource(recipe: Recipe, schema: Schema, id: string, port: string | null): Ground {
@@ -38,11 +62,11 @@ function shownOfSource(recipe: Recipe, schema: Schema, id: string, port: string 
     const terrain = outputs.find((output) => output.kind === "terrain");
     if (terrain) return { terrain: `${id}.${terrain.name}`, overlay: null };
     const overlay = kOverlays.flatMap((kind) => outputs.filter((output) => output.kind === kind))[0];
-    return { terrain: terrainAbove(recipe, schema, id), overlay: overlay ? `${id}.${overlay.name}` : null };
+    return { terrain: terrainAround(recipe, schema, id), overlay: overlay ? `${id}.${overlay.name}` : null };
   }
   const kind = outputs.find((output) => output.name === port)?.kind;
   if (kind === "terrain") return { terrain: `${id}.${port}`, overlay: null };
-  return { terrain: terrainAbove(recipe, schema, id), overlay: kind ? `${id}.${port}` : null };
+  return { terrain: terrainAround(recipe, schema, id), overlay: kind ? `${id}.${port}` : null };
 }
 
 /** With nothing selected: the last step that makes a terrain. */

@@ -45,6 +45,48 @@ function line(ink: CanvasRenderingContext2D, shape: Extract<OverlayShape, { shap
   strokeRuns(ink, pieces, shape.colour ?? roleColour(shape.role), width, shape.role === "guide" ? [5, 4] : []);
 }
 
+/** In the 3D view so many points at most are looked at: of a finer network nothing could be told apart there. */
+const mostPoints = 24000;
+/** Long paths take much longer than the same in pieces. */
+const pieceLength = 400;
+
+/** The pieces of many lines that are alike; those behind the ground are left out. */
+function piecesOf(shape: Extract<OverlayShape, { shape: "lines" }>, by: Projector, every: number): Path2D[] {
+  const pieces: Path2D[] = [];
+  let path = new Path2D(), length = 0;
+  for (const part of shape.lines) {
+    let on = false;
+    for (let i = 0; i < part.length; i += i + every < part.length ? every : Math.max(1, part.length - 1 - i)) {
+      const [x, y] = part[i]!, at = by.project(x, y);
+      const seen = at !== null && !by.hidden(x, y);
+      if (seen && on) path.lineTo(at[0], at[1]);
+      else if (seen) path.moveTo(at[0], at[1]);
+      on = seen;
+      ++length;
+    }
+    if (length < pieceLength) continue;
+    pieces.push(path);
+    [path, length] = [new Path2D(), 0];
+  }
+  return [...pieces, path];
+}
+
+function lines(ink: CanvasRenderingContext2D, shape: Extract<OverlayShape, { shape: "lines" }>, by: Projector): void {
+  const points = shape.lines.reduce((sum, part) => sum + part.length, 0);
+  const every = by.flat ? 1 : Math.max(1, Math.ceil(points / mostPoints));
+  if (every > 1 && points < 3 * shape.lines.length) return;  // single edges, of which none can be left out
+  const pieces = piecesOf(shape, by, every), thin = shape.width_px < 1;
+  ink.lineCap = "butt";
+  ink.lineJoin = "bevel";
+  ink.globalAlpha = thin ? 0.55 : 1;
+  for (const over of thin ? [true] : [false, true]) {
+    ink.strokeStyle = over ? roleColour(shape.role) : casing;
+    ink.lineWidth = over ? shape.width_px : shape.width_px + 1.5;
+    for (const path of pieces) ink.stroke(path);
+  }
+  ink.globalAlpha = 1;
+}
+
 /** The 3D view looks for the ground before each mark: of very many it shows an even choice. */
 const mostRaised = 600;
 
@@ -118,6 +160,7 @@ export function drawShapes(ink: CanvasRenderingContext2D, shapes: readonly Overl
     if (shape.shape === "line") line(ink, shape, by);
     else if (shape.shape === "area") area(ink, shape, by);
     else if (shape.shape === "dot") dot(ink, shape, by);
+    else if (shape.shape === "lines") lines(ink, shape, by);
     else if (shape.shape === "dots") dots(ink, shape, by);
     else {
       ring(ink, shape.at[0], shape.at[1], shape.radius_m, shape.role, by, []);

@@ -46,6 +46,7 @@ export type OverlayShape = (
     shape: "line"; points: readonly (readonly [number, number])[]; role: Role; closed?: boolean; width_m?: number;
     width_px?: number; colour?: string;
   }
+  | { shape: "lines"; lines: readonly (readonly (readonly [number, number])[])[]; role: Role; width_px: number }
   | { shape: "area"; points: readonly (readonly [number, number])[]; role: Role; colour?: string }
   | { shape: "dot"; at: readonly [number, number]; role: Role; label?: string; handle?: boolean }
   | { shape: "dots"; places: readonly (readonly [number, number])[]; colour: string }
