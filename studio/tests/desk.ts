@@ -65,7 +65,13 @@ export class Desk {
       const now = await this.server.document();
       return now.revision > before.revision && now;
     });
-    if (terrain) await until(`${what}: another terrain is seen`, async () => (await this.key()) !== key);
+    if (terrain) {
+      const other = until(`${what}: another terrain is seen`, async () => (await this.key()) !== key);
+      await other.catch(async (error: unknown) => {
+        if (process.env["LOOKS"]) await this.page.screenshot({ path: `${process.env["LOOKS"]}/failed.png` });
+        throw error;
+      });
+    }
     await until(`${what}: and it is a full one`, async () => (await this.page.locator("[data-key]").first().getAttribute("data-coarse")) === "false");
     assert.equal(after.done, before.done + 1, `${what} is one entry of the history`);
     const settled = (await this.sent()).recipe;

@@ -79,7 +79,7 @@ function lines(ink: CanvasRenderingContext2D, shape: Extract<OverlayShape, { sha
   ink.lineCap = "butt";
   ink.lineJoin = "bevel";
   ink.globalAlpha = thin ? 0.55 : 1;
-  for (const over of thin ? [true] : [false, true]) {
+  for (const over of thin || !by.flat ? [true] : [false, true]) {
     ink.strokeStyle = over ? roleColour(shape.role) : casing;
     ink.lineWidth = over ? shape.width_px : shape.width_px + 1.5;
     for (const path of pieces) ink.stroke(path);
