@@ -116,7 +116,7 @@ function hintOf(slot: Slot | undefined, id: string): string {
   if (slot.geometry === "line") return "Drag, or click from point to point; Enter ends";
   if (slot.geometry === "ring") return slot.click ? "Draw around, or click a contour" : "Draw around, or click corners; Ctrl makes a hole";
   if (slot.geometry === "polar") return "Drag the coast; Shift smooths";
-  return slot.members.some((member) => member.name === "height_m") ? "Click sets, drag moves, digits give the height" : "Click sets, drag moves";
+  return slot.members.some((member) => member.name === "height_m") ? "Click sets, drag moves, digits or Alt+wheel give the height" : "Click sets, drag moves";
 }
 
 export function ToolOptions({ studio }: { studio: Studio }) {

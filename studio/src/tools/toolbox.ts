@@ -237,6 +237,11 @@ export class ToolBox {
     return false;
   }
 
+  /** True: the turn of the wheel was meant for the pen. */
+  wheel(notches: number): boolean {
+    return this.pen?.wheel?.(notches) ?? false;
+  }
+
   /** Values of members of the selected things, if all of them belong to one slot. */
   selectedOfOneSlot(): readonly Feature[] {
     const chosen = this.features.value.filter((feature) => selection.value.has(feature.key));

@@ -5,6 +5,7 @@ import { ClassLegend } from "./class_legend";
 import { Divider } from "./divider";
 import { arrangement, bigView, splitShare, swapViews } from "./layout";
 import { EmptyView } from "./empty_view";
+import { PictureView } from "./picture_view";
 import { startViews } from "./parts";
 import { useStudio } from "./shell";
 
@@ -38,6 +39,7 @@ export function Views() {
       )}
       <section class={`view ${placeOf("map")}`} aria-label="Map" ref={map}><ClassLegend /></section>
       <EmptyView />
+      <PictureView />
       {arrangement.value === "inset" && (
         <button class="inset-swap icon" aria-label={`Make the ${small} big`} title={`Make the ${small} big (V)`} onClick={swapViews}>
           <ArrowLeftRight aria-hidden />
