@@ -117,8 +117,15 @@ export class Viewport {
     for (const gestures of this.gestures) gestures.cancel();
     this.pen?.hover?.(null);
     this.pen = target;
-    const cursor = target?.cursor ?? "default";
-    for (const view of [this.map, this.world]) view.surface.element.style.cursor = cursor;
+    this.showCursor();
+  }
+
+  /** What the pen is to look like may depend on where it is. */
+  private showCursor(): void {
+    const cursor = this.pen?.cursor ?? "default";
+    for (const { surface } of [this.map, this.world]) {
+      if (surface.element.style.cursor !== cursor) surface.element.style.cursor = cursor;
+    }
   }
 
   setOverlayShapes(shapes: readonly OverlayShape[]): void {
@@ -268,6 +275,7 @@ export class Viewport {
         if (last === null || this.pen === null) return false;
         this.pointer.value = last;
         this.pen.down(last);
+        this.showCursor();
         return true;
       },
       move: (events) => {
@@ -286,6 +294,7 @@ export class Viewport {
       hover: (event) => {
         this.pointer.value = event === null ? null : at(event);
         this.pen?.hover?.(this.pointer.value);
+        this.showCursor();
       },
       double: (event) => {
         const place = at(event);

@@ -1,4 +1,5 @@
 // The 3D view: where its eye is, what ground is under a pixel, and what is drawn over it.
+import { ContentInk } from "./content_ink";
 import type { Projector } from "./drape";
 import type { Under } from "./ground_pointer";
 import type { HeightField } from "./heights";
@@ -27,6 +28,7 @@ export class WorldView {
   field: HeightField | null = null;
   private eye: Eye = { at: [0, -1000, 1000], azimuth: 0, pitch: -0.7 };
   private framed = true;
+  private readonly contentInk = new ContentInk();
 
   constructor(element: HTMLElement, software: boolean, private readonly changed: () => void, private readonly options: () => ViewOptions) {
     this.surface = new ViewSurface(element, "3D view of the terrain", software, () => {
@@ -127,7 +129,10 @@ export class WorldView {
       hidden: (x, y) => hidden(field, [x, y, height(x, y) + above], seen),
       flat: false,
     };
-    if (!moving) drawShapes(ink, this.content, by);
+    const { west, east, south, north } = field.rectangle;
+    const inside = (x: number, y: number): boolean => x >= west && x <= east && y >= south && y <= north;
+    const onGround: Projector = { ...by, project: (x, y) => (inside(x, y) ? by.project(x, y) : null) };
+    if (!moving) this.contentInk.draw(ink, this.content, onGround, [this.eye, field, raise, options.water]);
     drawShapes(ink, this.shapes, by);
   }
 
