@@ -1,4 +1,5 @@
 // The map: what part of the ground it shows and what is drawn over it.
+import { ContentInk } from "./content_ink";
 import { drawCurrent } from "./current_ink";
 import type { Projector } from "./drape";
 import type { Under } from "./ground_pointer";
@@ -7,7 +8,7 @@ import { fitted, toGround, toScreen, type MapEye, type Rectangle } from "./map_c
 import { drawFurniture } from "./map_furniture";
 import { MapMover } from "./map_mover";
 import type { ViewOptions } from "./options";
-import type { PictureRenderer } from "./picture_renderer";
+import type { PictureRenderer, Sort } from "./picture_renderer";
 import { drawShapes } from "./shapes_ink";
 import type { GroundOverlay, OverlayShape, Raster } from "./types";
 import { ViewSurface } from "./view_surface";
@@ -23,9 +24,10 @@ export class MapView {
   field: HeightField | null = null;
   private eye: MapEye = { x: 0, y: 0, pixel_m: 1 };
   private framed = true;
+  private readonly contentInk = new ContentInk();
 
-  constructor(element: HTMLElement, mostRatio: number, private readonly changed: () => void, private readonly scaled: (pixel_m: number) => void) {
-    this.surface = new ViewSurface(element, "Map of the terrain", mostRatio, () => {
+  constructor(element: HTMLElement, software: boolean, private readonly changed: () => void, private readonly scaled: (pixel_m: number) => void) {
+    this.surface = new ViewSurface(element, "Map of the terrain", software, () => {
       if (this.framed && this.field !== null) this.frame(this.field);
       this.changed();
     });
@@ -83,11 +85,11 @@ export class MapView {
     return { x, y, height: this.field.at(x, y), pixel_m: this.eye.pixel_m };
   }
 
-  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, quick: number): void {
+  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, size: number, sort: Sort): void {
     const { width, height } = this.surface.pixels;
-    const pixels = { width: Math.ceil(width * quick), height: Math.ceil(height * quick) };
-    renderer.drawMap(field, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element));
-    this.surface.show(renderer.canvas, pixels.width, pixels.height);
+    const pixels = { width: Math.ceil(width * size), height: Math.ceil(height * size) };
+    renderer.drawMap(field, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element), sort);
+    renderer.show(this.surface, pixels, sort);
   }
 
   drawInk(options: ViewOptions): void {
@@ -95,11 +97,9 @@ export class MapView {
     if (!this.surface.shown) return;
     const ink = this.surface.beginInk();
     if (this.field === null) return;
-    const { frame, height_m } = this.field;
     drawFurniture(ink, this.eye, this.surface, {
       grid: options.grid,
       light: paperOf(this.surface.element)[1] > 0.3,
-      origin: frame.crs === "" ? [frame.west, frame.north - height_m] : [0, 0],
     });
     const by: Projector = {
       project: (x, y) => toScreen(this.eye, this.surface, x, y),
@@ -108,8 +108,15 @@ export class MapView {
       flat: true,
     };
     if (this.current !== null) drawCurrent(ink, this.current, this.eye, this.surface);
-    drawShapes(ink, this.content, by);
+    this.drawContent(ink, this.field.rectangle, by);
     drawShapes(ink, this.shapes, by);
+  }
+
+  /** Not beyond the ground. */
+  private drawContent(ink: CanvasRenderingContext2D, ground: Rectangle, by: Projector): void {
+    const [left, top] = by.project(ground.west, ground.north)!, [right, bottom] = by.project(ground.east, ground.south)!;
+    const state = [this.eye, ground.west, ground.north, ground.east, ground.south];
+    this.contentInk.draw(ink, this.content, by, state, [left, top, right, bottom]);
   }
 
   dispose(): void {

@@ -1,10 +1,11 @@
 // The 3D view: where its eye is, what ground is under a pixel, and what is drawn over it.
+import { ContentInk } from "./content_ink";
 import type { Projector } from "./drape";
 import type { Under } from "./ground_pointer";
 import type { HeightField } from "./heights";
 import type { Rectangle } from "./map_camera";
 import type { ViewOptions } from "./options";
-import type { PictureRenderer } from "./picture_renderer";
+import type { PictureRenderer, Sort } from "./picture_renderer";
 import { hidden, pick } from "./picking";
 import { drawShapes } from "./shapes_ink";
 import type { GroundOverlay, OverlayShape } from "./types";
@@ -27,9 +28,10 @@ export class WorldView {
   field: HeightField | null = null;
   private eye: Eye = { at: [0, -1000, 1000], azimuth: 0, pitch: -0.7 };
   private framed = true;
+  private readonly contentInk = new ContentInk();
 
-  constructor(element: HTMLElement, mostRatio: number, private readonly changed: () => void, private readonly options: () => ViewOptions) {
-    this.surface = new ViewSurface(element, "3D view of the terrain", mostRatio, () => {
+  constructor(element: HTMLElement, software: boolean, private readonly changed: () => void, private readonly options: () => ViewOptions) {
+    this.surface = new ViewSurface(element, "3D view of the terrain", software, () => {
       if (this.framed && this.field !== null) this.frame(this.field);
       this.changed();
     });
@@ -103,11 +105,11 @@ export class WorldView {
     return { x, y, height: this.field.at(x, y), pixel_m: this.pixelSize(place) };
   }
 
-  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, quick: number, moving: boolean): void {
+  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, size: number, sort: Sort): void {
     const { width, height } = this.surface.pixels;
-    const lens = { width: Math.ceil(width * quick), height: Math.ceil(height * quick), fov: fieldOfView };
-    renderer.drawWorld(field, options, overlay, this.eye, lens, jitters[this.surface.samples]!, !moving);
-    this.surface.show(renderer.canvas, lens.width, lens.height);
+    const lens = { width: Math.ceil(width * size), height: Math.ceil(height * size), fov: fieldOfView };
+    renderer.drawWorld(field, options, overlay, this.eye, lens, jitters[this.surface.samples]!, sort);
+    renderer.show(this.surface, lens, sort);
   }
 
   drawInk(options: ViewOptions, moving: boolean): void {
@@ -127,7 +129,10 @@ export class WorldView {
       hidden: (x, y) => hidden(field, [x, y, height(x, y) + above], seen),
       flat: false,
     };
-    if (!moving) drawShapes(ink, this.content, by);
+    const { west, east, south, north } = field.rectangle;
+    const inside = (x: number, y: number): boolean => x >= west && x <= east && y >= south && y <= north;
+    const onGround: Projector = { ...by, project: (x, y) => (inside(x, y) ? by.project(x, y) : null) };
+    if (!moving) this.contentInk.draw(ink, this.content, onGround, [this.eye, field, raise, options.water]);
     drawShapes(ink, this.shapes, by);
   }
 

@@ -1,6 +1,5 @@
 // Red: share of the sun that is seen; green: share of the sky.
 uniform sampler2D surface;
-uniform sampler2D heights;
 uniform float cell_m;
 uniform float exaggeration;
 uniform float floor_m;
