@@ -16,7 +16,7 @@ def main():
     path = sys.argv[1] if len(sys.argv) > 1 else "hills.tif"
     years = float(sys.argv[2]) if len(sys.argv) > 2 else 100_000
     if len(sys.argv) < 2:
-        sm.terrain.noise(domain=sm.Frame(256, 256, 40), height_m=900, base_m=50, seed=4).save(path)
+        sm.terrain.noise(domain=sm.Frame(200, 200, 50), height_m=900, base_m=50, seed=4).save(path)
     before = sm.Terrain.read(path)
     worn = sm.erosion.run(before, years=years, progress=lambda share: print(f"\r{share:4.0%}", end="", file=sys.stderr))
     print(file=sys.stderr)
@@ -30,7 +30,7 @@ def main():
             print(f"  {descriptor['title']:<40} {descriptor['distance']:.3f} away from before")
     after.save("worn.tif")
     report.save("compared.html")
-    sm.render.map(after, width_px=800).save("worn.png")
+    sm.render.map(after, width_px=600).save("worn.png")
 
 
 if __name__ == "__main__":

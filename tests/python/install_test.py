@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Installs the module from the checkout into a virtual environment by pip, without an index, and uses it there: no file of the
-checkout is opened or mapped."""
+"""Installs the module from the checkout into a virtual environment by pip, without an index, and uses it there: no file of
+the checkout is opened or mapped."""
 
 import argparse
 import os

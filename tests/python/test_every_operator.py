@@ -7,10 +7,10 @@ import seamount as sm
 from test_operators import SCHEMA, function
 
 NEEDS = {  # what an operator cannot do without, beside its inputs
-    "terrain.import": {"file": "dem.tif"}, "terrain.join": {"files": ["dem.tif"]}, "drawing.import": {"file": "areas.geojson"},
-    "contour.import": {"file": "contours.geojson"}, "contour.grow": {"particles": 400},
+    "terrain.import": {"file": "dem.tif"}, "terrain.join": {"files": ["dem.tif"]},
+    "drawing.import": {"file": "areas.geojson"}, "contour.import": {"file": "contours.geojson"}, "contour.grow": {"particles": 400},
     "learned.sketch": {"rivers": [{"points": [[-1500, -900], [0, 200], [1200, 800]]}]},
-    "ecosystem.field": {"of": "ground"},
+    "ecosystem.field": {"of": "ground"}, "ecosystem.grow": {"iterations": 3},
 }
 TAKES = {"learned.island": ["labels"], "ecosystem.grow": ["catalogue"]}  # inputs that are optional alone
 

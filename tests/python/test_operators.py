@@ -203,4 +203,5 @@ def test_other_threads_run_meanwhile():
 
 def test_the_module_alone_brings_nothing_but_numpy():
     asked = "import sys, seamount; print({'xarray', 'rasterio', 'geopandas', 'pandas', 'affine'} & set(sys.modules))"
-    assert subprocess.run([sys.executable, "-c", asked], text=True, check=True, stdout=subprocess.PIPE).stdout.strip() == "set()"
+    done = subprocess.run([sys.executable, "-c", asked], text=True, check=True, stdout=subprocess.PIPE)
+    assert done.stdout.strip() == "set()"

@@ -178,6 +178,15 @@ def test_threads_may_share_a_recipe(recipe):
     assert len(made) == 6 and np.array_equal(made[1], made[5]) and np.array_equal(made[0], made[4])
 
 
+def test_saved_elsewhere_its_files_are_found(tmp_path):
+    recipe = sm.Recipe.example("kauai", cache=False)
+    recipe.set("/domain/cell_m", 800)
+    (tmp_path / "deep/er").mkdir(parents=True)
+    recipe.save(tmp_path / "deep/er/kauai.json")
+    again = sm.Recipe.load(tmp_path / "deep/er/kauai.json", cache=False)
+    assert np.array_equal(again.value("isle").array, recipe.value("isle").array)
+
+
 def test_a_cache_folder_is_shared(tmp_path, recipe):
     text = recipe.text
     first = sm.Recipe(text, cache=tmp_path).value("reef")

@@ -70,7 +70,7 @@ class Recipe {
   }
   void save(const std::string& path) const {
     const py::gil_scoped_release released;
-    engine_->look([&](const Document& document) { document.save(path); });
+    engine_->look([&](const Document& document) { document.moved_to(path).save(path); });
   }
   uint64_t revision() const { return engine_->revision(); }
   uint64_t bytes() const { return engine_->bytes_in_memory(); }

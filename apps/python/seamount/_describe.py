@@ -56,8 +56,8 @@ def common(op):
 
 
 def parameters(op):
-    """(name, type, default, is an input) of all that a call takes; inspect.Parameter.empty where something is needed. Where an
-    input has the name of a parameter it stands for both."""
+    """(name, type, default, is an input) of all that a call takes; inspect.Parameter.empty where something is needed. Where
+    an input has the name of a parameter it stands for both."""
     by_name = {param["name"]: param for param in op["params"]}
     required = [port["required"] for port in op["in"]]
     ordered = required == sorted(required, reverse=True)

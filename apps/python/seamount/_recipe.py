@@ -62,10 +62,11 @@ class Recipe:
 
     def __init__(self, document=None, *, folder=".", file="recipe", threads=0, cache=True, memory_bytes=1 << 30,
                  coarse_cells=256):
-        """`document`: text of a recipe, or a mapping as recipes are, in which steps and outputs may be left out; absent: one with
-        neither. Relative names in it start at `folder`. `cache`: True for the folder that the command line uses, False for
+        """`document`: text of a recipe, or a mapping as recipes are, in which steps and outputs may be left out; absent: one
+        with neither. Relative names in it start at `folder`. `cache`: True for the folder that the command line uses, False for
         none, or a folder. Raises RecipeError with all defects."""
-        text = document if isinstance(document, str) else json.dumps({"seamount": 1, "steps": [], "outputs": [], **(document or {})})
+        bare = {"seamount": 1, "steps": [], "outputs": []}
+        text = document if isinstance(document, str) else json.dumps({**bare, **(document or {})})
         cache = None if cache is True else "" if not cache else os.fsencode(cache)
         self._asking = threading.Lock()
         self._engine = _core.Recipe(text, file, os.fsencode(folder), threads, cache, memory_bytes, coarse_cells)
@@ -106,8 +107,8 @@ class Recipe:
         return _frame(self._engine.domain())
 
     def save(self, path):
-        """Writes `text` to a file, whole or not at all."""
-        self._engine.save(os.fsencode(path))
+        """Writes the document to a file, whole or not at all. In another folder names of files lead from there."""
+        self._engine.save(os.fsencode(os.path.abspath(path)))
 
     def get(self, place):
         """What stands at a place of the document: "/steps/reef/params/subsidence". None: nothing, such as a default."""
@@ -201,7 +202,7 @@ class Recipe:
         self._engine.refresh()
 
     def value(self, source, *, coarse=False, progress=None):
-        """The result of "step.port", or of a step's first output; computed if it is out of date. `coarse`: on few cells, soon."""
+        """The result of "step.port", or of a step's first output; computed if it is out of date. `coarse`: on few cells."""
         return self.values([source], coarse=coarse, progress=progress)[0]
 
     def values(self, sources, *, coarse=False, progress=None):

@@ -7,8 +7,8 @@ from ._rasters import Current, Field, Labels, Raster, Terrain
 from ._shapes import Contours, Drawing, Features, Objects
 from ._value import Value, invalid
 
-__all__ = ["Catalogue", "Contours", "Current", "Drawing", "Features", "Field", "Image", "Labels", "Objects", "Raster", "Report",
-           "Terrain", "Things", "Tin", "Value", "read"]
+__all__ = ["Catalogue", "Contours", "Current", "Drawing", "Features", "Field", "Image", "Labels", "Objects", "Raster",
+           "Report", "Terrain", "Things", "Tin", "Value", "read"]
 
 
 class Image(Value):
