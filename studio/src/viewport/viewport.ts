@@ -2,8 +2,11 @@
 // has changed, and not at all otherwise.
 import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { registerActions } from "../actions/registry";
+import type { ValueEvent } from "../api/types";
 import type { Shown, Studio } from "../document/studio";
 import { followContent, type Content } from "./content";
+import { heightAt } from "./detail_ground";
+import { DetailKeeper, mostDetailCells } from "./detail_keeper";
 import { Follower, mostCells } from "./follower";
 import { Gestures, type Strokes } from "./gestures";
 import { groundPointer, type Under } from "./ground_pointer";
@@ -52,6 +55,8 @@ export class Viewport {
   private readonly renderer: PictureRenderer;
   private readonly gestures: Gestures[] = [];
   private readonly followers: Follower[] = [];
+  /** Of the map and of the 3D view. */
+  private readonly details: DetailKeeper[];
   private readonly stops: (() => void)[] = [];
   private field: HeightField | null = null;
   private pen: PenTarget | null = null;
@@ -67,7 +72,9 @@ export class Viewport {
   /** The view that the pointer was in last. */
   private ahead: View;
   private readonly drawnQuickly = new Set<View>();
-  private readonly untold: { view: View; field: HeightField }[] = [];
+  private readonly untold: { view: View; field: HeightField; detail_m: number | null }[] = [];
+  /** A stroke is being drawn. */
+  private stroke = false;
   private request = 0;
   private restTimer = 0;
   private upload_ms = 0;
@@ -86,13 +93,14 @@ export class Viewport {
       });
       this.gestures.push(new Gestures(view.surface.element, view.mover, strokes, () => this.options.peek().navigation));
     }
+    this.details = [this.map, this.world].map((view) => new DetailKeeper(studio.api, view, mostDetailCells(software), () => this.detailCame(view)));
     const bigger = (): HTMLElement =>
       this.map.surface.width * this.map.surface.height >= this.world.surface.width * this.world.surface.height ? mapElement : worldElement;
-    this.profile = new ProfileBox(bigger, (x, y) => this.field?.at(x, y) ?? null, (place) => {
+    this.profile = new ProfileBox(bigger, (x, y) => this.heightAt(x, y), (place) => {
       this.profiled = place;
       this.ink();
     });
-    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster), mostCells(this.renderer.software)));
+    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster, value) => this.terrain(raster, value), mostCells(software)));
     this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
     this.stops.push(followContent(studio, (content) => this.contentCame(content)), registerActions(viewActions(this)), mountControls(this, worldElement));
     const themes = new MutationObserver(() => {
@@ -171,28 +179,45 @@ export class Viewport {
 
   /** Resolves once both views show the present state, at rest. */
   async settled(): Promise<void> {
-    while (this.request !== 0 || this.restTimer !== 0) await new Promise((done) => setTimeout(done, 20));
+    while (this.request !== 0 || this.restTimer !== 0 || this.details.some(({ busy }) => busy)) await new Promise((done) => setTimeout(done, 20));
   }
 
   dispose(): void {
     cancelAnimationFrame(this.request);
     clearTimeout(this.restTimer);
     for (const stop of this.stops) stop();
-    for (const part of [this.profile, ...this.followers, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
+    for (const part of [this.profile, ...this.followers, ...this.details, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
     this.legend?.remove();
   }
 
-  private terrain(raster: Raster | null): void {
+  private terrain(raster: Raster | null, value: ValueEvent | null): void {
     if (raster === null) return;
     this.arrived = performance.now();
     const before = this.field, field = HeightField.of(raster);
     this.field = field;
     this.map.field = this.world.field = field;
+    const whole = value?.frame ?? raster.frame;
+    this.map.cell_m = this.world.cell_m = whole.cell_m;
+    for (const detail of this.details) detail.follow(field, { key: raster.key, frame: whole, level: Math.round(Math.log2(raster.frame.cell_m / whole.cell_m)) });
     this.drawn.value = { key: raster.key, coarse: raster.coarse };
     if (before === null && this.things !== null) this.renderer.world.setThings(this.things, field);
     if (before === null || !sameRectangle(before, field)) this.begin(field);
     this.profile.update();
     this.moved(this.map, this.world);  // a quick picture at once, since results may come in a row; a good one when they rest
+  }
+
+  private detailCame(view: View): void {
+    view.inkStale = true;
+    this.profile.update();
+    this.dirty(view);
+  }
+
+  /** As finely as either view knows it. */
+  private heightAt(x: number, y: number): number | null {
+    if (this.field === null) return null;
+    const [a, b] = [this.map.detail, this.world.detail].map((detail) => (detail !== null && detail.weight(x, y) > 0 ? detail : null)) as [typeof this.map.detail, typeof this.map.detail];
+    const finer = a !== null && b !== null ? (a.cell_m <= b.cell_m ? a : b) : (a ?? b);
+    return heightAt(this.field, finer, x, y);
   }
 
   /** Another terrain: all of it is shown, as high as shows its forms. */
@@ -267,6 +292,7 @@ export class Viewport {
         last = at(event);
         if (last === null || this.pen === null) return false;
         this.pointer.value = last;
+        this.stroke = true;
         this.pen.down(last);
         return true;
       },
@@ -281,8 +307,12 @@ export class Viewport {
         const place = at(event), pressure = last?.pressure ?? 1;
         if (place !== null) last = { ...place, pressure };
         if (last !== null) this.pen?.up(last);
+        this.strokeEnded();
       },
-      cancel: () => this.pen?.cancel(),
+      cancel: () => {
+        this.pen?.cancel();
+        this.strokeEnded();
+      },
       hover: (event) => {
         this.pointer.value = event === null ? null : at(event);
         this.pen?.hover?.(this.pointer.value);
@@ -292,6 +322,15 @@ export class Viewport {
         if (place !== null) this.pen?.double?.(place);
       },
     };
+  }
+
+  private strokeEnded(): void {
+    this.stroke = false;
+    if (this.restTimer === 0) this.seekDetail();
+  }
+
+  private seekDetail(): void {
+    if (!this.stroke) for (const detail of this.details) detail.seek();
   }
 
   /** Views move: quick pictures now, good ones when they rest. */
@@ -309,6 +348,7 @@ export class Viewport {
       this.restTimer = 0;
       this.dirty(...this.drawnQuickly);
       this.drawnQuickly.clear();
+      this.seekDetail();
     }, Math.max(restAfter_ms, Math.min(1200, 2 * this.renderer.pace.quickMs)));
   }
 
@@ -324,7 +364,9 @@ export class Viewport {
   /** On the page, for who measures it: which result is seen in the views that were drawn last. */
   private tellDrawn(): void {
     const told = this.untold.splice(0);
-    for (const { view: { surface }, field } of told) {
+    for (const { view: { surface }, field, detail_m } of told) {
+      if (detail_m === null) delete surface.element.dataset["detailCell"];
+      else surface.element.dataset["detailCell"] = String(detail_m);
       surface.element.dataset["coarse"] = String(field.coarse);
       surface.element.dataset["key"] = field.key;
     }
@@ -337,6 +379,7 @@ export class Viewport {
   private frame(): void {
     this.request = 0;
     const moving = this.restTimer !== 0;
+    if (moving && !this.renderer.software) this.seekDetail();
     for (const view of [this.map, this.world]) if (view.inkStale) view.drawInk(this.options.peek(), moving);
     const field = this.field;
     if (field === null) return;
@@ -357,9 +400,9 @@ export class Viewport {
     const fine = !moving && now.includes(this.world) && pace.mayBeFine();
     const sort = moving ? "quick" : fine ? "fine" : "plain";
     for (const view of now) {
-      view.draw(renderer, field, options, this.activeOverlay, moving ? pace.quickSize : 1, sort);
+      const detail = view.draw(renderer, field, options, this.activeOverlay, moving ? pace.quickSize : 1, sort);
       if (moving) this.drawnQuickly.add(view);
-      this.untold.push({ view, field });
+      this.untold.push({ view, field, detail_m: detail?.cell_m ?? null });
     }
     renderer.endFrame(sort);
     return true;
