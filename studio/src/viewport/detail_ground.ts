@@ -64,6 +64,15 @@ export class DetailGround {
   }
 }
 
+/** What knows a place most finely; null: none of them knows it. */
+export function finerOf(details: readonly (DetailGround | null)[], x: number, y: number): DetailGround | null {
+  let best: DetailGround | null = null;
+  for (const detail of details) {
+    if (detail !== null && detail.weight(x, y) > 0 && (best === null || detail.cell_m < best.cell_m)) best = detail;
+  }
+  return best;
+}
+
 /** Height at a place, as finely as it is known; null outside and where it is unknown. */
 export function heightAt(field: HeightField, detail: DetailGround | null, x: number, y: number): number | null {
   const weight = detail?.weight(x, y) ?? 0, height = field.at(x, y);

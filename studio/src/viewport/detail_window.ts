@@ -10,6 +10,11 @@ export interface Source {
   level: number;
 }
 
+/** Of a raster that is there coarsely, and the frame that it is computed in. */
+export function sourceOf(shown: { key: string; frame: Frame }, frame: Frame): Source {
+  return { key: shown.key, frame, level: Math.round(Math.log2(shown.frame.cell_m / frame.cell_m)) };
+}
+
 /** A part of a level of the raster, in cells of that level. */
 export interface Window {
   level: number;
@@ -31,7 +36,7 @@ const fadeCells = 10;
 /** Windows begin and end at multiples of so many cells. */
 const lattice = 64;
 /** Of what is seen, on each side. */
-const margins = [0.3, 0.12];
+const margins = [0.3, 0.12, 0.03];
 /** A window stays as long as it shows nearly as much as the best one. */
 const goodEnough = 0.8;
 /** Less than this (levels gained, mean over the picture) is not worth a window. */

@@ -23,6 +23,8 @@ export interface PatchView {
   floor: number;
   /** About so many patches are wanted at most. */
   budget: number;
+  /** The ground is cut at its edges, under water too. */
+  walls?: boolean;
   /** Part of the ground that is known more finely. */
   detail?: DetailGround | null;
 }
@@ -70,9 +72,10 @@ function choose(field: HeightField, view: PatchView, range: number, finest: numb
     const i = row * tree.columns + column, side = patchCells * 2 ** level * cell;
     let least = tree.low[i]!, greatest = tree.high[i]!;
     if (view.detail) [least, greatest] = view.detail.bounds(x * side, y * side, side, least, greatest);
-    if (greatest <= view.floor) return;
+    const outermost = x === 0 || y === 0 || (x + 1) * side >= field.width_m || (y + 1) * side >= field.height_m;
+    if (greatest <= view.floor && !(view.walls && outermost)) return;
     const low = view.exaggeration * Math.max(view.floor, least);
-    const high = view.exaggeration * greatest;
+    const high = view.exaggeration * Math.max(view.floor, greatest);
     const box = [x * side, y * side, low, (x + 1) * side, (y + 1) * side, high];
     if (!seen(view.planes, box)) return;
     if (level === finest || distance(view.eye, box) >= rangeOf(level - 1)) return put(level, x, y);

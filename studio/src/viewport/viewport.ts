@@ -5,16 +5,17 @@ import { registerActions } from "../actions/registry";
 import type { ValueEvent } from "../api/types";
 import type { Shown, Studio } from "../document/studio";
 import { followContent, type Content } from "./content";
-import { heightAt } from "./detail_ground";
+import { finerOf, heightAt } from "./detail_ground";
 import { DetailKeeper, mostDetailCells } from "./detail_keeper";
+import { sourceOf } from "./detail_window";
 import { Follower, mostCells } from "./follower";
-import { Gestures, type Strokes } from "./gestures";
-import { groundPointer, type Under } from "./ground_pointer";
+import { Gestures } from "./gestures";
 import { HeightField } from "./heights";
 import { legendElement } from "./legend";
 import { legendOf } from "./ground_overlay";
 import { MapView } from "./map_view";
 import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./options";
+import { PenStrokes } from "./pen_strokes";
 import { PictureRenderer } from "./picture_renderer";
 import { ProfileBox } from "./profile_box";
 import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
@@ -59,7 +60,7 @@ export class Viewport {
   private readonly details: DetailKeeper[];
   private readonly stops: (() => void)[] = [];
   private field: HeightField | null = null;
-  private pen: PenTarget | null = null;
+  private readonly strokes = new PenStrokes(this.pointer, () => this.restTimer === 0 && this.seekDetail());
   private overlay: GroundOverlay = { overlay: "none" };
   private shownOverlay: GroundOverlay = { overlay: "none" };
   private things: Things | null = null;
@@ -73,8 +74,6 @@ export class Viewport {
   private ahead: View;
   private readonly drawnQuickly = new Set<View>();
   private readonly untold: { view: View; field: HeightField; detail_m: number | null }[] = [];
-  /** A stroke is being drawn. */
-  private stroke = false;
   private request = 0;
   private restTimer = 0;
   private upload_ms = 0;
@@ -87,13 +86,14 @@ export class Viewport {
     this.world = new WorldView(worldElement, software, () => this.moved(this.world), () => this.options.peek());
     this.ahead = this.map;
     for (const view of [this.map, this.world]) {
-      const strokes = this.strokes((event) => {
+      const strokes = this.strokes.over((event) => {
         this.ahead = view;
         return view.under(event);
       });
       this.gestures.push(new Gestures(view.surface.element, view.mover, strokes, () => this.options.peek().navigation));
     }
-    this.details = [this.map, this.world].map((view) => new DetailKeeper(studio.api, view, mostDetailCells(software), () => this.detailCame(view)));
+    this.details = (["map", "world"] as const).map((name) =>
+      new DetailKeeper(studio.api, this[name], mostDetailCells(name, software), () => this.detailCame(this[name])));
     const bigger = (): HTMLElement =>
       this.map.surface.width * this.map.surface.height >= this.world.surface.width * this.world.surface.height ? mapElement : worldElement;
     this.profile = new ProfileBox(bigger, (x, y) => this.heightAt(x, y), (place) => {
@@ -121,10 +121,9 @@ export class Viewport {
   }
 
   setPen(target: PenTarget | null): void {
-    if (target === this.pen) return;
+    if (target === this.strokes.pen) return;
     for (const gestures of this.gestures) gestures.cancel();
-    this.pen?.hover?.(null);
-    this.pen = target;
+    this.strokes.pen = target;
     const cursor = target?.cursor ?? "default";
     for (const view of [this.map, this.world]) view.surface.element.style.cursor = cursor;
   }
@@ -196,9 +195,9 @@ export class Viewport {
     const before = this.field, field = HeightField.of(raster);
     this.field = field;
     this.map.field = this.world.field = field;
-    const whole = value?.frame ?? raster.frame;
-    this.map.cell_m = this.world.cell_m = whole.cell_m;
-    for (const detail of this.details) detail.follow(field, { key: raster.key, frame: whole, level: Math.round(Math.log2(raster.frame.cell_m / whole.cell_m)) });
+    const source = sourceOf(raster, value?.frame ?? raster.frame);
+    this.map.cell_m = this.world.cell_m = source.frame.cell_m;
+    for (const detail of this.details) detail.follow(field, source);
     this.drawn.value = { key: raster.key, coarse: raster.coarse };
     if (before === null && this.things !== null) this.renderer.world.setThings(this.things, field);
     if (before === null || !sameRectangle(before, field)) this.begin(field);
@@ -215,9 +214,7 @@ export class Viewport {
   /** As finely as either view knows it. */
   private heightAt(x: number, y: number): number | null {
     if (this.field === null) return null;
-    const [a, b] = [this.map.detail, this.world.detail].map((detail) => (detail !== null && detail.weight(x, y) > 0 ? detail : null)) as [typeof this.map.detail, typeof this.map.detail];
-    const finer = a !== null && b !== null ? (a.cell_m <= b.cell_m ? a : b) : (a ?? b);
-    return heightAt(this.field, finer, x, y);
+    return heightAt(this.field, finerOf([this.map.detail, this.world.detail], x, y), x, y);
   }
 
   /** Another terrain: all of it is shown, as high as shows its forms. */
@@ -280,57 +277,8 @@ export class Viewport {
     this.dirty(this.map, this.world);
   }
 
-  private strokes(under: (event: MouseEvent) => Under | null): Strokes {
-    const at = (event: MouseEvent): GroundPointer | null => {
-      const place = under(event);
-      return place === null ? null : groundPointer(event, place);
-    };
-    let last: GroundPointer | null = null;
-    return {
-      active: () => this.pen !== null,
-      down: (event) => {
-        last = at(event);
-        if (last === null || this.pen === null) return false;
-        this.pointer.value = last;
-        this.stroke = true;
-        this.pen.down(last);
-        return true;
-      },
-      move: (events) => {
-        const path = events.map(at).filter((p): p is GroundPointer => p !== null);
-        if (path.length === 0) return;
-        this.pointer.value = last = path[path.length - 1]!;
-        this.pen?.move(path);
-      },
-      up: (event) => {
-        // A lifted pen presses no more: the stroke ends as it was drawn.
-        const place = at(event), pressure = last?.pressure ?? 1;
-        if (place !== null) last = { ...place, pressure };
-        if (last !== null) this.pen?.up(last);
-        this.strokeEnded();
-      },
-      cancel: () => {
-        this.pen?.cancel();
-        this.strokeEnded();
-      },
-      hover: (event) => {
-        this.pointer.value = event === null ? null : at(event);
-        this.pen?.hover?.(this.pointer.value);
-      },
-      double: (event) => {
-        const place = at(event);
-        if (place !== null) this.pen?.double?.(place);
-      },
-    };
-  }
-
-  private strokeEnded(): void {
-    this.stroke = false;
-    if (this.restTimer === 0) this.seekDetail();
-  }
-
   private seekDetail(): void {
-    if (!this.stroke) for (const detail of this.details) detail.seek();
+    if (!this.strokes.drawing) for (const detail of this.details) detail.seek();
   }
 
   /** Views move: quick pictures now, good ones when they rest. */

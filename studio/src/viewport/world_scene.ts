@@ -88,6 +88,7 @@ export class WorldScene {
       exaggeration: options.exaggeration,
       floor: options.water ? 0 : -Infinity,
       budget: this.patchBudget,
+      walls: cutAround(field, options),
       detail,
     }));
     this.things?.choose(field, {
@@ -162,9 +163,8 @@ export class WorldScene {
       detail !== null ? "DETAIL" : "", fine ? "FINE" : "", magnified ? "SMOOTH" : "", this.uniforms.overlay_strength!.value > 0 ? "OVERLAY" : "",
       this.uniforms.contour_m!.value > 0 ? "CONTOURS" : "",
     ].filter((name) => name !== "");
-    const walls = !field.inSea || !options.water;
     const ground = this.variant(detailShader + groundVertex, options.water && field.min <= 0 ? [...names, "WATER"] : names);
-    this.ground.material = walls ? [ground, this.wall] : [ground];
+    this.ground.material = cutAround(field, options) ? [ground, this.wall] : [ground];
     this.sea.material = [this.variant(seaVertex, [...names.filter((name) => name !== "CONTOURS"), "PLANE"])];
   }
 
@@ -196,4 +196,9 @@ export class WorldScene {
     this.scene.add(mesh);
     return mesh;
   }
+}
+
+/** The ground is cut at its edges: no sea goes on there. */
+function cutAround(field: HeightField, options: ViewOptions): boolean {
+  return !field.inSea || !options.water;
 }
