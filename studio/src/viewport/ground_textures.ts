@@ -7,6 +7,7 @@ import {
 } from "three";
 import { Bake, target } from "./bake";
 import { climateOf } from "./climate";
+import type { DetailGround } from "./detail_ground";
 import type { HeightField } from "./heights";
 import { lamps } from "./light";
 import { sunVector, type ViewOptions } from "./options";
@@ -35,7 +36,12 @@ interface Set {
   quick: Ground;
 }
 
-const keptSets = 3;
+/** A window of finer ground in another, whose looks it shares. */
+export interface Within {
+  ground: DetailGround;
+  /** Textures of the other one. */
+  around: GroundTextures;
+}
 
 /** What suits the machine: cells along the longer side of textures. */
 export interface TextureBudget {
@@ -57,20 +63,25 @@ export class GroundTextures {
   private readonly surfaceBake: Bake;
   private readonly albedoBake: Bake;
   private readonly lightBake: Bake;
+  private readonly lightWithinBake: Bake;
   private readonly litBake: Bake;
 
-  constructor(private readonly renderer: WebGLRenderer, noise: Texture, private readonly budget: TextureBudget) {
+  constructor(private readonly renderer: WebGLRenderer, noise: Texture, private readonly budget: TextureBudget, private readonly kept = 3) {
     this.surfaceBake = new Bake(surfaceShader, {
-      heights: { value: null }, cell_m: { value: 1 }, relief_scale: { value: 1 }, result_size: { value: [1, 1] },
+      heights: { value: null }, cell_m: { value: 1 }, relief_scale: { value: 1 }, broad: { value: 5 }, result_size: { value: [1, 1] },
     });
     this.albedoBake = new Bake(albedoShader, {
-      surface: { value: null }, noise: { value: noise }, cell_m: { value: 1 }, scale: { value: 1 }, tropical: { value: true },
+      surface: { value: null }, noise: { value: noise }, cell_m: { value: 1 }, scale: { value: 1 }, coarse_m: { value: 1 },
+      finer: { value: 0 }, middle: { value: [0, 0] }, tropical: { value: true },
       snow_line: { value: 5000 }, tree_line: { value: 3900 },
     });
-    this.lightBake = new Bake(lightShader, {
+    const light = {
       surface: { value: null }, cell_m: { value: 1 }, exaggeration: { value: 1 },
       floor_m: { value: 0 }, to_sun: { value: [0, 0, 1] }, light_size: { value: [1, 1] },
-    });
+      around: { value: null }, around_place: { value: [0, 0, 1, 1] }, finer: { value: 0 },
+    };
+    this.lightBake = new Bake(lightShader, light);
+    this.lightWithinBake = new Bake(`#define AROUND\n${lightShader}`, light);
     const none = { value: null };
     this.litBake = new Bake(overlayShader + litShader, {
       surface: { ...none }, albedo: { ...none }, lights: { ...none }, exaggeration: { value: 1 }, floor_m: { value: 0 },
@@ -103,38 +114,50 @@ export class GroundTextures {
     if (shadowsToo) this.lightFits = false;
   }
 
+  /** Everything that the 3D view needs is there. */
+  get fits(): boolean {
+    const fine = this.sets[0]?.fine;
+    return fine !== undefined && fine.surfaceFits && fine.albedoFits && fine.litFits && this.lightFits;
+  }
+
   /** Bakes gradients, coarsely where it must be quick and there are no fine ones: all that the map needs. After upload(). */
-  shape(field: HeightField, quick: boolean): void {
+  shape(field: HeightField, quick: boolean, within: DetailGround | null = null): void {
     const set = this.sets[0]!, ground = quick && !(set.fine.surfaceFits && set.fine.albedoFits) ? set.quick : set.fine;
     this.ground = ground;
     if (ground.surfaceFits) return;
     const { uniforms } = this.surfaceBake;
     uniforms.heights!.value = set.heights;
     uniforms.cell_m!.value = field.frame.cell_m;
-    uniforms.relief_scale!.value = field.typicalSlope > 0 ? Math.min(12, Math.max(0.3, 0.62 / field.typicalSlope)) : 1;
+    const slope = (within?.coarse ?? field).typicalSlope;
+    uniforms.relief_scale!.value = slope > 0 ? Math.min(12, Math.max(0.3, 0.62 / slope)) : 1;
+    uniforms.broad!.value = 5 * 2 ** (within?.levels ?? 0);
     uniforms.result_size!.value = [ground.surface.width, ground.surface.height];
     this.surfaceBake.into(this.renderer, ground.surface);
     ground.surfaceFits = true;
   }
 
   /** Colours in their light, for the 3D view. After shape(). A moving view keeps the shadows that there were. */
-  colour(field: HeightField, options: ViewOptions, style: number, quick: boolean): void {
+  colour(field: HeightField, options: ViewOptions, style: number, quick: boolean, within: Within | null = null): void {
     const ground = this.ground!;
-    if (!ground.albedoFits) this.bakeAlbedo(ground, field);
-    if (this.light === null || (!quick && !this.lightFits)) this.bakeLight(ground, field, options);
+    if (!ground.albedoFits) this.bakeAlbedo(ground, field, within?.ground ?? null);
+    if (this.light === null || (!quick && !this.lightFits)) this.bakeLight(ground, field, options, within);
     if (!ground.litFits) this.bakeLit(ground, options, style);
   }
 
   dispose(): void {
     for (const set of this.sets.splice(0)) disposeSet(set);
     this.light?.dispose();
-    for (const bake of [this.surfaceBake, this.albedoBake, this.lightBake, this.litBake]) bake.dispose();
+    for (const bake of [this.surfaceBake, this.albedoBake, this.lightBake, this.lightWithinBake, this.litBake]) bake.dispose();
   }
 
-  private bakeAlbedo(ground: Ground, field: HeightField): void {
-    const { uniforms } = this.albedoBake, climate = climateOf(field.frame, field.inSea);
+  private bakeAlbedo(ground: Ground, field: HeightField, within: DetailGround | null): void {
+    const whole = within?.coarse ?? field, cell_m = field.width_m / ground.surface.width;
+    const { uniforms } = this.albedoBake, climate = climateOf(whole.frame, whole.inSea);
     uniforms.surface!.value = ground.surface.texture;
-    uniforms.cell_m!.value = field.width_m / ground.surface.width;
+    uniforms.cell_m!.value = cell_m;
+    uniforms.coarse_m!.value = within === null ? cell_m : whole.frame.cell_m;
+    uniforms.finer!.value = within?.levels ?? 0;
+    uniforms.middle!.value = [field.centre[0] - whole.centre[0], whole.centre[1] - field.centre[1]];
     uniforms.scale!.value = ground.albedo.width / ground.surface.width;
     uniforms.tropical!.value = climate.tropical;
     uniforms.snow_line!.value = climate.snowLine;
@@ -145,21 +168,27 @@ export class GroundTextures {
   }
 
   /** Shadows and open sky. */
-  private bakeLight(ground: Ground, field: HeightField, options: ViewOptions): void {
+  private bakeLight(ground: Ground, field: HeightField, options: ViewOptions, within: Within | null): void {
     const most = field.coarse ? Math.min(128, this.budget.lightCells) : this.budget.lightCells;
-    const [width, height] = within(most, field.columns, field.rows);
+    const [width, height] = sizeWithin(most, field.columns, field.rows);
     if (this.light === null || this.light.width !== width || this.light.height !== height) {
       this.light?.dispose();
       this.light = target(width, height, false, false);
     }
-    const { uniforms } = this.lightBake;
+    const bake = within === null ? this.lightBake : this.lightWithinBake, { uniforms } = bake;
+    if (within !== null) {
+      const [x, y, across, down] = within.ground.place;
+      uniforms.around!.value = within.around.surface;
+      uniforms.around_place!.value = [-x / across, -y / down, 1 / across, 1 / down];
+      uniforms.finer!.value = within.ground.levels;
+    }
     uniforms.surface!.value = ground.surface.texture;
     uniforms.cell_m!.value = field.width_m / ground.surface.width;
     uniforms.exaggeration!.value = options.exaggeration;
     uniforms.floor_m!.value = options.water ? 0 : -1e9;
     uniforms.to_sun!.value = sunVector(options.sun);
     uniforms.light_size!.value = [width, height];
-    this.lightBake.into(this.renderer, this.light);
+    bake.into(this.renderer, this.light);
     this.lightFits = true;
     ground.litFits = false;
   }
@@ -184,7 +213,7 @@ export class GroundTextures {
     const index = this.sets.findIndex((s) => s.columns === columns && s.rows === rows);
     const set = index >= 0 ? this.sets.splice(index, 1)[0]! : this.made(columns, rows);
     this.sets.unshift(set);
-    for (const old of this.sets.splice(keptSets)) disposeSet(old);
+    for (const old of this.sets.splice(this.kept)) disposeSet(old);
     return set;
   }
 
@@ -195,12 +224,12 @@ export class GroundTextures {
     heights.unpackAlignment = 4;
     const fine = this.groundOf(columns, rows, budget.colourCells);
     if (most <= Math.min(budget.quickCells, budget.quickColourCells)) return { columns, rows, heights, fine, quick: fine };
-    return { columns, rows, heights, fine, quick: this.groundOf(...within(budget.quickCells, columns, rows), budget.quickColourCells) };
+    return { columns, rows, heights, fine, quick: this.groundOf(...sizeWithin(budget.quickCells, columns, rows), budget.quickColourCells) };
   }
 
   private groundOf(columns: number, rows: number, colourCells: number): Ground {
     const ground: Ground = {
-      surface: target(columns, rows, true), albedo: target(...within(colourCells, columns, rows), false, false),
+      surface: target(columns, rows, true), albedo: target(...sizeWithin(colourCells, columns, rows), false, false),
       lit: target(columns, rows, false), surfaceFits: false, albedoFits: false, litFits: false,
     };
     for (const { texture } of [ground.surface, ground.lit]) {
@@ -212,7 +241,7 @@ export class GroundTextures {
 }
 
 /** So many cells, or as many as fit. */
-function within(most: number, columns: number, rows: number): [number, number] {
+function sizeWithin(most: number, columns: number, rows: number): [number, number] {
   const scale = Math.min(1, most / Math.max(columns, rows));
   return [Math.max(1, Math.ceil(columns * scale)), Math.max(1, Math.ceil(rows * scale))];
 }

@@ -2,9 +2,11 @@
 import { ContentInk } from "./content_ink";
 import { drawCurrent } from "./current_ink";
 import type { Projector } from "./drape";
+import { heightAt, type DetailGround } from "./detail_ground";
+import { windowOfMap, type Source, type Window } from "./detail_window";
 import type { Under } from "./ground_pointer";
 import type { HeightField } from "./heights";
-import { fitted, toGround, toScreen, type MapEye, type Rectangle } from "./map_camera";
+import { fitted, toGround, toScreen, visible, type MapEye, type Rectangle } from "./map_camera";
 import { drawFurniture } from "./map_furniture";
 import { MapMover } from "./map_mover";
 import type { ViewOptions } from "./options";
@@ -22,6 +24,9 @@ export class MapView {
   current: Raster | null = null;
   inkStale = true;
   field: HeightField | null = null;
+  detail: DetailGround | null = null;
+  /** Of the cells that the terrain is computed in. */
+  cell_m = 1;
   private eye: MapEye = { x: 0, y: 0, pixel_m: 1 };
   private framed = true;
   private readonly contentInk = new ContentInk();
@@ -73,7 +78,7 @@ export class MapView {
       else if (shape.shape === "dot") take(shape.at[0], shape.at[1]);
     }
     if (west > east) return null;
-    const least = 60 * (this.field?.frame.cell_m ?? 1);
+    const least = 60 * this.cell_m;
     const grow = Math.max(0.1 * Math.max(east - west, north - south), 0.5 * (least - Math.max(east - west, north - south)));
     return { west: west - grow, east: east + grow, south: south - grow, north: north + grow };
   }
@@ -82,14 +87,21 @@ export class MapView {
     if (this.field === null) return null;
     const box = this.surface.element.getBoundingClientRect();
     const [x, y] = toGround(this.eye, this.surface, event.clientX - box.left, event.clientY - box.top);
-    return { x, y, height: this.field.at(x, y), pixel_m: this.eye.pixel_m };
+    return { x, y, height: heightAt(this.field, this.detail, x, y), pixel_m: this.eye.pixel_m };
   }
 
-  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, size: number, sort: Sort): void {
+  /** What should be known finely, of at most so many cells a side. */
+  window(source: Source, most: number): Window | null {
+    const pixel_m = this.eye.pixel_m / this.surface.ratio;
+    return windowOfMap(source, visible(this.eye, this.surface), pixel_m, most, this.detail?.window ?? null);
+  }
+
+  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, size: number, sort: Sort): DetailGround | null {
     const { width, height } = this.surface.pixels;
     const pixels = { width: Math.ceil(width * size), height: Math.ceil(height * size) };
-    renderer.drawMap(field, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element), sort);
+    const drawn = renderer.drawMap(field, this.detail, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element), sort);
     renderer.show(this.surface, pixels, sort);
+    return drawn;
   }
 
   drawInk(options: ViewOptions): void {
@@ -126,7 +138,7 @@ export class MapView {
   private limits(): { least: number; most: number } {
     if (this.field === null) return { least: 1e-3, most: 1e6 };
     const size = Math.max(this.field.width_m, this.field.height_m);
-    return { least: this.field.frame.cell_m / 40, most: (8 * size) / Math.max(200, Math.min(this.surface.width, this.surface.height)) };
+    return { least: this.cell_m / 40, most: (8 * size) / Math.max(200, Math.min(this.surface.width, this.surface.height)) };
   }
 
   private set(eye: MapEye): void {

@@ -1,9 +1,11 @@
 // The one WebGL renderer of both views and what it holds: textures of the ground, the scene of the 3D view, the map.
 import { WebGLRenderer, type DataTexture } from "three";
-import { GroundTextures } from "./ground_textures";
+import type { DetailGround } from "./detail_ground";
+import { DetailTextures, showDetail } from "./detail_textures";
+import { GroundTextures, type TextureBudget } from "./ground_textures";
 import { OverlayTexture } from "./ground_overlay";
 import type { HeightField } from "./heights";
-import type { MapEye, Size } from "./map_camera";
+import { visible, type MapEye, type Size } from "./map_camera";
 import { MapScene } from "./map_scene";
 import { noiseTexture } from "./noise_texture";
 import type { ViewOptions } from "./options";
@@ -36,6 +38,8 @@ export class PictureRenderer {
   private readonly shared: SharedUniforms;
   private readonly textures: GroundTextures;
   private readonly map: MapScene;
+  private readonly mapDetail: DetailTextures;
+  private readonly worldDetail: DetailTextures;
 
   constructor(restored: () => void) {
     this.canvas = new OffscreenCanvas(4, 4);
@@ -51,9 +55,12 @@ export class PictureRenderer {
     this.renderer.autoClear = false;
     this.noise = noiseTexture(!this.software);
     this.shared = sharedUniforms(this.noise);
-    this.textures = new GroundTextures(this.renderer, this.noise, this.software
+    const budget: TextureBudget = this.software
       ? { lightCells: 288, colourCells: 1024, quickCells: 256, quickColourCells: 160, anisotropy: 1, smoothLevels: false }
-      : { lightCells: 1024, colourCells: 4096, quickCells: 4096, quickColourCells: 4096, anisotropy: 8, smoothLevels: true });
+      : { lightCells: 1024, colourCells: 4096, quickCells: 4096, quickColourCells: 4096, anisotropy: 8, smoothLevels: true };
+    this.textures = new GroundTextures(this.renderer, this.noise, budget);
+    this.mapDetail = new DetailTextures(this.renderer, this.noise, budget);
+    this.worldDetail = new DetailTextures(this.renderer, this.noise, budget);
     this.world = new WorldScene(this.shared);
     this.world.thingBudget = this.software ? 120_000 : 2_000_000;
     this.map = new MapScene(this.shared);
@@ -100,11 +107,14 @@ export class PictureRenderer {
   /** The graphics processor has lost what it held. */
   forget(): void {
     this.held = null;
+    this.mapDetail.forget();
+    this.worldDetail.forget();
   }
 
   /** Sun, water or exaggeration are others, or, `shadowsToo` false, only the style of the ground. */
   relight(shadowsToo: boolean): void {
     this.textures.relight(shadowsToo);
+    this.worldDetail.textures.relight(shadowsToo);
   }
 
   updateOverlay(overlay: GroundOverlay, field: HeightField | null): void {
@@ -112,23 +122,37 @@ export class PictureRenderer {
     if (field !== null) showOverlay(this.shared, this.overlay, field);
   }
 
-  drawWorld(field: HeightField, options: ViewOptions, overlay: GroundOverlay, eye: Eye, lens: Lens, jitter: readonly [number, number], sort: Sort): void {
-    this.textures.colour(field, options, styleNumber(options.ground, overlay), sort === "quick");
+  /** The detail that is drawn. */
+  drawWorld(field: HeightField, known: DetailGround | null, options: ViewOptions, overlay: GroundOverlay, eye: Eye, lens: Lens, jitter: readonly [number, number], sort: Sort): DetailGround | null {
+    const style = styleNumber(options.ground, overlay);
+    this.textures.colour(field, options, style, sort === "quick");
+    const detail = known !== null && this.worldDetail.colour(known, this.textures, options, style, this.hurry(sort)) ? known : null;
+    showDetail(this.shared, detail, this.worldDetail);
     this.begin(lens, sort);
-    this.shared.ground_style.value = styleNumber(options.ground, overlay);
+    this.shared.ground_style.value = style;
     // Lines are as far apart as suits the whole terrain, not the changing distance.
     const typical = contourInterval(Math.max(field.width_m, field.height_m) / 900, field.typicalSlope, 18);
     this.shared.contour_m.value = overlay.overlay === "contours" ? overlay.interval_m : options.ground === "contours" ? typical : 0;
     this.renderer.clear(false, true, false);
     this.world.patchBudget = !this.software ? 420 : sort === "quick" ? 56 : 160;
-    this.world.render(this.renderer, field, options, eye, lens, jitter, sort === "fine" || !this.software);
+    this.world.render(this.renderer, field, detail, options, eye, lens, jitter, sort === "fine" || !this.software);
+    return detail;
   }
 
-  drawMap(field: HeightField, options: ViewOptions, overlay: GroundOverlay, eye: MapEye, size: Size, pixels: Size, paper: readonly [number, number, number], sort: Sort): void {
+  /** The detail that is drawn. */
+  drawMap(field: HeightField, known: DetailGround | null, options: ViewOptions, overlay: GroundOverlay, eye: MapEye, size: Size, pixels: Size, paper: readonly [number, number, number], sort: Sort): DetailGround | null {
+    const detail = known !== null && this.mapDetail.shape(known, this.hurry(sort)) ? known : null;
     this.begin(pixels, sort);
     this.shared.ground_style.value = styleNumber(options.ground, overlay);
     this.shared.contour_m.value = overlay.overlay === "contours" ? overlay.interval_m : contourInterval(eye.pixel_m, field.typicalSlope);
-    this.map.render(this.renderer, field, eye, size, (eye.pixel_m * size.width) / pixels.width, options.water, paper);
+    // What lies wholly in the window is drawn of it alone: that costs no more than the whole ground does.
+    const alone = detail !== null && detail.covers(visible(eye, size)), ground = alone ? detail.field : field;
+    showTextures(this.map.ground, alone ? this.mapDetail.textures : this.textures, ground);
+    this.map.ground.overlay_place.value = this.overlay.placeOn(ground.frame);
+    showDetail(this.shared, alone ? null : detail, this.mapDetail);
+    const pixel_m = (eye.pixel_m * size.width) / pixels.width;
+    this.map.render(this.renderer, { field: ground, detail: alone ? null : detail, tinted: field, eye, size, pixel_m, water: options.water, paper });
+    return detail;
   }
 
   /** What was drawn last, on its way to the page. */
@@ -138,12 +162,17 @@ export class PictureRenderer {
   }
 
   dispose(): void {
-    this.textures.dispose();
+    for (const textures of [this.textures, this.mapDetail.textures, this.worldDetail.textures]) textures.dispose();
     this.overlay.dispose();
     this.world.dispose();
     this.map.dispose();
     this.noise.dispose();
     this.renderer.dispose();
+  }
+
+  /** No time for bakes. */
+  private hurry(sort: Sort): boolean {
+    return this.software && sort === "quick";
   }
 
   /** Pictures are drawn into the lower left corner of a canvas that is as large as the largest of their sort. */

@@ -2,16 +2,20 @@
 // has changed, and not at all otherwise.
 import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { registerActions } from "../actions/registry";
+import type { ValueEvent } from "../api/types";
 import type { Shown, Studio } from "../document/studio";
 import { followContent, type Content } from "./content";
+import { finerOf, heightAt } from "./detail_ground";
+import { DetailKeeper, mostDetailCells } from "./detail_keeper";
+import { sourceOf } from "./detail_window";
 import { Follower, mostCells } from "./follower";
-import { Gestures, type Strokes } from "./gestures";
-import { groundPointer, type Under } from "./ground_pointer";
+import { Gestures } from "./gestures";
 import { HeightField } from "./heights";
 import { legendElement } from "./legend";
 import { legendOf } from "./ground_overlay";
 import { MapView } from "./map_view";
 import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./options";
+import { PenStrokes } from "./pen_strokes";
 import { PictureRenderer } from "./picture_renderer";
 import { ProfileBox } from "./profile_box";
 import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
@@ -52,9 +56,11 @@ export class Viewport {
   private readonly renderer: PictureRenderer;
   private readonly gestures: Gestures[] = [];
   private readonly followers: Follower[] = [];
+  /** Of the map and of the 3D view. */
+  private readonly details: DetailKeeper[];
   private readonly stops: (() => void)[] = [];
   private field: HeightField | null = null;
-  private pen: PenTarget | null = null;
+  private readonly strokes = new PenStrokes(this.pointer, () => this.restTimer === 0 && this.seekDetail(), () => this.showCursor());
   private overlay: GroundOverlay = { overlay: "none" };
   private shownOverlay: GroundOverlay = { overlay: "none" };
   private things: Things | null = null;
@@ -67,7 +73,7 @@ export class Viewport {
   /** The view that the pointer was in last. */
   private ahead: View;
   private readonly drawnQuickly = new Set<View>();
-  private readonly untold: { view: View; field: HeightField }[] = [];
+  private readonly untold: { view: View; field: HeightField; detail_m: number | null }[] = [];
   private request = 0;
   private restTimer = 0;
   private upload_ms = 0;
@@ -80,19 +86,21 @@ export class Viewport {
     this.world = new WorldView(worldElement, software, () => this.moved(this.world), () => this.options.peek());
     this.ahead = this.map;
     for (const view of [this.map, this.world]) {
-      const strokes = this.strokes((event) => {
+      const strokes = this.strokes.over((event) => {
         this.ahead = view;
         return view.under(event);
       });
       this.gestures.push(new Gestures(view.surface.element, view.mover, strokes, () => this.options.peek().navigation));
     }
+    this.details = (["map", "world"] as const).map((name) =>
+      new DetailKeeper(studio.api, this[name], mostDetailCells(name, software), () => this.detailCame(this[name])));
     const bigger = (): HTMLElement =>
       this.map.surface.width * this.map.surface.height >= this.world.surface.width * this.world.surface.height ? mapElement : worldElement;
-    this.profile = new ProfileBox(bigger, (x, y) => this.field?.at(x, y) ?? null, (place) => {
+    this.profile = new ProfileBox(bigger, (x, y) => this.heightAt(x, y), (place) => {
       this.profiled = place;
       this.ink();
     });
-    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster), mostCells(this.renderer.software)));
+    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster, value) => this.terrain(raster, value), mostCells(software)));
     this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
     this.stops.push(followContent(studio, (content) => this.contentCame(content)), registerActions(viewActions(this)), mountControls(this, worldElement));
     const themes = new MutationObserver(() => {
@@ -113,16 +121,15 @@ export class Viewport {
   }
 
   setPen(target: PenTarget | null): void {
-    if (target === this.pen) return;
+    if (target === this.strokes.pen) return;
     for (const gestures of this.gestures) gestures.cancel();
-    this.pen?.hover?.(null);
-    this.pen = target;
+    this.strokes.pen = target;
     this.showCursor();
   }
 
   /** What the pen is to look like may depend on where it is. */
   private showCursor(): void {
-    const cursor = this.pen?.cursor ?? "default";
+    const cursor = this.strokes.pen?.cursor ?? "default";
     for (const { surface } of [this.map, this.world]) {
       if (surface.element.style.cursor !== cursor) surface.element.style.cursor = cursor;
     }
@@ -178,28 +185,43 @@ export class Viewport {
 
   /** Resolves once both views show the present state, at rest. */
   async settled(): Promise<void> {
-    while (this.request !== 0 || this.restTimer !== 0) await new Promise((done) => setTimeout(done, 20));
+    while (this.request !== 0 || this.restTimer !== 0 || this.details.some(({ busy }) => busy)) await new Promise((done) => setTimeout(done, 20));
   }
 
   dispose(): void {
     cancelAnimationFrame(this.request);
     clearTimeout(this.restTimer);
     for (const stop of this.stops) stop();
-    for (const part of [this.profile, ...this.followers, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
+    for (const part of [this.profile, ...this.followers, ...this.details, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
     this.legend?.remove();
   }
 
-  private terrain(raster: Raster | null): void {
+  private terrain(raster: Raster | null, value: ValueEvent | null): void {
     if (raster === null) return;
     this.arrived = performance.now();
     const before = this.field, field = HeightField.of(raster);
     this.field = field;
     this.map.field = this.world.field = field;
+    const source = sourceOf(raster, value?.frame ?? raster.frame);
+    this.map.cell_m = this.world.cell_m = source.frame.cell_m;
+    for (const detail of this.details) detail.follow(field, source);
     this.drawn.value = { key: raster.key, coarse: raster.coarse };
     if (before === null && this.things !== null) this.renderer.world.setThings(this.things, field);
     if (before === null || !sameRectangle(before, field)) this.begin(field);
     this.profile.update();
     this.moved(this.map, this.world);  // a quick picture at once, since results may come in a row; a good one when they rest
+  }
+
+  private detailCame(view: View): void {
+    view.inkStale = true;
+    this.profile.update();
+    this.dirty(view);
+  }
+
+  /** As finely as either view knows it. */
+  private heightAt(x: number, y: number): number | null {
+    if (this.field === null) return null;
+    return heightAt(this.field, finerOf([this.map.detail, this.world.detail], x, y), x, y);
   }
 
   /** Another terrain: all of it is shown, as high as shows its forms. */
@@ -262,45 +284,8 @@ export class Viewport {
     this.dirty(this.map, this.world);
   }
 
-  private strokes(under: (event: MouseEvent) => Under | null): Strokes {
-    const at = (event: MouseEvent): GroundPointer | null => {
-      const place = under(event);
-      return place === null ? null : groundPointer(event, place);
-    };
-    let last: GroundPointer | null = null;
-    return {
-      active: () => this.pen !== null,
-      down: (event) => {
-        last = at(event);
-        if (last === null || this.pen === null) return false;
-        this.pointer.value = last;
-        this.pen.down(last);
-        this.showCursor();
-        return true;
-      },
-      move: (events) => {
-        const path = events.map(at).filter((p): p is GroundPointer => p !== null);
-        if (path.length === 0) return;
-        this.pointer.value = last = path[path.length - 1]!;
-        this.pen?.move(path);
-      },
-      up: (event) => {
-        // A lifted pen presses no more: the stroke ends as it was drawn.
-        const place = at(event), pressure = last?.pressure ?? 1;
-        if (place !== null) last = { ...place, pressure };
-        if (last !== null) this.pen?.up(last);
-      },
-      cancel: () => this.pen?.cancel(),
-      hover: (event) => {
-        this.pointer.value = event === null ? null : at(event);
-        this.pen?.hover?.(this.pointer.value);
-        this.showCursor();
-      },
-      double: (event) => {
-        const place = at(event);
-        if (place !== null) this.pen?.double?.(place);
-      },
-    };
+  private seekDetail(): void {
+    if (!this.strokes.drawing) for (const detail of this.details) detail.seek();
   }
 
   /** Views move: quick pictures now, good ones when they rest. */
@@ -318,6 +303,7 @@ export class Viewport {
       this.restTimer = 0;
       this.dirty(...this.drawnQuickly);
       this.drawnQuickly.clear();
+      this.seekDetail();
     }, Math.max(restAfter_ms, Math.min(1200, 2 * this.renderer.pace.quickMs)));
   }
 
@@ -333,7 +319,9 @@ export class Viewport {
   /** On the page, for who measures it: which result is seen in the views that were drawn last. */
   private tellDrawn(): void {
     const told = this.untold.splice(0);
-    for (const { view: { surface }, field } of told) {
+    for (const { view: { surface }, field, detail_m } of told) {
+      if (detail_m === null) delete surface.element.dataset["detailCell"];
+      else surface.element.dataset["detailCell"] = String(detail_m);
       surface.element.dataset["coarse"] = String(field.coarse);
       surface.element.dataset["key"] = field.key;
     }
@@ -346,6 +334,7 @@ export class Viewport {
   private frame(): void {
     this.request = 0;
     const moving = this.restTimer !== 0;
+    if (moving && !this.renderer.software) this.seekDetail();
     for (const view of [this.map, this.world]) if (view.inkStale) view.drawInk(this.options.peek(), moving);
     const field = this.field;
     if (field === null) return;
@@ -366,9 +355,9 @@ export class Viewport {
     const fine = !moving && now.includes(this.world) && pace.mayBeFine();
     const sort = moving ? "quick" : fine ? "fine" : "plain";
     for (const view of now) {
-      view.draw(renderer, field, options, this.activeOverlay, moving ? pace.quickSize : 1, sort);
+      const detail = view.draw(renderer, field, options, this.activeOverlay, moving ? pace.quickSize : 1, sort);
       if (moving) this.drawnQuickly.add(view);
-      this.untold.push({ view, field });
+      this.untold.push({ view, field, detail_m: detail?.cell_m ?? null });
     }
     renderer.endFrame(sort);
     return true;
