@@ -4,7 +4,9 @@ import type { EngineState } from "../api/types";
 import { FakeServer } from "./fake";
 import { frameOfLevel, Results } from "./results";
 
-const state = (fraction: number, settled = false): EngineState => ({ revision: 1, settled, coarse: false, fraction, steps: [] });
+const state = (fraction: number, settled = false): EngineState => (
+  { revision: 1, settled, coarse: false, fraction, steps: [] }
+);
 
 test("progress is shown now and then, the end at once", async () => {
   const results = new Results(new FakeServer(), "me");

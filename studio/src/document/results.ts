@@ -120,7 +120,9 @@ export class Results {
       return await this.rasters.get(`${value.key}/${level}`, async () => {
         const { columns, rows, values } = await this.api.raster(value.key, level === 0 ? {} : { level });
         const range = { min: value.min ?? 0, max: value.max ?? 0 };
-        return { key: value.key, frame: frameOfLevel(frame, level, columns, rows), values, coarse: value.coarse, ...range };
+        return {
+          key: value.key, frame: frameOfLevel(frame, level, columns, rows), values, coarse: value.coarse, ...range,
+        };
       });
     } catch (error) {
       return nothing(error);

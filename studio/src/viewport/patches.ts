@@ -1,7 +1,7 @@
 // Which patches of ground are drawn, and how finely: a quadtree over the height field (CDLOD: F. Strugar, "Continuous
-// distance-dependent level of detail for rendering heightmaps", 2010). A patch is a grid of patchCells by patchCells; one
-// of level l has a vertex every 2^l cells and morphs into the grid of level l + 1 towards the end of its range, so that
-// neighbours meet. Blocks that lie wholly under the sea are left out where the sea hides them.
+// distance-dependent level of detail for rendering heightmaps", 2010). A patch is a grid of patchCells by patchCells;
+// one of level l has a vertex every 2^l cells and morphs into the grid of level l + 1 towards the end of its range, so
+// that neighbours meet. Blocks that lie wholly under the sea are left out where the sea hides them.
 import { blockCells, type HeightField } from "./heights";
 
 export const patchCells = 16;
@@ -33,7 +33,9 @@ export interface Patches {
 
 const most = 1024;
 
-export function choosePatches(field: HeightField, view: PatchView, into = new Float32Array(most * patchNumbers)): Patches {
+export function choosePatches(
+  field: HeightField, view: PatchView, into = new Float32Array(most * patchNumbers),
+): Patches {
   // As finely as the budget allows.
   let range = 16;
   for (;;) {
@@ -52,7 +54,10 @@ function choose(field: HeightField, view: PatchView, range: number, into: Float3
   const put = (level: number, x: number, y: number): void => {
     if (count < most) {
       const side = patchCells * 2 ** level, end = rangeOf(level);
-      into.set([x * side, y * side, side, level === top ? 1e12 : morphBegin * end, level === top ? 2e12 : end], count * patchNumbers);
+      into.set(
+        [x * side, y * side, side, level === top ? 1e12 : morphBegin * end, level === top ? 2e12 : end],
+        count * patchNumbers,
+      );
     }
     ++count;
   };

@@ -82,7 +82,8 @@ export class ViewSurface {
   /** What was shown is stretched until there is a new picture: no flicker. */
   private resizePicture(width: number, height: number): void {
     const { canvas } = this.picture;
-    const before = canvas.width > 1 && canvas.style.visibility !== "hidden" ? new OffscreenCanvas(canvas.width, canvas.height) : null;
+    const before = canvas.width > 1 && canvas.style.visibility !== "hidden"
+      ? new OffscreenCanvas(canvas.width, canvas.height) : null;
     before?.getContext("2d", { alpha: false })!.drawImage(canvas, 0, 0);
     canvas.width = width;
     canvas.height = height;
