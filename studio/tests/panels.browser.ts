@@ -28,10 +28,11 @@ test("a parameter becomes a variable, which others take; its value is changed fo
   const bound = await desk.changes("a variable", async () => {
     await desk.page.getByRole(
       "combobox", { name: "Variable for Peak" },
-    ).selectOption({ label: "New variable $peak_m" });
+    ).selectOption({ label: "New variable" });
   }, false);
   assert.deepEqual(bound.variables, { peak_m: 800 });
   assert.equal(bound.steps[0]!.params!["peak_m"], "$peak_m");
+  await desk.page.getByRole("button", { name: "Give Peak a value of its own" }).hover();
   await desk.look("variable");
   await desk.select("two");
   await desk.page.getByRole("combobox", { name: "Variable for Peak" }).selectOption("peak_m");

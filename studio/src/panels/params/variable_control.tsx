@@ -68,7 +68,7 @@ export function BindVariable({ field }: { field: Field }): JSX.Element | null {
       }}>
         <option value="" disabled hidden>Variable…</option>
         {names.map((name) => <option key={name} value={name}>${name} = {valueText(variables[name], info)}</option>)}
-        {value !== null && value !== "" && <option value={kNew}>New variable ${fresh}</option>}
+        {value !== null && value !== "" && <option value={kNew}>New variable</option>}
       </select>
     </span>
   );
