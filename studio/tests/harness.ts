@@ -97,10 +97,15 @@ export function repositoryRecipe(name: string): { recipe: Recipe; files: { [name
   return { recipe: JSON.parse(text) as Recipe, files };
 }
 
+/** Without a graphics processor: the terrain is drawn by SwiftShader, the page around it by the browser's own
+ * painter. */
 export function openBrowser(): Promise<Browser> {
   return chromium.launch({
     executablePath: browserProgram,
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--force-color-profile=srgb"],
+    args: [
+      "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing",
+      "--force-color-profile=srgb",
+    ],
   });
 }
 

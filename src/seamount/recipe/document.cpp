@@ -6,6 +6,7 @@
 #include "seamount/io/atomic_file.h"
 #include "seamount/recipe/domain.h"
 #include "seamount/recipe/json_text.h"
+#include "seamount/recipe/moved_names.h"
 
 namespace seamount::recipe {
 namespace {
@@ -97,6 +98,23 @@ bool Document::redo() {
   gesture_goes_on_ = false;
   ++revision_;
   return true;
+}
+
+Document Document::moved_to(const std::string& file) const {
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  const auto moved = [&](const OrderedJson& json, const std::string& pointer) {
+    return seen_from(json, pointer, folder_, folder);
+  };
+  Document there(readable_text(moved(root_, "")), file, folder, *registry_);
+  std::vector<Record> history = history_;
+  for (Record& record : history) {
+    for (Change& change : record.changes) {
+      if (change.before) change.before = moved(*change.before, change.pointer);
+      if (change.after) change.after = moved(*change.after, change.pointer);
+    }
+  }
+  there.take_history(std::move(history), done_);
+  return there;
 }
 
 std::string Document::text() const { return readable_text(root_); }

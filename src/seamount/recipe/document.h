@@ -69,6 +69,10 @@ class Document {
   /// Writes text() to a file, whole or not at all. Throws IoError.
   void save(const std::string& path) const;
 
+  /// The same document, history included, as it is to be in another file: names of files that are relative lead from
+  /// the file's folder to where they led before. Throws RecipeError.
+  Document moved_to(const std::string& file) const;
+
   const std::string& file() const { return file_; }
   const std::string& folder() const { return folder_; }
 

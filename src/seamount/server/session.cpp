@@ -226,6 +226,17 @@ std::string Session::save(const Asker& asker, const std::string& file) {
   return event;
 }
 
+std::unique_ptr<Session> Session::save_elsewhere(const std::string& file) {
+  const std::lock_guard lock(editing_);
+  recipe::Document document = engine_->document().moved_to(file);
+  const std::string text = document.text();
+  io::write_text(file, text);
+  auto journal = std::make_unique<Journal>(options_.state_folder, file);
+  std::unique_ptr<Session> there(new Session(std::move(document), file, text, std::move(journal), options_, hub_));
+  journal_->remove();
+  return there;
+}
+
 recipe::Document Session::with_outputs(const OrderedJson& outputs) const {
   recipe::Document document = engine_->document();
   document.apply(recipe::SetValue{"/outputs", outputs});

@@ -77,8 +77,13 @@ class Session {
   /// What is wrong with a text that might become the document's.
   std::vector<recipe::Diagnostic> check(const std::string& text) const;
 
-  /// Writes the document to a file (absolute), which it has from then on. Throws WriteError.
+  /// Writes the document to a file (absolute) of its folder, which it has from then on. Throws WriteError.
   std::string save(const Asker& asker, const std::string& file);
+  /// The same into another folder: a session on that file with the same history, whose names of files lead from there;
+  /// it takes the place of this one, whose document is as it was saved last. Throws WriteError.
+  std::unique_ptr<Session> save_elsewhere(const std::string& file);
+  /// Where the document's relative names begin.
+  std::string document_folder() const;
 
   /// What a window shows; all windows' wishes are computed.
   void want(const std::string& window, const std::vector<std::string>& sources, recipe::Quality quality);
@@ -105,8 +110,6 @@ class Session {
   Session(recipe::Document document, std::string file, std::string saved_text, std::unique_ptr<Journal> journal,
           const SessionOptions& options, EventHub& hub);
 
-  /// Where the document's relative names begin.
-  std::string document_folder() const;
   void check_base(const Asker& asker) const;
   std::string travel(const Asker& asker, bool back);
   std::string announce(const Asker& asker, const std::vector<recipe::Change>& changes, const std::string& label);

@@ -344,6 +344,8 @@ Reply Studio::post_save(const Request& request) {
     path = workplace_.resolve(name);
   }
   if (path.empty()) throw InvalidArgument("path", "is missing: the document has no file yet");
+  const auto before = session();
+  if (std::filesystem::path(path).parent_path() != before->document_folder()) opened(before->save_elsewhere(path));
   return {.bytes = session()->save(body.asker(), path)};
 }
 

@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "seamount/io/atomic_file.h"
+#include "seamount/io/raster.h"
+#include "seamount/recipe/recipe.h"
 
 namespace seamount::server {
 namespace {
@@ -192,6 +194,37 @@ TEST_F(StudioTest, SavesAndOpens) {
   json("POST", "/api/open", {{"path", "none.json"}}, 404);
   EXPECT_EQ(document()["recipe"]["domain"]["cell_m"], 5.0);
   json("POST", "/api/save", asking(), 400);  // it has no file yet
+}
+
+TEST_F(StudioTest, SavedIntoAnotherFolderItFindsItsFilesAndKeepsItsHistory) {
+  for (const char* name : {"a.tif", "b.tif"})
+    io::write_field(ScalarField({.width = 4, .height = 4, .cell_m = 10}, 1.0F), (folder_ / "work" / name).string());
+  const auto edit = [&](const OrderedJson& edits, const std::string& label) {
+    OrderedJson body = asking();
+    body["edits"] = edits, body["gesture"] = "", body["label"] = label;
+    json("POST", "/api/edits", body);
+  };
+  edit({{{"do", "insert"},
+         {"list", "/steps"},
+         {"value", {{"id", "ground"}, {"op", "terrain.import"}, {"params", {{"file", "a.tif"}}}}}}},
+       "read");
+  edit({{{"do", "set"}, {"pointer", "/steps/2/params/file"}, {"value", "b.tif"}}}, "another");
+  edit({{{"do", "set"}, {"pointer", "/about"}, {"value", "a.tif"}}}, "remark");
+  OrderedJson body = asking();
+  body["path"] = "other/mine";
+  EXPECT_TRUE(json("POST", "/api/save", body)["saved"].get<bool>());
+  EXPECT_EQ(document()["file"], "other/mine.json");
+  EXPECT_TRUE(document()["saved"].get<bool>());
+  EXPECT_EQ(document()["recipe"]["steps"][2]["params"]["file"], "../b.tif");
+  EXPECT_EQ(document()["recipe"]["about"], "a.tif");
+  EXPECT_EQ(document()["history"].size(), 3U);
+  json("POST", "/api/undo", asking());
+  json("POST", "/api/undo", asking());
+  EXPECT_EQ(document()["recipe"]["steps"][2]["params"]["file"], "../a.tif");
+  start();  // as its file and its journal say
+  json("POST", "/api/open", {{"path", "other/mine.json"}});
+  EXPECT_EQ(document()["recipe"]["steps"][2]["params"]["file"], "../a.tif");
+  EXPECT_EQ(recipe::read_recipe((folder_ / "work/other/mine.json").string()).steps.size(), 3U);
 }
 
 TEST_F(StudioTest, ResultsAreAnnouncedAndFetched) {

@@ -1,11 +1,13 @@
 // The height field on the graphics side, shared by both views: heights as they are (R32F, sampled by hand), and what is
-// baked of them once, so that frames are cheap and far ground does not shimmer: gradients, natural colours, light.
+// baked of them once, so that frames are cheap and far ground does not shimmer: gradients, natural colours, light. Twice:
+// as finely as the heights are, and coarsely for moving views and results that come in a row.
 import {
-  ClampToEdgeWrapping, DataTexture, FloatType, GLSL3, HalfFloatType, LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, Mesh,
-  NearestFilter, OrthographicCamera, PlaneGeometry, RawShaderMaterial, RedFormat, RGBAFormat, Scene, UnsignedByteType,
-  WebGLRenderTarget, type IUniform, type Texture, type WebGLRenderer,
+  DataTexture, FloatType, LinearMipmapLinearFilter, LinearMipmapNearestFilter, NearestFilter, RedFormat, type Texture,
+  type WebGLRenderTarget, type WebGLRenderer,
 } from "three";
+import { Bake, target } from "./bake";
 import { climateOf } from "./climate";
+import type { DetailGround } from "./detail_ground";
 import type { HeightField } from "./heights";
 import { lamps } from "./light";
 import { sunVector, type ViewOptions } from "./options";
@@ -13,61 +15,41 @@ import albedoShader from "./shaders/bake_albedo.frag.glsl";
 import litShader from "./shaders/bake_lit.frag.glsl";
 import lightShader from "./shaders/bake_light.frag.glsl";
 import surfaceShader from "./shaders/bake_surface.frag.glsl";
-import bakeVertex from "./shaders/bake.vert.glsl";
-import common from "./shaders/common.glsl";
 import overlayShader from "./shaders/overlay.glsl";
 
-type Uniforms = { [name: string]: IUniform };
-
-class Bake {
-  private readonly scene = new Scene();
-  private readonly camera = new OrthographicCamera();
-  private readonly material: RawShaderMaterial;
-
-  constructor(shader: string, readonly uniforms: Uniforms) {
-    this.material = new RawShaderMaterial({
-      glslVersion: GLSL3, vertexShader: bakeVertex, fragmentShader: common + shader, uniforms, depthTest: false, depthWrite: false,
-    });
-    const mesh = new Mesh(new PlaneGeometry(2, 2), this.material);
-    mesh.frustumCulled = false;
-    this.scene.add(mesh);
-  }
-
-  into(renderer: WebGLRenderer, target: WebGLRenderTarget): void {
-    renderer.setRenderTarget(target);
-    renderer.render(this.scene, this.camera);
-    renderer.setRenderTarget(null);
-  }
-
-  dispose(): void {
-    this.material.dispose();
-  }
-}
-
-function target(width: number, height: number, half: boolean, mipmaps = true): WebGLRenderTarget {
-  return new WebGLRenderTarget(width, height, {
-    format: RGBAFormat, type: half ? HalfFloatType : UnsignedByteType, depthBuffer: false, generateMipmaps: mipmaps,
-    magFilter: LinearFilter, minFilter: mipmaps ? LinearMipmapLinearFilter : LinearFilter, wrapS: ClampToEdgeWrapping, wrapT: ClampToEdgeWrapping,
-  });
+/** What is baked of heights at one fineness, each from the one before, and whether it fits them. */
+interface Ground {
+  surface: WebGLRenderTarget;
+  albedo: WebGLRenderTarget;
+  lit: WebGLRenderTarget;
+  surfaceFits: boolean;
+  albedoFits: boolean;
+  litFits: boolean;
 }
 
 interface Set {
   columns: number;
   rows: number;
   heights: DataTexture;
-  surface: WebGLRenderTarget;
-  albedo: WebGLRenderTarget;
-  lit: WebGLRenderTarget;
+  fine: Ground;
+  /** The same where heights are few or the machine is fast. */
+  quick: Ground;
 }
 
-const keptSets = 3;
+/** A window of finer ground in another, whose looks it shares. */
+export interface Within {
+  ground: DetailGround;
+  /** Textures of the other one. */
+  around: GroundTextures;
+}
 
-/** What suits the machine. */
+/** What suits the machine: cells along the longer side of textures. */
 export interface TextureBudget {
-  /** Cells along the longer side of the light's texture. */
   lightCells: number;
-  /** Of the colours' texture. */
   colourCells: number;
+  /** Of all that is baked for a moving view, and of its colours. */
+  quickCells: number;
+  quickColourCells: number;
   anisotropy: number;
   /** Between levels of a texture, too. */
   smoothLevels: boolean;
@@ -75,22 +57,31 @@ export interface TextureBudget {
 
 export class GroundTextures {
   private readonly sets: Set[] = [];
+  private ground: Ground | null = null;
   private light: WebGLRenderTarget | null = null;
+  private lightFits = false;
   private readonly surfaceBake: Bake;
   private readonly albedoBake: Bake;
   private readonly lightBake: Bake;
+  private readonly lightWithinBake: Bake;
   private readonly litBake: Bake;
 
-  constructor(private readonly renderer: WebGLRenderer, noise: Texture, private readonly budget: TextureBudget) {
-    this.surfaceBake = new Bake(surfaceShader, { heights: { value: null }, cell_m: { value: 1 }, relief_scale: { value: 1 } });
+  constructor(private readonly renderer: WebGLRenderer, noise: Texture, private readonly budget: TextureBudget, private readonly kept = 3) {
+    this.surfaceBake = new Bake(surfaceShader, {
+      heights: { value: null }, cell_m: { value: 1 }, relief_scale: { value: 1 }, broad: { value: 5 }, result_size: { value: [1, 1] },
+    });
     this.albedoBake = new Bake(albedoShader, {
-      surface: { value: null }, noise: { value: noise }, cell_m: { value: 1 }, scale: { value: 1 }, tropical: { value: true },
+      surface: { value: null }, noise: { value: noise }, cell_m: { value: 1 }, scale: { value: 1 }, coarse_m: { value: 1 },
+      finer: { value: 0 }, middle: { value: [0, 0] }, tropical: { value: true },
       snow_line: { value: 5000 }, tree_line: { value: 3900 },
     });
-    this.lightBake = new Bake(lightShader, {
-      surface: { value: null }, heights: { value: null }, cell_m: { value: 1 }, exaggeration: { value: 1 },
+    const light = {
+      surface: { value: null }, cell_m: { value: 1 }, exaggeration: { value: 1 },
       floor_m: { value: 0 }, to_sun: { value: [0, 0, 1] }, light_size: { value: [1, 1] },
-    });
+      around: { value: null }, around_place: { value: [0, 0, 1, 1] }, finer: { value: 0 },
+    };
+    this.lightBake = new Bake(lightShader, light);
+    this.lightWithinBake = new Bake(`#define AROUND\n${lightShader}`, light);
     const none = { value: null };
     this.litBake = new Bake(overlayShader + litShader, {
       surface: { ...none }, albedo: { ...none }, lights: { ...none }, exaggeration: { value: 1 }, floor_m: { value: 0 },
@@ -102,77 +93,119 @@ export class GroundTextures {
     return this.sets[0]?.heights ?? null;
   }
   get surface(): Texture | null {
-    return this.sets[0]?.surface.texture ?? null;
-  }
-  get hasLight(): boolean {
-    return this.light !== null;
+    return this.ground?.surface.texture ?? null;
   }
   get lit(): Texture | null {
-    return this.sets[0]?.lit.texture ?? null;
+    return this.ground?.lit.texture ?? null;
   }
 
-  /** Uploads heights and bakes what depends on nothing else. */
-  update(field: HeightField): void {
+  /** Another height field: nothing that was baked fits it. */
+  upload(field: HeightField): void {
     const set = this.setOf(field.columns, field.rows);
     set.heights.image = { data: field.values as Float32Array<ArrayBuffer>, width: field.columns, height: field.rows };
     set.heights.needsUpdate = true;
-    const surface = this.surfaceBake.uniforms, albedo = this.albedoBake.uniforms;
-    surface.heights!.value = set.heights;
-    surface.cell_m!.value = albedo.cell_m!.value = field.frame.cell_m;
-    surface.relief_scale!.value = field.typicalSlope > 0 ? Math.min(12, Math.max(0.3, 0.62 / field.typicalSlope)) : 1;
-    this.surfaceBake.into(this.renderer, set.surface);
-    albedo.surface!.value = set.surface.texture;
-    albedo.scale!.value = set.albedo.width / set.columns;
-    const climate = climateOf(field.frame, field.inSea);
-    albedo.tropical!.value = climate.tropical;
-    albedo.snow_line!.value = climate.snowLine;
-    albedo.tree_line!.value = climate.treeLine;
-    this.albedoBake.into(this.renderer, set.albedo);
+    for (const ground of [set.fine, set.quick]) ground.surfaceFits = ground.albedoFits = ground.litFits = false;
+    this.lightFits = false;
   }
 
-  /** Shadows and open sky: after update, or when sun, water or exaggeration are others. */
-  updateLight(field: HeightField, options: ViewOptions): void {
-    const set = this.sets[0];
-    if (set === undefined) return;
-    const most = field.coarse ? Math.min(128, this.budget.lightCells) : this.budget.lightCells;
-    const scale = Math.min(1, most / Math.max(field.columns, field.rows));
-    const width = Math.max(1, Math.round(field.columns * scale)), height = Math.max(1, Math.round(field.rows * scale));
-    if (this.light === null || this.light.width !== width || this.light.height !== height) {
-      this.light?.dispose();
-      this.light = target(width, height, false, false);
-    }
-    const light = this.lightBake.uniforms;
-    light.surface!.value = set.surface.texture;
-    light.heights!.value = set.heights;
-    light.cell_m!.value = field.frame.cell_m;
-    light.exaggeration!.value = options.exaggeration;
-    light.floor_m!.value = options.water ? 0 : -1e9;
-    light.to_sun!.value = sunVector(options.sun);
-    light.light_size!.value = [width, height];
-    this.lightBake.into(this.renderer, this.light);
+  /** Sun, water or exaggeration are others, or, `shadowsToo` false, only the style of the ground. */
+  relight(shadowsToo: boolean): void {
+    for (const { fine, quick } of this.sets) fine.litFits = quick.litFits = false;
+    if (shadowsToo) this.lightFits = false;
   }
 
-  /** Colours in their light: after the others, or when the style of the ground is another. */
-  updateLit(options: ViewOptions, style: number): void {
-    const set = this.sets[0];
-    if (set === undefined || this.light === null) return;
-    const lit = this.litBake.uniforms, light = lamps(options.sun);
-    lit.surface!.value = set.surface.texture;
-    lit.albedo!.value = set.albedo.texture;
-    lit.lights!.value = this.light.texture;
-    lit.exaggeration!.value = options.exaggeration;
-    lit.floor_m!.value = options.water ? 0 : -1e9;
-    lit.to_sun!.value = light.toSun;
-    lit.sun_light!.value = light.sun;
-    lit.sky_light!.value = light.sky;
-    lit.ground_style!.value = style;
-    this.litBake.into(this.renderer, set.lit);
+  /** Everything that the 3D view needs is there. */
+  get fits(): boolean {
+    const fine = this.sets[0]?.fine;
+    return fine !== undefined && fine.surfaceFits && fine.albedoFits && fine.litFits && this.lightFits;
+  }
+
+  /** Bakes gradients, coarsely where it must be quick and there are no fine ones: all that the map needs. After upload(). */
+  shape(field: HeightField, quick: boolean, within: DetailGround | null = null): void {
+    const set = this.sets[0]!, ground = quick && !(set.fine.surfaceFits && set.fine.albedoFits) ? set.quick : set.fine;
+    this.ground = ground;
+    if (ground.surfaceFits) return;
+    const { uniforms } = this.surfaceBake;
+    uniforms.heights!.value = set.heights;
+    uniforms.cell_m!.value = field.frame.cell_m;
+    const slope = (within?.coarse ?? field).typicalSlope;
+    uniforms.relief_scale!.value = slope > 0 ? Math.min(12, Math.max(0.3, 0.62 / slope)) : 1;
+    uniforms.broad!.value = 5 * 2 ** (within?.levels ?? 0);
+    uniforms.result_size!.value = [ground.surface.width, ground.surface.height];
+    this.surfaceBake.into(this.renderer, ground.surface);
+    ground.surfaceFits = true;
+  }
+
+  /** Colours in their light, for the 3D view. After shape(). A moving view keeps the shadows that there were. */
+  colour(field: HeightField, options: ViewOptions, style: number, quick: boolean, within: Within | null = null): void {
+    const ground = this.ground!;
+    if (!ground.albedoFits) this.bakeAlbedo(ground, field, within?.ground ?? null);
+    if (this.light === null || (!quick && !this.lightFits)) this.bakeLight(ground, field, options, within);
+    if (!ground.litFits) this.bakeLit(ground, options, style);
   }
 
   dispose(): void {
     for (const set of this.sets.splice(0)) disposeSet(set);
     this.light?.dispose();
-    for (const bake of [this.surfaceBake, this.albedoBake, this.lightBake, this.litBake]) bake.dispose();
+    for (const bake of [this.surfaceBake, this.albedoBake, this.lightBake, this.lightWithinBake, this.litBake]) bake.dispose();
+  }
+
+  private bakeAlbedo(ground: Ground, field: HeightField, within: DetailGround | null): void {
+    const whole = within?.coarse ?? field, cell_m = field.width_m / ground.surface.width;
+    const { uniforms } = this.albedoBake, climate = climateOf(whole.frame, whole.inSea);
+    uniforms.surface!.value = ground.surface.texture;
+    uniforms.cell_m!.value = cell_m;
+    uniforms.coarse_m!.value = within === null ? cell_m : whole.frame.cell_m;
+    uniforms.finer!.value = within?.levels ?? 0;
+    uniforms.middle!.value = [field.centre[0] - whole.centre[0], whole.centre[1] - field.centre[1]];
+    uniforms.scale!.value = ground.albedo.width / ground.surface.width;
+    uniforms.tropical!.value = climate.tropical;
+    uniforms.snow_line!.value = climate.snowLine;
+    uniforms.tree_line!.value = climate.treeLine;
+    this.albedoBake.into(this.renderer, ground.albedo);
+    ground.albedoFits = true;
+    ground.litFits = false;
+  }
+
+  /** Shadows and open sky. */
+  private bakeLight(ground: Ground, field: HeightField, options: ViewOptions, within: Within | null): void {
+    const most = field.coarse ? Math.min(128, this.budget.lightCells) : this.budget.lightCells;
+    const [width, height] = sizeWithin(most, field.columns, field.rows);
+    if (this.light === null || this.light.width !== width || this.light.height !== height) {
+      this.light?.dispose();
+      this.light = target(width, height, false, false);
+    }
+    const bake = within === null ? this.lightBake : this.lightWithinBake, { uniforms } = bake;
+    if (within !== null) {
+      const [x, y, across, down] = within.ground.place;
+      uniforms.around!.value = within.around.surface;
+      uniforms.around_place!.value = [-x / across, -y / down, 1 / across, 1 / down];
+      uniforms.finer!.value = within.ground.levels;
+    }
+    uniforms.surface!.value = ground.surface.texture;
+    uniforms.cell_m!.value = field.width_m / ground.surface.width;
+    uniforms.exaggeration!.value = options.exaggeration;
+    uniforms.floor_m!.value = options.water ? 0 : -1e9;
+    uniforms.to_sun!.value = sunVector(options.sun);
+    uniforms.light_size!.value = [width, height];
+    bake.into(this.renderer, this.light);
+    this.lightFits = true;
+    ground.litFits = false;
+  }
+
+  private bakeLit(ground: Ground, options: ViewOptions, style: number): void {
+    const { uniforms } = this.litBake, light = lamps(options.sun);
+    uniforms.surface!.value = ground.surface.texture;
+    uniforms.albedo!.value = ground.albedo.texture;
+    uniforms.lights!.value = this.light!.texture;
+    uniforms.exaggeration!.value = options.exaggeration;
+    uniforms.floor_m!.value = options.water ? 0 : -1e9;
+    uniforms.to_sun!.value = light.toSun;
+    uniforms.sun_light!.value = light.sun;
+    uniforms.sky_light!.value = light.sky;
+    uniforms.ground_style!.value = style;
+    this.litBake.into(this.renderer, ground.lit);
+    ground.litFits = true;
   }
 
   /** Sets of the last few sizes are kept: coarse and full results alternate. The one in use is the first. */
@@ -180,31 +213,40 @@ export class GroundTextures {
     const index = this.sets.findIndex((s) => s.columns === columns && s.rows === rows);
     const set = index >= 0 ? this.sets.splice(index, 1)[0]! : this.made(columns, rows);
     this.sets.unshift(set);
-    for (const old of this.sets.splice(keptSets)) disposeSet(old);
+    for (const old of this.sets.splice(this.kept)) disposeSet(old);
     return set;
   }
 
   private made(columns: number, rows: number): Set {
+    const { budget } = this, most = Math.max(columns, rows);
     const heights = new DataTexture(null, columns, rows, RedFormat, FloatType);
     heights.minFilter = heights.magFilter = NearestFilter;
     heights.unpackAlignment = 4;
-    const scale = Math.min(1, this.budget.colourCells / Math.max(columns, rows));
-    const set: Set = {
-      columns, rows, heights, surface: target(columns, rows, true),
-      albedo: target(Math.ceil(columns * scale), Math.ceil(rows * scale), false, false),
-      lit: target(columns, rows, false),
+    const fine = this.groundOf(columns, rows, budget.colourCells);
+    if (most <= Math.min(budget.quickCells, budget.quickColourCells)) return { columns, rows, heights, fine, quick: fine };
+    return { columns, rows, heights, fine, quick: this.groundOf(...sizeWithin(budget.quickCells, columns, rows), budget.quickColourCells) };
+  }
+
+  private groundOf(columns: number, rows: number, colourCells: number): Ground {
+    const ground: Ground = {
+      surface: target(columns, rows, true), albedo: target(...sizeWithin(colourCells, columns, rows), false, false),
+      lit: target(columns, rows, false), surfaceFits: false, albedoFits: false, litFits: false,
     };
-    for (const { texture } of [set.surface, set.lit]) {
+    for (const { texture } of [ground.surface, ground.lit]) {
       texture.anisotropy = this.budget.anisotropy;
       texture.minFilter = this.budget.smoothLevels ? LinearMipmapLinearFilter : LinearMipmapNearestFilter;
     }
-    return set;
+    return ground;
   }
 }
 
-function disposeSet(set: Set): void {
-  set.heights.dispose();
-  set.surface.dispose();
-  set.albedo.dispose();
-  set.lit.dispose();
+/** So many cells, or as many as fit. */
+function sizeWithin(most: number, columns: number, rows: number): [number, number] {
+  const scale = Math.min(1, most / Math.max(columns, rows));
+  return [Math.max(1, Math.ceil(columns * scale)), Math.max(1, Math.ceil(rows * scale))];
+}
+
+function disposeSet({ heights, fine, quick }: Set): void {
+  heights.dispose();
+  for (const { surface, albedo, lit } of [fine, quick]) for (const part of [surface, albedo, lit]) part.dispose();
 }

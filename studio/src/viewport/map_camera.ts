@@ -41,6 +41,12 @@ export interface Rectangle {
   readonly north: number;
 }
 
+/** What is seen. */
+export function visible(eye: MapEye, size: Size): Rectangle {
+  const across = 0.5 * size.width * eye.pixel_m, down = 0.5 * size.height * eye.pixel_m;
+  return { west: eye.x - across, east: eye.x + across, south: eye.y - down, north: eye.y + down };
+}
+
 /** Shows a rectangle with a margin around it. */
 export function fitted(r: Rectangle, size: Size, margin_px = 24): MapEye {
   const across = Math.max(40, size.width - 2 * margin_px), down = Math.max(40, size.height - 2 * margin_px);

@@ -1,15 +1,37 @@
 // The picture of the map: one rectangle that the shader fills.
 import { GLSL3, Mesh, OrthographicCamera, PlaneGeometry, RawShaderMaterial, Scene, Vector3, type IUniform, type WebGLRenderer } from "three";
+import type { DetailGround } from "./detail_ground";
 import type { HeightField } from "./heights";
 import type { MapEye, Size } from "./map_camera";
 import common from "./shaders/common.glsl";
+import detailShader from "./shaders/detail.glsl";
 import mapFragment from "./shaders/map.frag.glsl";
 import mapVertex from "./shaders/map.vert.glsl";
 import overlayShader from "./shaders/overlay.glsl";
 import type { SharedUniforms } from "./shared_uniforms";
 import { tintScale, tintTexture } from "./tints";
 
+export interface MapPicture {
+  /** The ground whose textures are shown. */
+  field: HeightField;
+  /** Goes over into the ground at its border. */
+  detail: DetailGround | null;
+  /** The tints are those of its heights. */
+  tinted: HeightField;
+  eye: MapEye;
+  size: Size;
+  /** Of the pixels that are drawn. */
+  pixel_m: number;
+  water: boolean;
+  /** Linear light around the ground. */
+  paper: readonly [number, number, number];
+}
+
 export class MapScene {
+  /** The map may show other ground than the 3D view. */
+  readonly ground: Pick<SharedUniforms, "heights" | "surface" | "lit" | "cell_m" | "overlay_place"> = {
+    heights: { value: null }, surface: { value: null }, lit: { value: null }, cell_m: { value: 1 }, overlay_place: { value: [0, 0, 1, 1] },
+  };
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
   private readonly uniforms: { [name: string]: IUniform };
@@ -18,7 +40,7 @@ export class MapScene {
 
   constructor(shared: SharedUniforms) {
     this.uniforms = {
-      ...shared,
+      ...shared, ...this.ground,
       tints: { value: tintTexture() }, map_place: { value: [0.5, 0.5, 0.5, 0.5] }, pixel_m: { value: 1 },
       tint_scale: { value: new Vector3(1000, 0, 1000) }, paper: { value: new Vector3(0.01, 0.01, 0.01) },
       water: { value: true },
@@ -27,20 +49,20 @@ export class MapScene {
     this.scene.add(this.mesh);
   }
 
-  /** `pixel_m`: of the pixels that are drawn. `paper`: linear light around the ground. */
-  render(renderer: WebGLRenderer, field: HeightField, eye: MapEye, size: Size, pixel_m: number, water: boolean, paper: readonly [number, number, number]): void {
+  render(renderer: WebGLRenderer, { field, detail, tinted, eye, size, pixel_m, water, paper }: MapPicture): void {
     const u = this.uniforms, { frame } = field;
     u.map_place!.value = [
       (eye.x - frame.west) / field.width_m, (frame.north - eye.y) / field.height_m,
       (0.5 * size.width * eye.pixel_m) / field.width_m, (-0.5 * size.height * eye.pixel_m) / field.height_m,
     ];
     u.pixel_m!.value = pixel_m;
-    const scale = water ? tintScale(field.min, field.max) : { deepest: 1, base: field.min, top: Math.max(field.max, field.min + 1) };
+    const { min, max } = tinted;
+    const scale = water ? tintScale(min, max) : { deepest: 1, base: min, top: Math.max(max, min + 1) };
     (u.tint_scale!.value as Vector3).set(scale.deepest, scale.base, scale.top);
     (u.paper!.value as Vector3).set(...paper);
     u.water!.value = water;
     // Cells that are larger than pixels are sampled finely.
-    const names = [u.overlay_strength!.value > 0 ? "OVERLAY" : "", pixel_m < 1.5 * frame.cell_m ? "SMOOTH" : ""];
+    const names = [u.overlay_strength!.value > 0 ? "OVERLAY" : "", pixel_m < 1.5 * (detail?.cell_m ?? frame.cell_m) ? "SMOOTH" : "", detail !== null ? "DETAIL" : ""];
     this.mesh.material = this.variant(names.filter((name) => name !== ""));
     renderer.render(this.scene, this.camera);
   }
@@ -51,7 +73,7 @@ export class MapScene {
     if (made === undefined) {
       made = new RawShaderMaterial({
         glslVersion: GLSL3, vertexShader: mapVertex, uniforms: this.uniforms, depthTest: false, depthWrite: false,
-        fragmentShader: defines.map((name) => `#define ${name}\n`).join("") + common + overlayShader + mapFragment,
+        fragmentShader: defines.map((name) => `#define ${name}\n`).join("") + common + detailShader + overlayShader + mapFragment,
       });
       this.variants.set(key, made);
     }

@@ -2,13 +2,15 @@
 import { ContentInk } from "./content_ink";
 import { drawCurrent } from "./current_ink";
 import type { Projector } from "./drape";
+import { heightAt, type DetailGround } from "./detail_ground";
+import { windowOfMap, type Source, type Window } from "./detail_window";
 import type { Under } from "./ground_pointer";
 import type { HeightField } from "./heights";
-import { fitted, toGround, toScreen, type MapEye, type Rectangle } from "./map_camera";
+import { fitted, toGround, toScreen, visible, type MapEye, type Rectangle } from "./map_camera";
 import { drawFurniture } from "./map_furniture";
 import { MapMover } from "./map_mover";
 import type { ViewOptions } from "./options";
-import type { PictureRenderer } from "./picture_renderer";
+import type { PictureRenderer, Sort } from "./picture_renderer";
 import { drawShapes } from "./shapes_ink";
 import type { GroundOverlay, OverlayShape, Raster } from "./types";
 import { ViewSurface } from "./view_surface";
@@ -22,15 +24,15 @@ export class MapView {
   current: Raster | null = null;
   inkStale = true;
   field: HeightField | null = null;
+  detail: DetailGround | null = null;
+  /** Of the cells that the terrain is computed in. */
+  cell_m = 1;
   private eye: MapEye = { x: 0, y: 0, pixel_m: 1 };
   private framed = true;
   private readonly contentInk = new ContentInk();
 
-  constructor(
-    element: HTMLElement, mostRatio: number, private readonly changed: () => void,
-    private readonly scaled: (pixel_m: number) => void,
-  ) {
-    this.surface = new ViewSurface(element, "Map of the terrain", mostRatio, () => {
+  constructor(element: HTMLElement, software: boolean, private readonly changed: () => void, private readonly scaled: (pixel_m: number) => void) {
+    this.surface = new ViewSurface(element, "Map of the terrain", software, () => {
       if (this.framed && this.field !== null) this.frame(this.field);
       this.changed();
     });
@@ -76,10 +78,8 @@ export class MapView {
       else if (shape.shape === "dot") take(shape.at[0], shape.at[1]);
     }
     if (west > east) return null;
-    const least = 60 * (this.field?.frame.cell_m ?? 1);
-    const grow = Math.max(
-      0.1 * Math.max(east - west, north - south), 0.5 * (least - Math.max(east - west, north - south)),
-    );
+    const least = 60 * this.cell_m;
+    const grow = Math.max(0.1 * Math.max(east - west, north - south), 0.5 * (least - Math.max(east - west, north - south)));
     return { west: west - grow, east: east + grow, south: south - grow, north: north + grow };
   }
 
@@ -87,16 +87,21 @@ export class MapView {
     if (this.field === null) return null;
     const box = this.surface.element.getBoundingClientRect();
     const [x, y] = toGround(this.eye, this.surface, event.clientX - box.left, event.clientY - box.top);
-    return { x, y, height: this.field.at(x, y), pixel_m: this.eye.pixel_m };
+    return { x, y, height: heightAt(this.field, this.detail, x, y), pixel_m: this.eye.pixel_m };
   }
 
-  draw(
-    renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, quick: number,
-  ): void {
+  /** What should be known finely, of at most so many cells a side. */
+  window(source: Source, most: number): Window | null {
+    const pixel_m = this.eye.pixel_m / this.surface.ratio;
+    return windowOfMap(source, visible(this.eye, this.surface), pixel_m, most, this.detail?.window ?? null);
+  }
+
+  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, size: number, sort: Sort): DetailGround | null {
     const { width, height } = this.surface.pixels;
-    const pixels = { width: Math.ceil(width * quick), height: Math.ceil(height * quick) };
-    renderer.drawMap(field, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element));
-    this.surface.show(renderer.canvas, pixels.width, pixels.height);
+    const pixels = { width: Math.ceil(width * size), height: Math.ceil(height * size) };
+    const drawn = renderer.drawMap(field, this.detail, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element), sort);
+    renderer.show(this.surface, pixels, sort);
+    return drawn;
   }
 
   drawInk(options: ViewOptions): void {
@@ -121,8 +126,7 @@ export class MapView {
 
   /** Not beyond the ground. */
   private drawContent(ink: CanvasRenderingContext2D, ground: Rectangle, by: Projector): void {
-    const [left, top] = by.project(ground.west, ground.north)!;
-    const [right, bottom] = by.project(ground.east, ground.south)!;
+    const [left, top] = by.project(ground.west, ground.north)!, [right, bottom] = by.project(ground.east, ground.south)!;
     const state = [this.eye, ground.west, ground.north, ground.east, ground.south];
     this.contentInk.draw(ink, this.content, by, state, [left, top, right, bottom]);
   }
@@ -134,10 +138,7 @@ export class MapView {
   private limits(): { least: number; most: number } {
     if (this.field === null) return { least: 1e-3, most: 1e6 };
     const size = Math.max(this.field.width_m, this.field.height_m);
-    return {
-      least: this.field.frame.cell_m / 40,
-      most: (8 * size) / Math.max(200, Math.min(this.surface.width, this.surface.height)),
-    };
+    return { least: this.cell_m / 40, most: (8 * size) / Math.max(200, Math.min(this.surface.width, this.surface.height)) };
   }
 
   private set(eye: MapEye): void {
@@ -149,9 +150,7 @@ export class MapView {
 
 /** Colour of the element around the ground, in linear light. */
 function paperOf(element: HTMLElement): [number, number, number] {
-  const parts = /(\d+(?:\.\d+)?)[ ,]+(\d+(?:\.\d+)?)[ ,]+(\d+(?:\.\d+)?)/.exec(
-    getComputedStyle(element).backgroundColor,
-  );
+  const parts = /(\d+(?:\.\d+)?)[ ,]+(\d+(?:\.\d+)?)[ ,]+(\d+(?:\.\d+)?)/.exec(getComputedStyle(element).backgroundColor);
   const linear = (text: string | undefined): number => {
     const c = Number(text ?? 22) / 255;
     return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;

@@ -1,7 +1,9 @@
 // Which patches of ground are drawn, and how finely: a quadtree over the height field (CDLOD: F. Strugar, "Continuous
-// distance-dependent level of detail for rendering heightmaps", 2010). A patch is a grid of patchCells by patchCells;
-// one of level l has a vertex every 2^l cells and morphs into the grid of level l + 1 towards the end of its range, so
-// that neighbours meet. Blocks that lie wholly under the sea are left out where the sea hides them.
+// distance-dependent level of detail for rendering heightmaps", 2010). A patch is a grid of patchCells by patchCells; one
+// of level l has a vertex every 2^l cells and morphs into the grid of level l + 1 towards the end of its range, so that
+// neighbours meet. Where a part of the ground is known more finely there are patches of levels below 0, in that part and
+// beside it alike: what is drawn is one surface, and neighbours meet there as everywhere. Blocks that lie wholly under the sea are left out where the sea hides them.
+import type { DetailGround } from "./detail_ground";
 import { blockCells, type HeightField } from "./heights";
 
 export const patchCells = 16;
@@ -21,6 +23,10 @@ export interface PatchView {
   floor: number;
   /** About so many patches are wanted at most. */
   budget: number;
+  /** The ground is cut at its edges, under water too. */
+  walls?: boolean;
+  /** Part of the ground that is known more finely. */
+  detail?: DetailGround | null;
 }
 
 /** Per patch: west, north (cells from the corner), side (cells), begin and end of its morphing (metres). */
@@ -33,19 +39,18 @@ export interface Patches {
 
 const most = 1024;
 
-export function choosePatches(
-  field: HeightField, view: PatchView, into = new Float32Array(most * patchNumbers),
-): Patches {
+export function choosePatches(field: HeightField, view: PatchView, into = new Float32Array(most * patchNumbers)): Patches {
   // As finely as the budget allows.
-  let range = 16;
+  let range = 16, finest = -(view.detail?.levels ?? 0);
   for (;;) {
-    const count = choose(field, view, range, into);
-    if (count <= view.budget || range <= leastRange) return { count: Math.min(count, most), numbers: into };
-    range = Math.max(leastRange, range * Math.max(0.6, Math.min(0.95, Math.sqrt(view.budget / count))));
+    const count = choose(field, view, range, finest, into);
+    if (count <= view.budget || (range <= leastRange && finest === 0)) return { count: Math.min(count, most), numbers: into };
+    if (range <= leastRange) ++finest;
+    else range = Math.max(leastRange, range * Math.max(0.6, Math.min(0.95, Math.sqrt(view.budget / count))));
   }
 }
 
-function choose(field: HeightField, view: PatchView, range: number, into: Float32Array): number {
+function choose(field: HeightField, view: PatchView, range: number, finest: number, into: Float32Array): number {
   const top = Math.max(0, field.tree.length - 1 - leafLevel);
   const cell = field.frame.cell_m;
   let count = 0;
@@ -54,25 +59,26 @@ function choose(field: HeightField, view: PatchView, range: number, into: Float3
   const put = (level: number, x: number, y: number): void => {
     if (count < most) {
       const side = patchCells * 2 ** level, end = rangeOf(level);
-      into.set(
-        [x * side, y * side, side, level === top ? 1e12 : morphBegin * end, level === top ? 2e12 : end],
-        count * patchNumbers,
-      );
+      into.set([x * side, y * side, side, level === top ? 1e12 : morphBegin * end, level === top ? 2e12 : end], count * patchNumbers);
     }
     ++count;
   };
 
   const visit = (level: number, x: number, y: number): void => {
-    const tree = field.tree[Math.min(field.tree.length - 1, level + leafLevel)]!;
-    if (x >= tree.columns || y >= tree.rows) return;
-    const i = y * tree.columns + x;
-    if (tree.high[i]! <= view.floor) return;
-    const side = patchCells * 2 ** level * cell;
-    const low = view.exaggeration * Math.max(view.floor, tree.low[i]!);
-    const high = view.exaggeration * tree.high[i]!;
+    // Patches smaller than the tree's finest blocks lie in one of them.
+    const of = Math.max(0, Math.min(field.tree.length - 1, level + leafLevel)), tree = field.tree[of]!;
+    const part = Math.max(0, -level - leafLevel), column = x >> part, row = y >> part;
+    if (column >= tree.columns || row >= tree.rows) return;
+    const i = row * tree.columns + column, side = patchCells * 2 ** level * cell;
+    let least = tree.low[i]!, greatest = tree.high[i]!;
+    if (view.detail) [least, greatest] = view.detail.bounds(x * side, y * side, side, least, greatest);
+    const outermost = x === 0 || y === 0 || (x + 1) * side >= field.width_m || (y + 1) * side >= field.height_m;
+    if (greatest <= view.floor && !(view.walls && outermost)) return;
+    const low = view.exaggeration * Math.max(view.floor, least);
+    const high = view.exaggeration * Math.max(view.floor, greatest);
     const box = [x * side, y * side, low, (x + 1) * side, (y + 1) * side, high];
     if (!seen(view.planes, box)) return;
-    if (level === 0 || distance(view.eye, box) >= rangeOf(level - 1)) return put(level, x, y);
+    if (level === finest || distance(view.eye, box) >= rangeOf(level - 1)) return put(level, x, y);
     for (let child = 0; child < 4; ++child) visit(level - 1, 2 * x + (child & 1), 2 * y + (child >> 1));
   };
   visit(top, 0, 0);

@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { hiddenBehind } from "./detail_ground";
 import { HeightField } from "./heights";
-import { hidden, pick } from "./picking";
+import { pick } from "./picking";
 
 const frame = { columns: 96, rows: 64, cell_m: 10, west: 1000, north: 5000, crs: "" };
 
@@ -49,8 +50,8 @@ test("water stops rays, and a summit hides what is behind", () => {
   const field = cone();
   const t = pick(field, { from: [1050, 4950, 100], to: [1050, 4950, 0] }, 0)!;
   assert.ok(Math.abs(t - 1) < 1e-6);
-  assert.ok(hidden(field, [1880, 4680, field.at(1880, 4680)! + 1], [1050, 4680, 60]));
-  assert.ok(!hidden(field, [1300, 4680, field.at(1300, 4680)! + 1], [1050, 4680, 60]));
+  assert.ok(hiddenBehind(field, null, [1880, 4680, field.at(1880, 4680)! + 1], [1050, 4680, 60]));
+  assert.ok(!hiddenBehind(field, null, [1300, 4680, field.at(1300, 4680)! + 1], [1050, 4680, 60]));
 });
 
 test("unknown cells have no height, but can be sampled", () => {

@@ -89,9 +89,3 @@ function bisect(w: Walk, out: number, inside: number): number {
   }
   return inside;
 }
-
-/** Whether the ground hides a place a little over it from an eye. */
-export function hidden(field: HeightField, place: readonly [number, number, number], eye: Ray["from"]): boolean {
-  const met = pick(field, { from: eye, to: place });
-  return met !== null && met < 0.995;
-}

@@ -1,9 +1,11 @@
 // The one WebGL renderer of both views and what it holds: textures of the ground, the scene of the 3D view, the map.
 import { WebGLRenderer, type DataTexture } from "three";
-import { GroundTextures } from "./ground_textures";
+import type { DetailGround } from "./detail_ground";
+import { DetailTextures, showDetail } from "./detail_textures";
+import { GroundTextures, type TextureBudget } from "./ground_textures";
 import { OverlayTexture } from "./ground_overlay";
 import type { HeightField } from "./heights";
-import type { MapEye, Size } from "./map_camera";
+import { visible, type MapEye, type Size } from "./map_camera";
 import { MapScene } from "./map_scene";
 import { noiseTexture } from "./noise_texture";
 import type { ViewOptions } from "./options";
@@ -11,8 +13,12 @@ import { sharedUniforms, showOverlay, showTextures, styleNumber, type SharedUnif
 import { Pace } from "./pace";
 import { contourInterval } from "./ticks";
 import type { GroundOverlay } from "./types";
+import type { ViewSurface } from "./view_surface";
 import type { Eye, Lens } from "./world_camera";
 import { WorldScene } from "./world_scene";
+
+/** What a frame was: of a moving view, of one at rest as good as it gets, or neither. */
+export type Sort = "quick" | "fine" | "plain";
 
 export class PictureRenderer {
   readonly canvas: OffscreenCanvas;
@@ -23,12 +29,17 @@ export class PictureRenderer {
   readonly pace: Pace;
   private fence: WebGLSync | null = null;
   private begun = 0;
-  private fineDrawn = false;
+  private drawnAs: Sort = "quick";
+  private held: HeightField | null = null;
+  private readonly quickMost = { width: 4, height: 4 };
+  private readonly stillMost = { width: 4, height: 4 };
   private readonly renderer: WebGLRenderer;
   private readonly noise: DataTexture;
   private readonly shared: SharedUniforms;
   private readonly textures: GroundTextures;
   private readonly map: MapScene;
+  private readonly mapDetail: DetailTextures;
+  private readonly worldDetail: DetailTextures;
 
   constructor(restored: () => void) {
     this.canvas = new OffscreenCanvas(4, 4);
@@ -44,11 +55,13 @@ export class PictureRenderer {
     this.renderer.autoClear = false;
     this.noise = noiseTexture(!this.software);
     this.shared = sharedUniforms(this.noise);
-    this.textures = new GroundTextures(this.renderer, this.noise, this.software
-      ? { lightCells: 288, colourCells: 1024, anisotropy: 1, smoothLevels: false }
-      : { lightCells: 1024, colourCells: 4096, anisotropy: 8, smoothLevels: true });
+    const budget: TextureBudget = this.software
+      ? { lightCells: 288, colourCells: 1024, quickCells: 256, quickColourCells: 160, anisotropy: 1, smoothLevels: false }
+      : { lightCells: 1024, colourCells: 4096, quickCells: 4096, quickColourCells: 4096, anisotropy: 8, smoothLevels: true };
+    this.textures = new GroundTextures(this.renderer, this.noise, budget);
+    this.mapDetail = new DetailTextures(this.renderer, this.noise, budget);
+    this.worldDetail = new DetailTextures(this.renderer, this.noise, budget);
     this.world = new WorldScene(this.shared);
-    this.world.patchBudget = this.software ? 160 : 420;
     this.world.thingBudget = this.software ? 120_000 : 2_000_000;
     this.map = new MapScene(this.shared);
   }
@@ -60,7 +73,7 @@ export class PictureRenderer {
     if (!gl.isContextLost() && gl.getSyncParameter(this.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
     gl.deleteSync(this.fence);
     this.fence = null;
-    this.pace.took(performance.now() - this.begun, this.fineDrawn);
+    if (this.drawnAs !== "plain") this.pace.took(performance.now() - this.begun, this.drawnAs === "fine");
     return true;
   }
 
@@ -68,9 +81,9 @@ export class PictureRenderer {
   beginFrame(): void {
     this.begun = performance.now();
   }
-  endFrame(fine: boolean): void {
+  endFrame(sort: Sort): void {
     const gl = this.renderer.getContext() as WebGL2RenderingContext;
-    this.fineDrawn = fine;
+    this.drawnAs = sort;
     this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
   }
@@ -82,21 +95,26 @@ export class PictureRenderer {
     return this.renderer.info.render.calls;
   }
 
-  /** There is light to be seen by. */
-  get lit(): boolean {
-    return this.textures.hasLight;
-  }
-
-  update(field: HeightField): void {
-    this.textures.update(field);
+  /** What is drawn from now on. Results may come faster than they can be drawn: what nobody sees is not uploaded. */
+  hold(field: HeightField, quick: boolean): void {
+    if (field !== this.held) this.textures.upload(field);
+    this.held = field;
+    this.textures.shape(field, quick);
     showTextures(this.shared, this.textures, field);
     showOverlay(this.shared, this.overlay, field);
   }
 
-  /** `sunToo`: shadows as well, else only the colours in them. */
-  updateLight(field: HeightField, options: ViewOptions, overlay: GroundOverlay, sunToo: boolean): void {
-    if (sunToo) this.textures.updateLight(field, options);
-    this.textures.updateLit(options, styleNumber(options.ground, overlay));
+  /** The graphics processor has lost what it held. */
+  forget(): void {
+    this.held = null;
+    this.mapDetail.forget();
+    this.worldDetail.forget();
+  }
+
+  /** Sun, water or exaggeration are others, or, `shadowsToo` false, only the style of the ground. */
+  relight(shadowsToo: boolean): void {
+    this.textures.relight(shadowsToo);
+    this.worldDetail.textures.relight(shadowsToo);
   }
 
   updateOverlay(overlay: GroundOverlay, field: HeightField | null): void {
@@ -104,25 +122,47 @@ export class PictureRenderer {
     if (field !== null) showOverlay(this.shared, this.overlay, field);
   }
 
-  drawWorld(field: HeightField, options: ViewOptions, overlay: GroundOverlay, eye: Eye, lens: Lens, jitter: readonly [number, number], fine: boolean): void {
-    this.begin(lens);
-    this.shared.ground_style.value = styleNumber(options.ground, overlay);
+  /** The detail that is drawn. */
+  drawWorld(field: HeightField, known: DetailGround | null, options: ViewOptions, overlay: GroundOverlay, eye: Eye, lens: Lens, jitter: readonly [number, number], sort: Sort): DetailGround | null {
+    const style = styleNumber(options.ground, overlay);
+    this.textures.colour(field, options, style, sort === "quick");
+    const detail = known !== null && this.worldDetail.colour(known, this.textures, options, style, this.hurry(sort)) ? known : null;
+    showDetail(this.shared, detail, this.worldDetail);
+    this.begin(lens, sort);
+    this.shared.ground_style.value = style;
     // Lines are as far apart as suits the whole terrain, not the changing distance.
     const typical = contourInterval(Math.max(field.width_m, field.height_m) / 900, field.typicalSlope, 18);
     this.shared.contour_m.value = overlay.overlay === "contours" ? overlay.interval_m : options.ground === "contours" ? typical : 0;
     this.renderer.clear(false, true, false);
-    this.world.render(this.renderer, field, options, eye, lens, jitter, fine || !this.software);
+    this.world.patchBudget = !this.software ? 420 : sort === "quick" ? 56 : 160;
+    this.world.render(this.renderer, field, detail, options, eye, lens, jitter, sort === "fine" || !this.software);
+    return detail;
   }
 
-  drawMap(field: HeightField, options: ViewOptions, overlay: GroundOverlay, eye: MapEye, size: Size, pixels: Size, paper: readonly [number, number, number]): void {
-    this.begin(pixels);
+  /** The detail that is drawn. */
+  drawMap(field: HeightField, known: DetailGround | null, options: ViewOptions, overlay: GroundOverlay, eye: MapEye, size: Size, pixels: Size, paper: readonly [number, number, number], sort: Sort): DetailGround | null {
+    const detail = known !== null && this.mapDetail.shape(known, this.hurry(sort)) ? known : null;
+    this.begin(pixels, sort);
     this.shared.ground_style.value = styleNumber(options.ground, overlay);
     this.shared.contour_m.value = overlay.overlay === "contours" ? overlay.interval_m : contourInterval(eye.pixel_m, field.typicalSlope);
-    this.map.render(this.renderer, field, eye, size, (eye.pixel_m * size.width) / pixels.width, options.water, paper);
+    // What lies wholly in the window is drawn of it alone: that costs no more than the whole ground does.
+    const alone = detail !== null && detail.covers(visible(eye, size)), ground = alone ? detail.field : field;
+    showTextures(this.map.ground, alone ? this.mapDetail.textures : this.textures, ground);
+    this.map.ground.overlay_place.value = this.overlay.placeOn(ground.frame);
+    showDetail(this.shared, alone ? null : detail, this.mapDetail);
+    const pixel_m = (eye.pixel_m * size.width) / pixels.width;
+    this.map.render(this.renderer, { field: ground, detail: alone ? null : detail, tinted: field, eye, size, pixel_m, water: options.water, paper });
+    return detail;
+  }
+
+  /** What was drawn last, on its way to the page. */
+  show(surface: ViewSurface, size: Size, sort: Sort): void {
+    if (sort === "quick") surface.showQuick(this.canvas.transferToImageBitmap(), size);
+    else surface.show(this.canvas);
   }
 
   dispose(): void {
-    this.textures.dispose();
+    for (const textures of [this.textures, this.mapDetail.textures, this.worldDetail.textures]) textures.dispose();
     this.overlay.dispose();
     this.world.dispose();
     this.map.dispose();
@@ -130,11 +170,17 @@ export class PictureRenderer {
     this.renderer.dispose();
   }
 
-  /** Pictures are drawn into the lower left corner of a canvas that only grows. */
-  private begin(size: Size): void {
-    if (this.canvas.width < size.width || this.canvas.height < size.height) {
-      this.renderer.setSize(Math.max(this.canvas.width, size.width), Math.max(this.canvas.height, size.height), false);
-    }
+  /** No time for bakes. */
+  private hurry(sort: Sort): boolean {
+    return this.software && sort === "quick";
+  }
+
+  /** Pictures are drawn into the lower left corner of a canvas that is as large as the largest of their sort. */
+  private begin(size: Size, sort: Sort): void {
+    const quick = sort === "quick", most = quick ? this.quickMost : this.stillMost;
+    most.width = Math.max(most.width, size.width);
+    most.height = Math.max(most.height, size.height);
+    if (this.canvas.width !== most.width || this.canvas.height !== most.height) this.renderer.setSize(most.width, most.height, false);
     this.renderer.setViewport(0, 0, size.width, size.height);
     this.renderer.setScissor(0, 0, size.width, size.height);
     this.renderer.setScissorTest(true);

@@ -20,6 +20,14 @@ export interface SharedUniforms {
   overlay_sharp: IUniform<number>;
   contour_m: IUniform<number>;
   contour_colour: IUniform<Vector3>;
+  detail_heights: IUniform<Texture | null>;
+  detail_surface: IUniform<Texture | null>;
+  detail_lit: IUniform<Texture | null>;
+  detail_place: IUniform<[number, number, number, number]>;
+  detail_fade: IUniform<[number, number, number, number]>;
+  detail_edge: IUniform<[number, number, number, number]>;
+  detail_strength: IUniform<number>;
+  detail_cell_m: IUniform<number>;
 }
 
 export function sharedUniforms(noise: Texture): SharedUniforms {
@@ -29,10 +37,12 @@ export function sharedUniforms(noise: Texture): SharedUniforms {
     overlay_place: { value: [0, 0, 1, 1] }, overlay_strength: { value: 0 }, overlay_sharp: { value: 0 },
     contour_m: { value: 0 },
     contour_colour: { value: new Vector3(0.02, 0.015, 0.01) },
+    detail_heights: { value: null }, detail_surface: { value: null }, detail_lit: { value: null }, detail_place: { value: [0, 0, 1, 1] },
+    detail_fade: { value: [0, 0, 0, 0] }, detail_edge: { value: [0, 0, 0, 0] }, detail_strength: { value: 0 }, detail_cell_m: { value: 1 },
   };
 }
 
-export function showTextures(u: SharedUniforms, textures: GroundTextures, field: HeightField): void {
+export function showTextures(u: Pick<SharedUniforms, "heights" | "surface" | "lit" | "cell_m">, textures: GroundTextures, field: HeightField): void {
   u.heights.value = textures.heights;
   u.surface.value = textures.surface;
   u.lit.value = textures.lit;

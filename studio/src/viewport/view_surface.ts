@@ -1,5 +1,6 @@
 // A view's place in the page: the canvas that shows what was rendered and, over it, the one that shapes are drawn on.
 // Pictures of the one WebGL canvas are copied here; several of a still view are averaged, which smooths its edges.
+// Those of a moving view are handed over as they are, without a copy, and the page stretches them.
 
 export class ViewSurface {
   readonly ink: CanvasRenderingContext2D;
@@ -10,17 +11,21 @@ export class ViewSurface {
   /** Pictures of the present state that are in the average. */
   samples = 0;
   private readonly picture: CanvasRenderingContext2D;
+  private readonly quick: ImageBitmapRenderingContext;
+  private shownCanvas: HTMLCanvasElement;
   private readonly observer: ResizeObserver;
 
-  constructor(readonly element: HTMLElement, label: string, private readonly mostRatio: number, resized: () => void) {
+  /** `software`: the processor draws, so that canvases that pretend to have a graphics processor would only cost. */
+  constructor(readonly element: HTMLElement, label: string, private readonly software: boolean, resized: () => void) {
     element.dataset["groundView"] = "";
-    const picture = this.layer("view-picture"), ink = this.layer("view-ink");
+    const picture = this.layer("view-picture"), quick = this.layer("view-picture"), ink = this.layer("view-ink");
     picture.setAttribute("role", "img");
     picture.setAttribute("aria-label", label);
-    picture.style.visibility = "hidden";  // until there is something to see
-    this.picture = picture.getContext("2d", { alpha: false })!;
-    // Where a processor plays the graphics card, paths are drawn hundreds of times as fast without it.
-    this.ink = ink.getContext("2d", { willReadFrequently: mostRatio <= 1 })!;
+    picture.style.visibility = quick.style.visibility = "hidden";  // until there is something to see
+    this.quick = quick.getContext("bitmaprenderer")!;
+    this.shownCanvas = picture;
+    this.picture = picture.getContext("2d", { alpha: false, willReadFrequently: software })!;
+    this.ink = ink.getContext("2d", { willReadFrequently: software })!;
     this.observer = new ResizeObserver(() => {
       if (this.measure()) resized();
     });
@@ -32,24 +37,33 @@ export class ViewSurface {
     return this.width > 0 && this.height > 0;
   }
 
+  /** The picture that is seen. */
   get canvas(): HTMLCanvasElement {
-    return this.picture.canvas;
+    return this.shownCanvas;
   }
 
   /** Size in device pixels. */
   get pixels(): { width: number; height: number } {
-    return { width: this.picture.canvas.width, height: this.picture.canvas.height };
+    return { width: Math.max(1, Math.round(this.width * this.ratio)), height: Math.max(1, Math.round(this.height * this.ratio)) };
   }
 
-  /** Takes over a rendered picture of that size from the lower left corner of a canvas. */
-  show(source: CanvasImageSource & { height: number }, width: number, height: number): void {
-    const { canvas } = this.picture;
+  /** Takes over a rendered picture of a still view from the lower left corner of a canvas. */
+  show(source: CanvasImageSource & { height: number }): void {
+    const { canvas } = this.picture, { width, height } = this.pixels;
+    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     this.picture.globalAlpha = 1 / (this.samples + 1);
-    this.picture.imageSmoothingEnabled = width !== canvas.width;
-    this.picture.imageSmoothingQuality = "low";
-    this.picture.drawImage(source, 0, source.height - height, width, height, 0, 0, canvas.width, canvas.height);
-    if (canvas.style.visibility === "hidden") canvas.style.visibility = "";
-    ++this.samples;
+    this.picture.drawImage(source, 0, source.height - height, width, height, 0, 0, width, height);
+    this.bring(canvas);
+  }
+
+  /** Shows a rendered picture of a moving view, the lower left part of what is given. */
+  showQuick(picture: ImageBitmap, size: { width: number; height: number }): void {
+    const canvas = this.quick.canvas as HTMLCanvasElement;
+    canvas.style.width = `${(100 * picture.width) / size.width}%`;
+    canvas.style.height = `${(100 * picture.height) / size.height}%`;
+    canvas.style.top = `${100 - (100 * picture.height) / size.height}%`;
+    this.quick.transferFromImageBitmap(picture);
+    this.bring(canvas);
   }
 
   /** Clears the upper canvas; drawing on it is in CSS pixels. */
@@ -64,8 +78,15 @@ export class ViewSurface {
   dispose(): void {
     this.observer.disconnect();
     this.picture.canvas.remove();
+    (this.quick.canvas as HTMLCanvasElement).remove();
     this.ink.canvas.remove();
     delete this.element.dataset["groundView"];
+  }
+
+  private bring(canvas: HTMLCanvasElement): void {
+    this.shownCanvas = canvas;
+    for (const each of [this.picture.canvas, this.quick.canvas as HTMLCanvasElement]) each.style.visibility = each === canvas ? "" : "hidden";
+    ++this.samples;
   }
 
   private get inkRatio(): number {
@@ -79,27 +100,13 @@ export class ViewSurface {
     return canvas;
   }
 
-  /** What was shown is stretched until there is a new picture: no flicker. */
-  private resizePicture(width: number, height: number): void {
-    const { canvas } = this.picture;
-    const before = canvas.width > 1 && canvas.style.visibility !== "hidden"
-      ? new OffscreenCanvas(canvas.width, canvas.height) : null;
-    before?.getContext("2d", { alpha: false })!.drawImage(canvas, 0, 0);
-    canvas.width = width;
-    canvas.height = height;
-    this.picture.globalAlpha = 1;
-    if (before !== null) this.picture.drawImage(before, 0, 0, width, height);
-  }
-
   private measure(): boolean {
     const width = this.element.clientWidth, height = this.element.clientHeight;
-    this.ratio = Math.min(this.mostRatio, Math.max(1, window.devicePixelRatio || 1));
-    const across = Math.round(width * this.ratio), down = Math.round(height * this.ratio);
-    const same = width === this.width && height === this.height && across === this.picture.canvas.width;
-    if (same) return false;
+    const ratio = Math.min(this.software ? 1 : 2, Math.max(1, window.devicePixelRatio || 1));
+    if (width === this.width && height === this.height && ratio === this.ratio) return false;
+    this.ratio = ratio;
     this.width = width;
     this.height = height;
-    this.resizePicture(Math.max(1, across), Math.max(1, down));
     this.ink.canvas.width = Math.max(1, Math.round(width * this.inkRatio));
     this.ink.canvas.height = Math.max(1, Math.round(height * this.inkRatio));
     return true;

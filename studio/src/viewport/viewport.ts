@@ -2,16 +2,20 @@
 // has changed, and not at all otherwise.
 import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { registerActions } from "../actions/registry";
+import type { ValueEvent } from "../api/types";
 import type { Shown, Studio } from "../document/studio";
 import { followContent, type Content } from "./content";
+import { finerOf, heightAt } from "./detail_ground";
+import { DetailKeeper, mostDetailCells } from "./detail_keeper";
+import { sourceOf } from "./detail_window";
 import { Follower, mostCells } from "./follower";
-import { Gestures, type Strokes } from "./gestures";
-import { groundPointer, type Under } from "./ground_pointer";
+import { Gestures } from "./gestures";
 import { HeightField } from "./heights";
 import { legendElement } from "./legend";
 import { legendOf } from "./ground_overlay";
 import { MapView } from "./map_view";
 import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./options";
+import { PenStrokes } from "./pen_strokes";
 import { PictureRenderer } from "./picture_renderer";
 import { ProfileBox } from "./profile_box";
 import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
@@ -34,6 +38,8 @@ export interface ViewportStats {
 
 const restAfter_ms = 160;
 
+type View = MapView | WorldView;
+
 export class Viewport {
   /** What is under the pointer, in either view. */
   readonly pointer: Signal<GroundPointer | null> = signal(null);
@@ -50,9 +56,11 @@ export class Viewport {
   private readonly renderer: PictureRenderer;
   private readonly gestures: Gestures[] = [];
   private readonly followers: Follower[] = [];
+  /** Of the map and of the 3D view. */
+  private readonly details: DetailKeeper[];
   private readonly stops: (() => void)[] = [];
   private field: HeightField | null = null;
-  private pen: PenTarget | null = null;
+  private readonly strokes = new PenStrokes(this.pointer, () => this.restTimer === 0 && this.seekDetail(), () => this.showCursor());
   private overlay: GroundOverlay = { overlay: "none" };
   private shownOverlay: GroundOverlay = { overlay: "none" };
   private things: Things | null = null;
@@ -62,35 +70,42 @@ export class Viewport {
   /** Place of the profile that is pointed at. */
   private profiled: readonly [number, number] | null = null;
   private readonly profile: ProfileBox;
+  /** The view that the pointer was in last. */
+  private ahead: View;
+  private readonly drawnQuickly = new Set<View>();
+  private readonly untold: { view: View; field: HeightField; detail_m: number | null }[] = [];
   private request = 0;
   private restTimer = 0;
   private upload_ms = 0;
-  private lightStale = false;
-  private litStale = false;
   private arrived = 0;
 
   constructor(mapElement: HTMLElement, worldElement: HTMLElement, studio: Studio) {
     this.renderer = new PictureRenderer(() => this.restore());
-    const mostRatio = this.renderer.software ? 1 : 2;
-    const changed = (): void => this.moved();
-    this.map = new MapView(mapElement, mostRatio, changed, (pixel_m) => (this.scale.value = pixel_m));
-    this.world = new WorldView(worldElement, mostRatio, changed, () => this.options.peek());
+    const { software } = this.renderer;
+    this.map = new MapView(mapElement, software, () => this.moved(this.map), (pixel_m) => (this.scale.value = pixel_m));
+    this.world = new WorldView(worldElement, software, () => this.moved(this.world), () => this.options.peek());
+    this.ahead = this.map;
     for (const view of [this.map, this.world]) {
-      const strokes = this.strokes((event) => view.under(event));
+      const strokes = this.strokes.over((event) => {
+        this.ahead = view;
+        return view.under(event);
+      });
       this.gestures.push(new Gestures(view.surface.element, view.mover, strokes, () => this.options.peek().navigation));
     }
+    this.details = (["map", "world"] as const).map((name) =>
+      new DetailKeeper(studio.api, this[name], mostDetailCells(name, software), () => this.detailCame(this[name])));
     const bigger = (): HTMLElement =>
       this.map.surface.width * this.map.surface.height >= this.world.surface.width * this.world.surface.height ? mapElement : worldElement;
-    this.profile = new ProfileBox(bigger, (x, y) => this.field?.at(x, y) ?? null, (place) => {
+    this.profile = new ProfileBox(bigger, (x, y) => this.heightAt(x, y), (place) => {
       this.profiled = place;
       this.ink();
     });
-    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster) => this.terrain(raster), mostCells(this.renderer.software)));
+    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster, value) => this.terrain(raster, value), mostCells(software)));
     this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
     this.stops.push(followContent(studio, (content) => this.contentCame(content)), registerActions(viewActions(this)), mountControls(this, worldElement));
     const themes = new MutationObserver(() => {
       this.map.inkStale = true;
-      this.dirty();
+      this.dirty(this.map);
     });
     themes.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
     this.stops.push(() => themes.disconnect());
@@ -99,24 +114,22 @@ export class Viewport {
       const now = this.options.value;
       const relit = now.sun !== before.sun || now.water !== before.water || now.exaggeration !== before.exaggeration;
       if (now.exaggeration !== before.exaggeration) this.world.rescale(now.exaggeration / before.exaggeration);
-      this.litStale ||= relit || now.ground !== before.ground;
+      if (relit || now.ground !== before.ground) this.renderer.relight(relit);
       before = now;
-      this.lightStale ||= relit;
-      this.dirty();
+      this.dirty(this.map, this.world);
     }));
   }
 
   setPen(target: PenTarget | null): void {
-    if (target === this.pen) return;
+    if (target === this.strokes.pen) return;
     for (const gestures of this.gestures) gestures.cancel();
-    this.pen?.hover?.(null);
-    this.pen = target;
+    this.strokes.pen = target;
     this.showCursor();
   }
 
   /** What the pen is to look like may depend on where it is. */
   private showCursor(): void {
-    const cursor = this.pen?.cursor ?? "default";
+    const cursor = this.strokes.pen?.cursor ?? "default";
     for (const { surface } of [this.map, this.world]) {
       if (surface.element.style.cursor !== cursor) surface.element.style.cursor = cursor;
     }
@@ -142,7 +155,7 @@ export class Viewport {
     if (this.field === null) return;
     this.map.frame(this.field);
     this.world.frame(this.field);
-    this.moved();
+    this.moved(this.map, this.world);
   }
 
   /** Brings a rectangle of the ground into both views: of the shapes that tools show, without one. */
@@ -152,7 +165,7 @@ export class Viewport {
     if (chosen === null) return this.frameAll();
     this.map.frameRectangle(chosen);
     this.world.frameRectangle(this.field, chosen);
-    this.moved();
+    this.moved(this.map, this.world);
   }
 
   stats(): ViewportStats {
@@ -165,39 +178,50 @@ export class Viewport {
     const { surface } = view === "map" ? this.map : this.world;
     const { width, height } = surface.pixels;
     const canvas = new OffscreenCanvas(width, height), to = canvas.getContext("2d")!;
-    to.drawImage(surface.canvas, 0, 0);
+    to.drawImage(surface.canvas, 0, 0, width, height);
     to.drawImage(surface.ink.canvas, 0, 0, width, height);
     return canvas.convertToBlob({ type: "image/png" });
   }
 
   /** Resolves once both views show the present state, at rest. */
   async settled(): Promise<void> {
-    while (this.request !== 0 || this.restTimer !== 0) await new Promise((done) => setTimeout(done, 20));
+    while (this.request !== 0 || this.restTimer !== 0 || this.details.some(({ busy }) => busy)) await new Promise((done) => setTimeout(done, 20));
   }
 
   dispose(): void {
     cancelAnimationFrame(this.request);
     clearTimeout(this.restTimer);
     for (const stop of this.stops) stop();
-    for (const part of [this.profile, ...this.followers, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
+    for (const part of [this.profile, ...this.followers, ...this.details, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
     this.legend?.remove();
   }
 
-  private terrain(raster: Raster | null): void {
+  private terrain(raster: Raster | null, value: ValueEvent | null): void {
     if (raster === null) return;
     this.arrived = performance.now();
     const before = this.field, field = HeightField.of(raster);
     this.field = field;
-    this.renderer.update(field);
-    this.lightStale = true;
-    this.litStale = true;
     this.map.field = this.world.field = field;
+    const source = sourceOf(raster, value?.frame ?? raster.frame);
+    this.map.cell_m = this.world.cell_m = source.frame.cell_m;
+    for (const detail of this.details) detail.follow(field, source);
     this.drawn.value = { key: raster.key, coarse: raster.coarse };
     if (before === null && this.things !== null) this.renderer.world.setThings(this.things, field);
     if (before === null || !sameRectangle(before, field)) this.begin(field);
-    this.map.inkStale = this.world.inkStale = true;
     this.profile.update();
-    this.moved();  // a quick picture at once, since results may come in a row; a good one when they rest
+    this.moved(this.map, this.world);  // a quick picture at once, since results may come in a row; a good one when they rest
+  }
+
+  private detailCame(view: View): void {
+    view.inkStale = true;
+    this.profile.update();
+    this.dirty(view);
+  }
+
+  /** As finely as either view knows it. */
+  private heightAt(x: number, y: number): number | null {
+    if (this.field === null) return null;
+    return heightAt(this.field, finerOf([this.map.detail, this.world.detail], x, y), x, y);
   }
 
   /** Another terrain: all of it is shown, as high as shows its forms. */
@@ -224,7 +248,7 @@ export class Viewport {
     if (this.field !== null) this.renderer.world.setThings(things, this.field);
     this.contentShapes = shapes;
     this.ink();
-    this.dirty();
+    this.dirty(this.map, this.world);
   }
 
   private labelAt(place: GroundPointer | null): string | null {
@@ -238,13 +262,13 @@ export class Viewport {
 
   private applyOverlay(): void {
     const overlay = this.activeOverlay;
-    this.litStale = true;
+    this.renderer.relight(false);
     this.renderer.updateOverlay(overlay, this.field);
     this.legend?.remove();
     const legend = legendOf(overlay);
     this.legend = legend === null ? null : legendElement(legend);
     if (this.legend !== null) this.map.surface.element.append(this.legend);
-    this.dirty();
+    this.dirty(this.map, this.world);
   }
 
   private ink(): void {
@@ -256,57 +280,19 @@ export class Viewport {
   }
 
   private restore(): void {
-    if (this.field !== null) this.renderer.update(this.field);
-    this.lightStale = this.litStale = true;
-    this.dirty();
+    this.renderer.forget();
+    this.dirty(this.map, this.world);
   }
 
-  private strokes(under: (event: MouseEvent) => Under | null): Strokes {
-    const at = (event: MouseEvent): GroundPointer | null => {
-      const place = under(event);
-      return place === null ? null : groundPointer(event, place);
-    };
-    let last: GroundPointer | null = null;
-    return {
-      active: () => this.pen !== null,
-      down: (event) => {
-        last = at(event);
-        if (last === null || this.pen === null) return false;
-        this.pointer.value = last;
-        this.pen.down(last);
-        this.showCursor();
-        return true;
-      },
-      move: (events) => {
-        const path = events.map(at).filter((p): p is GroundPointer => p !== null);
-        if (path.length === 0) return;
-        this.pointer.value = last = path[path.length - 1]!;
-        this.pen?.move(path);
-      },
-      up: (event) => {
-        // A lifted pen presses no more: the stroke ends as it was drawn.
-        const place = at(event), pressure = last?.pressure ?? 1;
-        if (place !== null) last = { ...place, pressure };
-        if (last !== null) this.pen?.up(last);
-      },
-      cancel: () => this.pen?.cancel(),
-      hover: (event) => {
-        this.pointer.value = event === null ? null : at(event);
-        this.pen?.hover?.(this.pointer.value);
-        this.showCursor();
-      },
-      double: (event) => {
-        const place = at(event);
-        if (place !== null) this.pen?.double?.(place);
-      },
-    };
+  private seekDetail(): void {
+    if (!this.strokes.drawing) for (const detail of this.details) detail.seek();
   }
 
-  /** A view moves: quick pictures now, a good one when it rests. */
-  private moved(): void {
-    this.map.inkStale = this.world.inkStale = true;
+  /** Views move: quick pictures now, good ones when they rest. */
+  private moved(...views: View[]): void {
+    for (const view of views) view.inkStale = true;
     this.restSoon();
-    this.dirty();
+    this.dirty(...views);
   }
 
   /** At rest once nothing has moved for longer than slow pictures take, and no button is held that moves a view. */
@@ -315,12 +301,14 @@ export class Viewport {
     this.restTimer = window.setTimeout(() => {
       if (this.gestures.some((gestures) => gestures.navigating)) return this.restSoon();
       this.restTimer = 0;
-      this.dirty();
+      this.dirty(...this.drawnQuickly);
+      this.drawnQuickly.clear();
+      this.seekDetail();
     }, Math.max(restAfter_ms, Math.min(1200, 2 * this.renderer.pace.quickMs)));
   }
 
-  private dirty(): void {
-    this.map.surface.samples = this.world.surface.samples = 0;
+  private dirty(...views: View[]): void {
+    for (const { surface } of views) surface.samples = 0;
     this.wake();
   }
 
@@ -328,48 +316,60 @@ export class Viewport {
     if (this.request === 0) this.request = requestAnimationFrame(() => this.frame());
   }
 
-  /** On the page, for who measures it: which result is seen. */
+  /** On the page, for who measures it: which result is seen in the views that were drawn last. */
   private tellDrawn(): void {
-    const { key, coarse } = this.drawn.peek()!;
-    for (const { surface } of [this.map, this.world]) {
-      surface.element.dataset["coarse"] = String(coarse);
-      surface.element.dataset["key"] = key;
+    const told = this.untold.splice(0);
+    for (const { view: { surface }, field, detail_m } of told) {
+      if (detail_m === null) delete surface.element.dataset["detailCell"];
+      else surface.element.dataset["detailCell"] = String(detail_m);
+      surface.element.dataset["coarse"] = String(field.coarse);
+      surface.element.dataset["key"] = field.key;
+    }
+    if (this.arrived > 0 && told.some(({ field }) => field === this.field)) {
+      this.upload_ms = performance.now() - this.arrived;
+      this.arrived = 0;
     }
   }
 
   private frame(): void {
     this.request = 0;
     const moving = this.restTimer !== 0;
+    if (moving && !this.renderer.software) this.seekDetail();
     for (const view of [this.map, this.world]) if (view.inkStale) view.drawInk(this.options.peek(), moving);
     const field = this.field;
     if (field === null) return;
-    if (!this.renderer.ready() || this.draw(field, moving)) this.wake();
+    if (!this.renderer.ready()) return this.wake();
+    this.tellDrawn();
+    if (this.draw(field, moving)) this.wake();
   }
 
   /** Whether there is more to draw. */
   private draw(field: HeightField, moving: boolean): boolean {
     const { renderer } = this, { pace } = renderer, options = this.options.peek();
-    const views = [this.map, this.world].filter((view) => view.surface.shown && view.surface.samples < this.wanted(view, moving));
-    if (views.length === 0 && !this.litStale) return false;
+    const stale = this.inTurn().filter((view) => view.surface.shown && view.surface.samples < this.wanted(view, moving));
+    if (stale.length === 0) return false;
+    // The processor draws one view after the other, so that the first one is seen soon.
+    const now = renderer.software ? stale.slice(0, 1) : stale;
     renderer.beginFrame();
-    if (this.litStale || (this.lightStale && !moving)) {
-      const sunToo = this.lightStale && (!moving || !renderer.lit);
-      renderer.updateLight(field, options, this.activeOverlay, sunToo);
-      this.litStale = false;
-      if (sunToo) this.lightStale = false;
+    renderer.hold(field, moving);
+    const fine = !moving && now.includes(this.world) && pace.mayBeFine();
+    const sort = moving ? "quick" : fine ? "fine" : "plain";
+    for (const view of now) {
+      const detail = view.draw(renderer, field, options, this.activeOverlay, moving ? pace.quickSize : 1, sort);
+      if (moving) this.drawnQuickly.add(view);
+      this.untold.push({ view, field, detail_m: detail?.cell_m ?? null });
     }
-    const fine = !moving && pace.mayBeFine();
-    for (const view of views) view.draw(renderer, field, options, this.activeOverlay, moving ? pace.quickSize : 1, !fine);
-    renderer.endFrame(fine);
-    if (this.arrived > 0) {
-      this.upload_ms = performance.now() - this.arrived;
-      this.arrived = 0;
-      this.tellDrawn();
-    }
-    return !moving;
+    renderer.endFrame(sort);
+    return true;
   }
 
-  private wanted(view: MapView | WorldView, moving: boolean): number {
+  /** That of the pointer first, the other one before it is drawn again. */
+  private inTurn(): (View)[] {
+    const views = this.ahead === this.map ? [this.map, this.world] : [this.world, this.map];
+    return views.sort((a, b) => a.surface.samples - b.surface.samples);
+  }
+
+  private wanted(view: View, moving: boolean): number {
     return moving ? 1 : this.renderer.pace.samples(view.samples());
   }
 }

@@ -3,12 +3,14 @@ import {
   GLSL3, DoubleSide, Mesh, PerspectiveCamera, PlaneGeometry, RawShaderMaterial, Scene, Vector3, Matrix4, type BufferGeometry, type IUniform,
   type WebGLRenderer,
 } from "three";
+import { heightAt, type DetailGround } from "./detail_ground";
 import type { HeightField } from "./heights";
 import { lamps } from "./light";
 import type { ViewOptions } from "./options";
 import { choosePatches } from "./patches";
 import { PatchGeometry } from "./patch_mesh";
 import common from "./shaders/common.glsl";
+import detailShader from "./shaders/detail.glsl";
 import groundFragment from "./shaders/ground.frag.glsl";
 import groundVertex from "./shaders/ground.vert.glsl";
 import overlayShader from "./shaders/overlay.glsl";
@@ -52,14 +54,14 @@ export class WorldScene {
       sky_scale: { value: 1 }, haze_density: { value: 0 }, haze_far: { value: 1 }, forward: { value: new Vector3() },
       right: { value: new Vector3() }, upward: { value: new Vector3() }, pixel_angle: { value: 1 }, sun_path: { value: 1 }, wire_colour: { value: [1, 1, 1, 0.22] },
     };
-    this.wall = this.material(groundVertex, common + skyShader + wallFragment);
+    this.wall = this.material(detailShader + groundVertex, common + skyShader + wallFragment);
     this.ground = this.mesh(this.geometry, [], 0);
     this.sea = this.mesh(new PlaneGeometry(2, 2), [], 1);
     this.sea.geometry.addGroup(0, Infinity, 0);
     const skyMaterial = this.material(skyVertex, common + skyShader + skyFragment);
     skyMaterial.depthWrite = false;
     this.mesh(new PlaneGeometry(2, 2), skyMaterial, 2);
-    const wireMaterial = this.material(groundVertex, common + wireFragment);
+    const wireMaterial = this.material(detailShader + groundVertex, common + wireFragment);
     wireMaterial.wireframe = wireMaterial.transparent = true;
     this.wire = this.mesh(this.geometry, wireMaterial, 3);
     this.camera.up.set(0, 0, 1);
@@ -73,10 +75,11 @@ export class WorldScene {
   }
 
   /** Draws into the renderer's current target of the size of the lens. `jitter`: parts of a pixel. */
-  render(renderer: WebGLRenderer, field: HeightField, options: ViewOptions, eye: Eye, lens: Lens, jitter: readonly [number, number], fine: boolean): void {
+  render(renderer: WebGLRenderer, field: HeightField, detail: DetailGround | null, options: ViewOptions, eye: Eye, lens: Lens, jitter: readonly [number, number], fine: boolean): void {
     const [cx, cy] = field.centre;
     const local: [number, number, number] = [eye.at[0] - cx, eye.at[1] - cy, eye.at[2]];
-    this.place(eye, local, lens, field, options, jitter);
+    const above = Math.max(1, local[2] - options.exaggeration * Math.max(0, heightAt(field, detail, eye.at[0], eye.at[1]) ?? 0));
+    this.place(eye, local, lens, field, above, jitter);
     this.light(field, options, lens);
     const origin = [field.frame.west, field.frame.north] as const;
     this.geometry.show(choosePatches(field, {
@@ -85,12 +88,14 @@ export class WorldScene {
       exaggeration: options.exaggeration,
       floor: options.water ? 0 : -Infinity,
       budget: this.patchBudget,
+      walls: cutAround(field, options),
+      detail,
     }));
     this.things?.choose(field, {
       eye: eye.at, planes: viewPlanes(eye, lens, [0, 0], 1), exaggeration: options.exaggeration,
       pixel: (2 * Math.tan(lens.fov / 2)) / lens.height, budget: fine ? this.thingBudget : this.thingBudget / 3,
     });
-    this.dress(field, options, eye, fine);
+    this.dress(field, detail, options, above, fine);
     this.ground.visible = this.geometry.instanceCount > 0;
     this.wire.visible = options.wireframe && this.ground.visible;
     renderer.render(this.scene, this.camera);
@@ -106,12 +111,11 @@ export class WorldScene {
     for (const material of this.plain) material.dispose();
   }
 
-  private place(eye: Eye, local: [number, number, number], lens: Lens, field: HeightField, options: ViewOptions, jitter: readonly [number, number]): void {
+  private place(eye: Eye, local: [number, number, number], lens: Lens, field: HeightField, above: number, jitter: readonly [number, number]): void {
     const camera = this.camera, size = Math.max(field.width_m, field.height_m);
     const { forward, right, up } = axes(eye);
     camera.fov = (lens.fov * 180) / Math.PI;
     camera.aspect = lens.width / lens.height;
-    const above = Math.max(local[2] - options.exaggeration * Math.max(0, field.at(eye.at[0], eye.at[1]) ?? 0), 1);
     camera.near = Math.max(0.5, Math.min(0.3 * above, 0.05 * size));
     camera.far = 60 * size + 20 * above;
     camera.setViewOffset(lens.width, lens.height, jitter[0], jitter[1], lens.width, lens.height);
@@ -153,16 +157,14 @@ export class WorldScene {
   }
 
   /** Chooses the shaders that do what this picture needs and no more. */
-  private dress(field: HeightField, options: ViewOptions, eye: Eye, fine: boolean): void {
-    const above = eye.at[2] - options.exaggeration * Math.max(0, field.at(eye.at[0], eye.at[1]) ?? 0);
-    const magnified = fine && above * this.uniforms.pixel_angle!.value * 1.6 < field.frame.cell_m;
+  private dress(field: HeightField, detail: DetailGround | null, options: ViewOptions, above: number, fine: boolean): void {
+    const magnified = fine && above * this.uniforms.pixel_angle!.value * 1.6 < (detail?.cell_m ?? field.frame.cell_m);
     const names = [
-      fine ? "FINE" : "", magnified ? "SMOOTH" : "", this.uniforms.overlay_strength!.value > 0 ? "OVERLAY" : "",
+      detail !== null ? "DETAIL" : "", fine ? "FINE" : "", magnified ? "SMOOTH" : "", this.uniforms.overlay_strength!.value > 0 ? "OVERLAY" : "",
       this.uniforms.contour_m!.value > 0 ? "CONTOURS" : "",
     ].filter((name) => name !== "");
-    const walls = !field.inSea || !options.water;
-    const ground = this.variant(groundVertex, options.water && field.min <= 0 ? [...names, "WATER"] : names);
-    this.ground.material = walls ? [ground, this.wall] : [ground];
+    const ground = this.variant(detailShader + groundVertex, options.water && field.min <= 0 ? [...names, "WATER"] : names);
+    this.ground.material = cutAround(field, options) ? [ground, this.wall] : [ground];
     this.sea.material = [this.variant(seaVertex, [...names.filter((name) => name !== "CONTOURS"), "PLANE"])];
   }
 
@@ -171,7 +173,7 @@ export class WorldScene {
     let made = this.variants.get(key);
     if (made === undefined) {
       const head = defines.map((name) => `#define ${name}\n`).join("");
-      made = this.material(vertex, head + common + skyShader + overlayShader + groundFragment);
+      made = this.material(vertex, head + common + detailShader + skyShader + overlayShader + groundFragment);
       if (defines.includes("PLANE")) {
         made.polygonOffset = true;
         made.polygonOffsetFactor = made.polygonOffsetUnits = 2;
@@ -194,4 +196,9 @@ export class WorldScene {
     this.scene.add(mesh);
     return mesh;
   }
+}
+
+/** The ground is cut at its edges: no sea goes on there. */
+function cutAround(field: HeightField, options: ViewOptions): boolean {
+  return !field.inSea || !options.water;
 }

@@ -1,24 +1,26 @@
 // The 3D view: where its eye is, what ground is under a pixel, and what is drawn over it.
 import { ContentInk } from "./content_ink";
 import type { Projector } from "./drape";
+import { heightAt, hiddenBehind, pickGround, type DetailGround } from "./detail_ground";
+import { windowOfWorld, type Seen, type Source, type Window } from "./detail_window";
 import type { Under } from "./ground_pointer";
 import type { HeightField } from "./heights";
 import type { Rectangle } from "./map_camera";
 import type { ViewOptions } from "./options";
-import type { PictureRenderer } from "./picture_renderer";
-import { hidden, pick } from "./picking";
+import type { PictureRenderer, Sort } from "./picture_renderer";
 import { drawShapes } from "./shapes_ink";
 import type { GroundOverlay, OverlayShape } from "./types";
 import { ViewSurface } from "./view_surface";
-import {
-  add, confined, direction, fieldOfView, frame, project, type Box, type Eye, type Lens, type Vector,
-} from "./world_camera";
+import { add, confined, direction, fieldOfView, frame, project, type Box, type Eye, type Lens, type Vector } from "./world_camera";
 import { WorldMover } from "./world_mover";
 
 /** Where the pictures that are averaged look through a pixel. */
 const jitters: readonly (readonly [number, number])[] = [
   [0, 0], [0.375, 0.125], [-0.375, -0.125], [0.125, -0.375], [-0.125, 0.375], [0.3, 0.45], [-0.3, -0.45], [0.45, -0.3],
 ];
+
+/** Where one looks to see what ground is near. */
+const sightColumns = 12, sightRows = 12;
 
 export class WorldView {
   readonly surface: ViewSurface;
@@ -28,15 +30,15 @@ export class WorldView {
   content: readonly OverlayShape[] = [];
   inkStale = true;
   field: HeightField | null = null;
+  /** Of the cells that the terrain is computed in. */
+  cell_m = 1;
+  private known: DetailGround | null = null;
   private eye: Eye = { at: [0, -1000, 1000], azimuth: 0, pitch: -0.7 };
   private framed = true;
   private readonly contentInk = new ContentInk();
 
-  constructor(
-    element: HTMLElement, mostRatio: number, private readonly changed: () => void,
-    private readonly options: () => ViewOptions,
-  ) {
-    this.surface = new ViewSurface(element, "3D view of the terrain", mostRatio, () => {
+  constructor(element: HTMLElement, software: boolean, private readonly changed: () => void, private readonly options: () => ViewOptions) {
+    this.surface = new ViewSurface(element, "3D view of the terrain", software, () => {
       if (this.framed && this.field !== null) this.frame(this.field);
       this.changed();
     });
@@ -45,7 +47,7 @@ export class WorldView {
       lens: () => this.lens(),
       ground: (x, y) => this.ground(x, y),
       reach: () => this.reach(),
-      nearest: () => 3 * (this.field?.frame.cell_m ?? 1),
+      nearest: () => 3 * this.cell_m,
       set: (eye) => {
         this.framed = false;
         this.eye = this.kept(eye);
@@ -74,10 +76,7 @@ export class WorldView {
   frame(field: HeightField): void {
     const first = this.field === null || this.framed;
     this.field = field;
-    this.eye = frame(
-      this.box(field, this.options().water ? field.dryRectangle : field.rectangle), this.lens(),
-      first ? 0.45 : this.eye.azimuth, first ? this.firstPitch() : Math.min(-0.25, this.eye.pitch),
-    );
+    this.eye = frame(this.box(field, this.options().water ? field.dryRectangle : field.rectangle), this.lens(), first ? 0.45 : this.eye.azimuth, first ? this.firstPitch() : Math.min(-0.25, this.eye.pitch));
     this.framed = true;
     this.inkStale = true;
   }
@@ -91,9 +90,7 @@ export class WorldView {
   frameRectangle(field: HeightField, r: Rectangle): void {
     this.framed = false;
     const whole = this.box(field);
-    const box: Box = {
-      low: [r.west, r.south, whole.low[2]], high: [r.east, r.north, 0.5 * (whole.low[2] + whole.high[2])],
-    };
+    const box: Box = { low: [r.west, r.south, whole.low[2]], high: [r.east, r.north, 0.5 * (whole.low[2] + whole.high[2])] };
     this.eye = this.kept(frame(box, this.lens(), this.eye.azimuth, Math.min(-0.35, this.eye.pitch)));
     this.inkStale = true;
   }
@@ -112,17 +109,37 @@ export class WorldView {
     const place = this.ground(event.clientX - box.left, event.clientY - box.top);
     if (place === null) return null;
     const [x, y] = place;
-    return { x, y, height: this.field.at(x, y), pixel_m: this.pixelSize(place) };
+    return { x, y, height: heightAt(this.field, this.known, x, y), pixel_m: this.pixelSize(place) };
   }
 
-  draw(
-    renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, quick: number,
-    moving: boolean,
-  ): void {
+  get detail(): DetailGround | null {
+    return this.known;
+  }
+  /** The eye keeps over the ground, that may be higher now. */
+  set detail(detail: DetailGround | null) {
+    this.known = detail;
+    const kept = this.kept(this.eye);
+    if (kept.at.some((x, i) => x !== this.eye.at[i])) this.place = kept;
+  }
+
+  /** What should be known finely, of at most so many cells a side. */
+  window(source: Source, most: number): Window | null {
+    const seen: Seen[] = [], { width, height, ratio } = this.surface;
+    for (let row = 0; row < sightRows; ++row) {
+      for (let column = 0; column < sightColumns; ++column) {
+        const place = this.ground((width * (column + 0.5)) / sightColumns, (height * (row + 0.5)) / sightRows);
+        if (place !== null) seen.push({ x: place[0], y: place[1], pixel_m: this.pixelSize(place) / ratio });
+      }
+    }
+    return windowOfWorld(source, seen, most, this.known?.window ?? null);
+  }
+
+  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, size: number, sort: Sort): DetailGround | null {
     const { width, height } = this.surface.pixels;
-    const lens = { width: Math.ceil(width * quick), height: Math.ceil(height * quick), fov: fieldOfView };
-    renderer.drawWorld(field, options, overlay, this.eye, lens, jitters[this.surface.samples]!, !moving);
-    this.surface.show(renderer.canvas, lens.width, lens.height);
+    const lens = { width: Math.ceil(width * size), height: Math.ceil(height * size), fov: fieldOfView };
+    const drawn = renderer.drawWorld(field, this.known, options, overlay, this.eye, lens, jitters[this.surface.samples]!, sort);
+    renderer.show(this.surface, lens, sort);
+    return drawn;
   }
 
   drawInk(options: ViewOptions, moving: boolean): void {
@@ -131,7 +148,7 @@ export class WorldView {
     const ink = this.surface.beginInk(), field = this.field;
     if (field === null || this.shapes.length + this.content.length === 0) return;
     const lens = this.lens(), raise = options.exaggeration;
-    const above = 0.6 * field.frame.cell_m, seen: Vector = [this.eye.at[0], this.eye.at[1], this.eye.at[2] / raise];
+    const above = 0.6 * (this.known?.cell_m ?? field.frame.cell_m), seen: Vector = [this.eye.at[0], this.eye.at[1], this.eye.at[2] / raise];
     const height = (x: number, y: number): number => this.surfaceHeight(x, y);
     const by: Projector = {
       project: (x, y) => {
@@ -139,7 +156,7 @@ export class WorldView {
         return at === null ? null : [at[0], at[1]];
       },
       pixelSize: (x, y) => this.pixelSize([x, y, raise * height(x, y)]),
-      hidden: (x, y) => hidden(field, [x, y, height(x, y) + above], seen),
+      hidden: (x, y) => hiddenBehind(field, this.known, [x, y, height(x, y) + above], seen),
       flat: false,
     };
     const { west, east, south, north } = field.rectangle;
@@ -159,7 +176,8 @@ export class WorldView {
 
   /** Of the ground or of the water over it, without exaggeration. */
   private surfaceHeight(x: number, y: number): number {
-    const height = this.field?.at(x, y) ?? (this.field?.inSea === true ? 0 : this.field?.min ?? 0);
+    const known = this.field === null ? null : heightAt(this.field, this.known, x, y);
+    const height = known ?? (this.field?.inSea === true ? 0 : this.field?.min ?? 0);
     return this.options().water ? Math.max(0, height) : height;
   }
 
@@ -169,13 +187,12 @@ export class WorldView {
     const raise = this.options().exaggeration, ray = direction(this.eye, this.lens(), px, py);
     const from: Vector = [this.eye.at[0], this.eye.at[1], this.eye.at[2] / raise];
     const along: Vector = [ray[0], ray[1], ray[2] / raise];
-    const t = pick(field, { from, to: add(from, along) }, this.options().water ? 0 : -Infinity);
+    const t = pickGround(field, this.known, { from, to: add(from, along) }, this.options().water ? 0 : -Infinity);
     if (t !== null) return add(this.eye.at, ray, t);
     // Beside the terrain: its sea, or the level of its foot.
     const level = field.inSea ? 0 : raise * field.min;
     const down = (level - this.eye.at[2]) / ray[2];
-    const far = 8 * Math.max(field.width_m, field.height_m);
-    return ray[2] < -1e-3 && down > 0 && down < far ? add(this.eye.at, ray, down) : null;
+    return ray[2] < -1e-3 && down > 0 && down < 8 * Math.max(field.width_m, field.height_m) ? add(this.eye.at, ray, down) : null;
   }
 
   private pixelSize(place: Vector): number {
@@ -188,23 +205,19 @@ export class WorldView {
     const field = this.field;
     if (field === null) return 1000;
     const { at } = this.eye, ground = this.options().exaggeration * this.surfaceHeight(at[0], at[1]);
-    return Math.min(
-      2 * Math.max(field.width_m, field.height_m), Math.max(20 * field.frame.cell_m, 2 * Math.abs(at[2] - ground)),
-    );
+    return Math.min(2 * Math.max(field.width_m, field.height_m), Math.max(20 * this.cell_m, 2 * Math.abs(at[2] - ground)));
   }
 
   private box(field: HeightField, r: Rectangle = field.rectangle): Box {
     const raise = this.options().exaggeration;
     const low = this.options().water ? Math.max(0, field.min) : field.min;
-    return {
-      low: [r.west, r.south, raise * low], high: [r.east, r.north, raise * (low + 0.4 * Math.max(0, field.max - low))],
-    };
+    return { low: [r.west, r.south, raise * low], high: [r.east, r.north, raise * (low + 0.4 * Math.max(0, field.max - low))] };
   }
 
   private kept(eye: Eye): Eye {
     const field = this.field;
     if (field === null) return eye;
     const ground = (x: number, y: number): number => this.options().exaggeration * this.surfaceHeight(x, y);
-    return confined(eye, this.box(field), ground, Math.max(1.5, 1.2 * field.frame.cell_m));
+    return confined(eye, this.box(field), ground, Math.max(1.5, 1.2 * this.cell_m));
   }
 }

@@ -1,13 +1,14 @@
 // Registration of the learned family.
 #include <algorithm>
+#include <memory>
 
 #include "seamount/geom/grid/painted_labels.h"
 #include "seamount/io/image_file.h"
-#include "seamount/io/weights.h"
 #include "seamount/ops/learned/erode.h"
 #include "seamount/ops/learned/island.h"
 #include "seamount/ops/learned/sketch.h"
 #include "seamount/recipe/draw_again.h"
+#include "seamount/recipe/loaded_networks.h"
 #include "seamount/recipe/ports.h"
 
 namespace seamount::recipe {
@@ -16,9 +17,10 @@ namespace {
 using kinds::Drawing, kinds::Field, kinds::Terrain;
 
 /// The network of a model. Says in what numbers it is evaluated where that is slower than need be.
-learned::Network network_of(const ModelFile& model, learned::Precision precision, const Call& call) {
-  learned::Network network(io::read_weights(call.resolve(model)), precision);
-  if (network.precision() == learned::Precision::f32 && precision == learned::Precision::automatic)
+std::shared_ptr<const learned::Network> network_of(const ModelFile& model, learned::Precision precision,
+                                                   const Call& call) {
+  std::shared_ptr<const learned::Network> network = loaded_network(call.resolve(model), precision);
+  if (network->precision() == learned::Precision::f32 && precision == learned::Precision::automatic)
     call.run.say("this processor has no bf16: the network is evaluated in f32, which takes twice as long");
   return network;
 }
@@ -32,8 +34,8 @@ HeightField sketch(const learned::SketchParams& params, const Call& call, const 
     frame = grid->frame();
     break;
   }
-  const learned::Network network = network_of(params.model, params.precision, call);
-  return learned::sketch({lines, image, river, ridge, levelset, terrain, erase, draw_again}, params, network, frame,
+  const auto network = network_of(params.model, params.precision, call);
+  return learned::sketch({lines, image, river, ridge, levelset, terrain, erase, draw_again}, params, *network, frame,
                          call.seed, call.run);
 }
 
@@ -59,12 +61,12 @@ HeightField island(const learned::IslandParams& params, const Call& call, const 
   map.peak_m = params.peak_m;
   map.floor_m = params.floor_m;
   map.reef_depth_m = params.reef_depth_m;
-  return learned::island(map, network_of(params.model, params.precision, call), call.seed, call.run);
+  return learned::island(map, *network_of(params.model, params.precision, call), call.seed, call.run);
 }
 
 HeightField erode(const learned::ErodeParams& params, const Call& call, const HeightField& terrain,
                   const ScalarField* mask) {
-  return learned::erode(terrain, mask, params, network_of(params.model, params.precision, call), call.run);
+  return learned::erode(terrain, mask, params, *network_of(params.model, params.precision, call), call.run);
 }
 
 }  // namespace

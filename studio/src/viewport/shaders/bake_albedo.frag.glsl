@@ -4,6 +4,8 @@ uniform sampler2D surface;
 uniform sampler2D noise;
 uniform float cell_m;
 uniform float scale;  // cells of this picture a cell of the heights
+uniform float coarse_m, finer;  // cells of the whole ground, and how many levels coarser those are than these
+uniform vec2 middle;  // of this ground beside that of the whole, metres east and south
 uniform bool tropical;
 uniform float snow_line, tree_line;
 out vec4 result;
@@ -29,7 +31,7 @@ vec3 rock(vec4 s, float slope, Breakup n) {
 vec3 land(vec2 p, vec4 s, float deep, float slope, Breakup n) {
   float z = s.a;
   float warmth = (tropical ? 25.0 : 11.0) - 0.0065 * max(z, 0.0);
-  vec2 broad_rise = textureLod(surface, p, 5.0).xy;
+  vec2 broad_rise = textureLod(surface, p, 5.0 + finer).xy;
   // Rain falls on the side that the wind comes from: trades in the tropics, westerlies elsewhere.
   float rise = dot(broad_rise, tropical ? vec2(-0.91, -0.42) : vec2(0.94, 0.34));
   float hollow = clamp(s.b, -0.2, 0.2), deep_hollow = clamp(deep, -0.2, 0.2);
@@ -90,11 +92,11 @@ vec3 sea_floor(vec4 s, float slope, Breakup n) {
 
 // How open the water is close by: swell breaks where a shallow floor drops into it.
 float openness(vec2 p) {
-  float reach = max(60.0, 1.8 * cell_m), sum = 0.0;
+  float reach = max(60.0, 1.8 * coarse_m), sum = 0.0;
   vec2 metre = 1.0 / (vec2(textureSize(surface, 0)) * cell_m);
   for (int i = 0; i < 5; ++i) {
     float angle = 1.256637 * float(i) + 0.39;
-    sum += ramp(6.0, 30.0, -textureLod(surface, p + reach * metre * vec2(cos(angle), sin(angle)), 1.0).a);
+    sum += ramp(6.0, 30.0, -textureLod(surface, p + reach * metre * vec2(cos(angle), sin(angle)), 1.0 + finer).a);
   }
   return ramp(0.3, 1.5, sum);
 }
@@ -107,10 +109,10 @@ float concavity(vec2 p, float height, float level) {
 void main() {
   vec2 size = vec2(textureSize(surface, 0)), p = gl_FragCoord.xy / (scale * size);
   vec4 s = textureLod(surface, p, 0.0);
-  s.b = 1.6 * concavity(p, s.a, 2.0);
-  vec2 place = (gl_FragCoord.xy / scale - 0.5 * size) * cell_m;
-  Breakup n = Breakup(noise_at(mat2(0.92, 0.39, -0.39, 0.92) * place, 2400.0), noise_at(mat2(0.6, 0.8, -0.8, 0.6) * place, max(170.0, 3.2 * cell_m)), noise_at(mat2(0.28, 0.96, -0.96, 0.28) * place, max(18.0, 2.1 * cell_m)));
-  float slope = length(s.xy), deep = 1.6 * concavity(p, s.a, 4.0);
+  s.b = 1.6 * concavity(p, s.a, 2.0 + finer);
+  vec2 place = (gl_FragCoord.xy / scale - 0.5 * size) * cell_m + middle;
+  Breakup n = Breakup(noise_at(mat2(0.92, 0.39, -0.39, 0.92) * place, 2400.0), noise_at(mat2(0.6, 0.8, -0.8, 0.6) * place, max(170.0, 3.2 * coarse_m)), noise_at(mat2(0.28, 0.96, -0.96, 0.28) * place, max(18.0, 2.1 * cell_m)));
+  float slope = length(s.xy), deep = 1.6 * concavity(p, s.a, 4.0 + finer);
   vec3 colour = mix(sea_floor(s, slope, n), land(p, s, deep, slope, n), clamp01((s.a + 0.3) / 0.6));
   result = vec4(sqrt(clamp(colour, 0.0, 1.0)), openness(p));
 }

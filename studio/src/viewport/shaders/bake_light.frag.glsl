@@ -1,6 +1,5 @@
-// Red: share of the sun that is seen; green: share of the sky.
+// Red: share of the sun that is seen; green: share of the sky. AROUND: coarser ground goes on around this one.
 uniform sampler2D surface;
-uniform sampler2D heights;
 uniform float cell_m;
 uniform float exaggeration;
 uniform float floor_m;
@@ -8,7 +7,26 @@ uniform vec3 to_sun;
 uniform vec2 light_size;
 out vec4 result;
 
-float raised(vec2 p, float level) { return exaggeration * max(floor_m, textureLod(surface, p, level).a); }
+#ifdef AROUND
+uniform sampler2D around;
+uniform vec4 around_place;  // places of this ground times zw plus xy are places of that around
+uniform float finer;        // levels
+#endif
+
+float raised(vec2 p, float level) {
+  float height = textureLod(surface, p, level).a;
+#ifdef AROUND
+  if (p != clamp(p, 0.0, 1.0)) height = textureLod(around, p * around_place.zw + around_place.xy, max(0.0, level - finer)).a;
+#endif
+  return exaggeration * max(floor_m, height);
+}
+
+bool beyond(vec2 p) {
+#ifdef AROUND
+  p = p * around_place.zw + around_place.xy;
+#endif
+  return p != clamp(p, 0.0, 1.0);
+}
 
 void main() {
   vec2 size = vec2(textureSize(surface, 0)), p = gl_FragCoord.xy / light_size;
@@ -22,9 +40,12 @@ void main() {
   float sun_tangent = to_sun.z / max(1e-3, length(to_sun.xy));
   float blocked = -10.0, reach = 1.5 * scale;
   float farthest = 1.5 * max(size.x, size.y);
+#ifdef AROUND
+  farthest /= max(1e-3, max(around_place.z, around_place.w));
+#endif
   for (int i = 0; i < 26; ++i) {
     vec2 q = p + sunward * reach * texel;
-    if (q.x < 0.0 || q.y < 0.0 || q.x > 1.0 || q.y > 1.0 || reach > farthest) break;
+    if (beyond(q) || reach > farthest) break;
     float level = max(start_level, log2(0.13 * reach));
     blocked = max(blocked, (raised(q, level) - here) / (reach * cell_m));
     reach *= 1.24 + 0.03 * shift;

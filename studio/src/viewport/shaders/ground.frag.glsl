@@ -4,6 +4,7 @@
 //   WATER     ground below 0 is under water
 //   FINE      refraction, short waves, grain: for pictures at rest, and always where there is a graphics processor
 //   SMOOTH    cells are larger than pixels
+//   DETAIL    there is a window of finer ground
 //   OVERLAY, CONTOURS
 in vec3 place;
 in float skirt;
@@ -28,6 +29,23 @@ vec4 ground_at(sampler2D t, vec2 uv) {
 vec4 ground_at(sampler2D t, vec2 uv) { return texture(t, uv); }
 #endif
 
+#ifdef DETAIL
+uniform sampler2D detail_surface, detail_lit;
+uniform float detail_cell_m;
+
+vec4 ground_of(sampler2D coarse, sampler2D fine, vec2 uv) {
+  vec2 q = detail_at(uv);
+  return mix(ground_at(coarse, uv), ground_at(fine, q), detail_weight(q));
+}
+vec4 surface_at(vec2 uv) { return ground_of(surface, detail_surface, uv); }
+vec4 lit_at(vec2 uv) { return ground_of(lit, detail_lit, uv); }
+#define GRAIN_M detail_cell_m
+#else
+vec4 surface_at(vec2 uv) { return ground_at(surface, uv); }
+vec4 lit_at(vec2 uv) { return ground_at(lit, uv); }
+#define GRAIN_M cell_m
+#endif
+
 vec3 wave(vec2 p, float wavelength) {
   vec4 t = texture(noise, p / (8.0 * wavelength));
   return vec3(t.ba * 2.0 - 1.0, t.r - 0.5);
@@ -42,8 +60,8 @@ vec3 sea(vec2 uv, vec4 s, vec4 ground, vec3 to_eye, float far, vec3 level, float
   // The floor is seen where the refracted ray meets it.
   vec2 aside = -to_eye.xy / (1.333 * under) * min(depth, 30.0);
   vec2 q = uv + aside * vec2(0.5, -0.5) / half_size;
-  depth = max(0.0, -ground_at(surface, q).a);
-  ground.rgb = ground_at(lit, q).rgb;
+  depth = max(0.0, -surface_at(q).a);
+  ground.rgb = lit_at(q).rgb;
 #endif
   vec3 deep = vec3(0.0024, 0.0185, 0.0500);
   vec3 floor_light = 1.6 * ground.rgb * ground.rgb;
@@ -85,8 +103,8 @@ vec3 land(vec4 s, vec4 ground, vec3 to_eye, float far, vec3 level) {
   vec3 seen = 2.0 * ground.rgb * ground.rgb;
 #ifdef FINE
   // Grain that the cells are too coarse for, where the eye is near: crowns and stones, more on slopes.
-  float near = ramp(1.8, 0.6, far * pixel_angle * 2.5 / cell_m);
-  float size = min(cell_m, 90.0);
+  float near = ramp(1.8, 0.6, far * pixel_angle * 2.5 / GRAIN_M);
+  float size = min(GRAIN_M, 90.0);
   vec3 grain = wave(mat2(0.8, 0.6, -0.6, 0.8) * place.xy, 0.55 * size) +
                0.7 * wave(mat2(0.28, 0.96, -0.96, 0.28) * place.xy, 0.13 * size) + 0.6 * wave(place.xy, 0.025 * size);
   float steep = min(1.0, length(s.xy));
@@ -102,7 +120,7 @@ void main() {
   float far = length(to_eye);
   to_eye /= far;
   vec3 level = max(0.02, to_sun.z) * sun_light + sky_light;
-  vec4 s = ground_at(surface, uv), ground = ground_at(lit, uv);
+  vec4 s = surface_at(uv), ground = lit_at(uv);
 #ifdef PLANE
   float beyond = length(max(abs(place.xy) - half_size, 0.0)) / (2.0 * max(half_size.x, half_size.y));
   float outside = ramp(0.0, 0.12, beyond);

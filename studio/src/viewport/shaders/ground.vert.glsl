@@ -1,7 +1,5 @@
 // A patch of ground: a grid that samples the height field, morphed towards its parent's grid with distance; at the
 // domain's edge a skirt hangs down.
-precision highp float;
-precision highp sampler2D;
 in vec3 position;
 in vec3 patch_box;
 in vec2 patch_morph;
@@ -12,13 +10,13 @@ uniform vec3 eye;
 out vec3 place;
 out float skirt;
 
+// Of both grids in one way for all patches, so that neighbours meet wherever the window of the finer one ends.
 float height_at(vec2 d) {
-  ivec2 last = textureSize(heights, 0) - 1;
-  vec2 at = clamp(d - 0.5, vec2(0.0), vec2(last));
-  ivec2 a = ivec2(at), b = min(a + 1, last);
-  vec2 t = at - vec2(a);
-  return mix(mix(texelFetch(heights, a, 0).r, texelFetch(heights, ivec2(b.x, a.y), 0).r, t.x),
-             mix(texelFetch(heights, ivec2(a.x, b.y), 0).r, texelFetch(heights, b, 0).r, t.x), t.y);
+  float height = height_of(heights, d);
+  vec2 q = detail_at(d / vec2(textureSize(heights, 0)));
+  float share = detail_weight(q);
+  if (share > 0.0) height = mix(height, height_of(detail_heights, q * vec2(textureSize(detail_heights, 0))), share);
+  return height;
 }
 
 vec3 placed(vec2 d) {

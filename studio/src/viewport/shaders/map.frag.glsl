@@ -8,14 +8,11 @@ uniform bool water;
 uniform int ground_style;
 out vec4 result;
 
-float fine_height(vec2 p) {
-  ivec2 last = textureSize(heights, 0) - 1;
-  vec2 at = clamp(p * vec2(last + 1) - 0.5, vec2(0.0), vec2(last));
-  ivec2 a = ivec2(at), b = min(a + 1, last);
-  vec2 t = at - vec2(a);
-  return mix(mix(texelFetch(heights, a, 0).r, texelFetch(heights, ivec2(b.x, a.y), 0).r, t.x),
-             mix(texelFetch(heights, ivec2(a.x, b.y), 0).r, texelFetch(heights, b, 0).r, t.x), t.y);
-}
+#ifdef DETAIL
+uniform sampler2D detail_surface;
+#endif
+
+float fine_height(sampler2D of, vec2 p) { return height_of(of, p * vec2(textureSize(of, 0))); }
 
 vec3 tint(float height) {
   float sea = 0.5 - 0.5 * clamp01(log(1.0 + max(0.0, -height) / 12.0) / log(1.0 + tint_scale.x / 12.0));
@@ -35,9 +32,19 @@ void main() {
   vec4 s = texture(surface, clamped);
   float texels = pixel_m / cell_m;
 #ifdef SMOOTH
-  float height = fine_height(clamped);
+  float height = fine_height(heights, clamped);
 #else
   float height = s.a;
+#endif
+#ifdef DETAIL
+  vec2 q = detail_at(clamped);
+  float share = detail_weight(q);
+  s = mix(s, texture(detail_surface, q), share);
+#ifdef SMOOTH
+  height = mix(height, fine_height(detail_heights, q), share);
+#else
+  height = s.a;
+#endif
 #endif
   float change = max(length(s.xy) * pixel_m, 1e-4);
   float shade = s.b;
