@@ -34,7 +34,9 @@ async function page() {
     logLevel: "warning",
   });
   cpSync(join(folder, "examples"), join(out, "examples"), { recursive: true });
-  for (const file of ["index.html", "icon.svg"]) writeFileSync(join(out, file), readFileSync(join(folder, "src", file)));
+  for (const file of ["index.html", "icon.svg"]) writeFileSync(
+    join(out, file), readFileSync(join(folder, "src", file)),
+  );
   let bytes = 0;
   for (const file of [".js", ".css", ".html"].flatMap((ending) => filesBelow(out, ending))) {
     const content = readFileSync(file);

@@ -21,7 +21,10 @@ const ring = [[-4000, -3500], [3500, -4200], [4600, 1000], [1500, 4500], [-3800,
 const document: Recipe = {
   seamount: 1, domain, seed: 5,
   steps: [
-    { id: "grown", op: "contour.grow", params: { particles: 6000, outlines: [{ name: "land", height_m: 0, ring }] as Json } },
+    {
+      id: "grown", op: "contour.grow",
+      params: { particles: 6000, outlines: [{ name: "land", height_m: 0, ring }] as Json },
+    },
     { id: "high", op: "contour.heights", params: { max_m: 1800 } },
     { id: "lines", op: "contour.extract", params: { interval_m: 100 } },
     { id: "shaped", op: "contour.edit" },
@@ -65,7 +68,9 @@ test("a hill is copied and pasted, another cut out, a place filled and a contour
   await desk.tool(/Copy contours/);
   const copied = edits(await desk.changes("copy", () => desk.drag(...square), false)).at(-1)!;
   assert.equal(copied["tool"], "copy");
-  const paste = await drawn(desk, /Paste contours/, "paste", async () => desk.page.mouse.click(...(await desk.place(0.62, 0.62))));
+  const paste = await drawn(
+    desk, /Paste contours/, "paste", async () => desk.page.mouse.click(...(await desk.place(0.62, 0.62))),
+  );
   assert.equal((paste["at"] as Json[]).length, 2);
   await desk.look("pasted");
   await drawn(desk, /Fill with contours/, "fill", () => desk.drag(...square));
@@ -83,7 +88,9 @@ test("a hill is copied and pasted, another cut out, a place filled and a contour
 test("regions are drawn into a network, with a height", async () => {
   const desk = await open("grown");
   await desk.tool(/^Region/);
-  const after = await desk.changes("a region", () => desk.drag([0.45, 0.4], [0.56, 0.4], [0.56, 0.52], [0.45, 0.52], [0.45, 0.405]));
+  const after = await desk.changes(
+    "a region", () => desk.drag([0.45, 0.4], [0.56, 0.4], [0.56, 0.52], [0.45, 0.52], [0.45, 0.405]),
+  );
   const outlines = after.steps[0]!.params!["outlines"] as Members[];
   assert.equal(outlines.length, 2);
   await desk.tool(/Select and move/);

@@ -72,7 +72,10 @@ export class Desk {
         throw error;
       });
     }
-    await until(`${what}: and it is a full one`, async () => (await this.page.locator("[data-key]").first().getAttribute("data-coarse")) === "false");
+    await until(
+      `${what}: and it is a full one`,
+      async () => (await this.page.locator("[data-key]").first().getAttribute("data-coarse")) === "false",
+    );
     assert.equal(after.done, before.done + 1, `${what} is one entry of the history`);
     const settled = (await this.sent()).recipe;
     await this.page.keyboard.press("Control+z");

@@ -18,8 +18,11 @@ after(async () => {
 
 type Members = { [name: string]: Json };
 
-/** A document of the repository that grows for less long, with its step of life in the hand and its pictures left out. */
-async function open(name: string, iterations: number, change: (recipe: Recipe) => void = () => undefined): Promise<Desk> {
+/** A document of the repository that grows for less long, with its step of life in the hand and its pictures left
+ * out. */
+async function open(
+  name: string, iterations: number, change: (recipe: Recipe) => void = () => undefined,
+): Promise<Desk> {
   const { recipe, files } = repositoryRecipe(`ecosystem/${name}.json`);
   const steps = recipe.steps.filter(({ op }) => !op.startsWith("render."));
   const life = steps.find(({ op }) => op === "ecosystem.grow")!;
@@ -49,7 +52,9 @@ const listOf = (recipe: Recipe, name: string): Members[] => (lifeOf(recipe).para
 
 /** Mean difference of a view's colours between now and after something is done, 0 to 255. */
 async function difference(desk: Desk, view: string, act: () => Promise<void>): Promise<number> {
-  const shot = async (): Promise<number[]> => [...(await desk.page.getByRole("region", { name: view, exact: true }).screenshot())];
+  const shot = async (): Promise<number[]> => [
+    ...(await desk.page.getByRole("region", { name: view, exact: true }).screenshot()),
+  ];
   await desk.rest();
   const first = await shot();
   await act();

@@ -1,4 +1,5 @@
-// What somebody sees who opens the studio for the first time: soon, without errors, a picture, an example to begin with.
+// What somebody sees who opens the studio for the first time: soon, without errors, a picture, an example to begin
+// with.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -75,7 +76,10 @@ for (const dark of [true, false]) {
     const check = async (what: string) => {
       const found = await page.evaluate(async (source) => {
         if (!("axe" in window)) new Function(source).call(window);
-        const run = (window as unknown as { axe: { run(options: unknown): Promise<{ violations: { id: string; impact: string; nodes: { html: string }[] }[] }> } }).axe.run;
+        interface Found {
+          violations: { id: string; impact: string; nodes: { html: string }[] }[];
+        }
+        const { run } = (window as unknown as { axe: { run(options: unknown): Promise<Found> } }).axe;
         return (await run({ resultTypes: ["violations"] })).violations
           .filter((violation) => violation.impact === "serious" || violation.impact === "critical")
           .map((violation) => `${violation.id}: ${violation.nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`);

@@ -1,5 +1,5 @@
-// The real server and a real browser for tests: starts the program on a recipe in a folder of its own and opens its page
-// in Chromium, whose errors are the test's.
+// The real server and a real browser for tests: starts the program on a recipe in a folder of its own and opens its
+// page in Chromium, whose errors are the test's.
 import { spawn, type ChildProcess } from "node:child_process";
 import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createServer } from "node:net";
@@ -42,7 +42,9 @@ export class Server {
 
   async run(withRecipe = true): Promise<void> {
     const work = join(this.folder, "work");
-    const rest = ["--no-browser", "--no-cache", "--state", join(this.folder, "state"), "--port", String(await freePort())];
+    const rest = [
+      "--no-browser", "--no-cache", "--state", join(this.folder, "state"), "--port", String(await freePort()),
+    ];
     const document = withRecipe ? [join(work, "test.json")] : ["--folder", work];
     this.process = spawn(program, ["studio", ...document, ...rest], { stdio: ["ignore", "pipe", "ignore"] });
     const child = this.process, lines = createInterface({ input: child.stdout! });
@@ -86,18 +88,24 @@ export class Server {
 /** A recipe of the repository, and the files that it names, to be put beside it. */
 export function repositoryRecipe(name: string): { recipe: Recipe; files: { [name: string]: string } } {
   const files: { [name: string]: string } = {};
-  const text = readFileSync(join(root, "recipes", name), "utf8").replace(/"[./]*(data\/(?:[^"]*\/)?)([^"/]+)"/g, (_all, folder, file) => {
+  const text = readFileSync(
+    join(root, "recipes", name), "utf8",
+  ).replace(/"[./]*(data\/(?:[^"]*\/)?)([^"/]+)"/g, (_all, folder, file) => {
     files[file] = `${folder}${file}`;
     return `"${file}"`;
   });
   return { recipe: JSON.parse(text) as Recipe, files };
 }
 
-/** Without a graphics processor: the terrain is drawn by SwiftShader, the page around it by the browser's own painter. */
+/** Without a graphics processor: the terrain is drawn by SwiftShader, the page around it by the browser's own
+ * painter. */
 export function openBrowser(): Promise<Browser> {
   return chromium.launch({
     executablePath: browserProgram,
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing", "--force-color-profile=srgb"],
+    args: [
+      "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing",
+      "--force-color-profile=srgb",
+    ],
   });
 }
 
@@ -122,19 +130,23 @@ export async function openPage(
   const errors: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));
   page.on("console", (message) => {
-    if (message.type() === "error" && !message.text().startsWith("Failed to load resource")) errors.push(message.text());
+    const text = message.text();
+    if (message.type() === "error" && !text.startsWith("Failed to load resource")) errors.push(text);
   });
   page.on("response", (response) => {
     // A result that was overtaken is gone when it is asked for; text that is being typed is refused.
-    const expected = (response.status() === 404 && response.url().includes("/api/values/")) || response.status() === 422;
-    if (response.status() >= 400 && !expected) errors.push(`${response.status()} ${response.request().method()} ${response.url()}`);
+    const status = response.status();
+    const expected = (status === 404 && response.url().includes("/api/values/")) || status === 422;
+    if (status >= 400 && !expected) errors.push(`${status} ${response.request().method()} ${response.url()}`);
   });
   await page.goto(address);
   return { page, errors };
 }
 
 /** Waits until a question has a true answer; throws after `seconds`. */
-export async function until<T>(what: string, ask: () => Promise<T | null | undefined | false>, seconds = 20): Promise<T> {
+export async function until<T>(
+  what: string, ask: () => Promise<T | null | undefined | false>, seconds = 20,
+): Promise<T> {
   const end = Date.now() + 1000 * seconds;
   for (;;) {
     const answer = await ask();

@@ -1,5 +1,5 @@
-// How long a person waits: from a stroke's end to the new terrain on the screen, and in between to the first coarse one.
-// Reported; far over what is promised is a failure.
+// How long a person waits: from a stroke's end to the new terrain on the screen, and in between to the first coarse
+// one. Reported; far over what is promised is a failure.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
@@ -52,7 +52,8 @@ async function measure(name: string, document: Recipe, step: string, tool: RegEx
     const soon = seen.results.find((result) => result.at > seen.up);
     first.push(soon!.at - seen.up);
   }
-  console.log(`${name}: stroke released to the new terrain ${Math.round(median(full))} ms (150), to its preview ${Math.round(median(first))} ms (60)`);
+  const [whole, preview] = [median(full), median(first)].map(Math.round);
+  console.log(`${name}: stroke released to the new terrain ${whole} ms (150), to its preview ${preview} ms (60)`);
   assert.ok(median(full) < 150 * kTolerance, `${median(full)} ms`);
   await desk.close();
 }
@@ -61,20 +62,27 @@ const domain = { width_m: 10240, height_m: 10240, cell_m: 20 };
 
 test("an island at 512 x 512 follows the pen", () => measure("island", {
   seamount: 1, domain, seed: 3,
-  steps: [{ id: "isle", op: "island.build", params: { areas: [[[-3000, -2000], [2500, -2600], [3000, 1500], [0, 3000], [-2800, 1800]]], peak_m: 800 } },
+  steps: [{ id: "isle", op: "island.build",
+    params: { areas: [[[-3000, -2000], [2500, -2600], [3000, 1500], [0, 3000], [-2800, 1800]]], peak_m: 800 } },
     { id: "wind", op: "island.wind" }],
 }, "wind", /wind/i));
 
 test("a sketch at 512 x 512 follows the pen", () => measure("sketch", {
   seamount: 1, domain, seed: 3,
-  steps: [{ id: "sketch", op: "learned.sketch", params: { ridges: [{ points: [[-3000, 0], [3000, 500]] }], relief_m: 1200 } }],
+  steps: [
+    { id: "sketch", op: "learned.sketch", params: { ridges: [{ points: [[-3000, 0], [3000, 500]] }], relief_m: 1200 } },
+  ],
 }, "sketch", /ridge/i));
 
 test("2048 x 2048 stays interactive", async () => {
   const desk = await Desk.open(browser, {
-    seamount: 1, domain: { width_m: 20480, height_m: 20480, cell_m: 10 }, seed: 3, steps: [{ id: "land", op: "terrain.noise" }],
+    seamount: 1, domain: { width_m: 20480, height_m: 20480, cell_m: 10 }, seed: 3,
+    steps: [{ id: "land", op: "terrain.noise" }],
   });
-  await until("the full result", async () => (await desk.page.locator("[data-key]").first().getAttribute("data-coarse")) === "false", 60);
+  await until(
+    "the full result",
+    async () => (await desk.page.locator("[data-key]").first().getAttribute("data-coarse")) === "false", 60,
+  );
   await desk.page.keyboard.press("v");
   const [x, y] = await desk.place(0.5, 0.5);
   const world = (await desk.page.getByRole("region", { name: "3D view" }).boundingBox())!;
@@ -91,13 +99,22 @@ test("2048 x 2048 stays interactive", async () => {
     const view = document.querySelector<HTMLElement>("[data-key]")!;
     const box = view.getBoundingClientRect();
     for (let i = 0; i < 30; ++i) {
-      view.dispatchEvent(new WheelEvent("wheel", { deltaY: i < 15 ? -40 : 40, clientX: box.x + box.width / 2, clientY: box.y + box.height / 2, bubbles: true, cancelable: true }));
+      view.dispatchEvent(
+        new WheelEvent(
+          "wheel",
+          {
+            deltaY: i < 15 ? -40 : 40, clientX: box.x + box.width / 2, clientY: box.y + box.height / 2, bubbles: true,
+            cancelable: true,
+          },
+        ),
+      );
       await new Promise((done) => setTimeout(done, 50));
     }
     going = false;
     return frames.slice(2);
   });
-  console.log(`2048 x 2048: median frame ${Math.round(median(times))} ms, longest ${Math.round(Math.max(...times))} ms, drawn by the processor`);
+  const [usual, longest] = [median(times), Math.max(...times)].map(Math.round);
+  console.log(`2048 x 2048: median frame ${usual} ms, longest ${longest} ms, drawn by the processor`);
   assert.ok(median(times) < 500);
   await desk.close();
 });

@@ -21,7 +21,10 @@ const ring = [[-4000, -3500], [3500, -4200], [4600, 1000], [1500, 4500], [-3800,
 const range: Recipe = {
   seamount: 1, domain, seed: 5,
   steps: [
-    { id: "grown", op: "contour.grow", params: { particles: 6000, outlines: [{ name: "land", height_m: 0, ring }] as Json } },
+    {
+      id: "grown", op: "contour.grow",
+      params: { particles: 6000, outlines: [{ name: "land", height_m: 0, ring }] as Json },
+    },
     { id: "high", op: "contour.heights", params: { max_m: 1800 } },
     { id: "land", op: "contour.reconstruct", in: { tin: "high.tin" } },
   ],
@@ -96,7 +99,9 @@ test("a mask is painted for a step, goes on in the same step, and is erased", as
 });
 
 test("a region is painted with the brush and by its outline; its colour is chosen by a key", async () => {
-  const desk = await Desk.open(browser, { seamount: 1, domain, seed: 3, steps: [isle, { id: "reef", op: "island.coral" }] });
+  const desk = await Desk.open(
+    browser, { seamount: 1, domain, seed: 3, steps: [isle, { id: "reef", op: "island.coral" }] },
+  );
   await desk.select("reef");
   await more(desk, /Paint regions/);
   const bar = desk.page.getByRole("toolbar", { name: /^Options/ });
@@ -107,7 +112,10 @@ test("a region is painted with the brush and by its outline; its colour is chose
   await desk.select(paint.id);
   await desk.tool(/Region by its outline/);
   await desk.page.keyboard.press("1");
-  await until("the mountain is chosen", async () => (await bar.getByRole("radio", { name: /mountain/i }).getAttribute("aria-checked")) === "true");
+  await until(
+    "the mountain is chosen",
+    async () => (await bar.getByRole("radio", { name: /mountain/i }).getAttribute("aria-checked")) === "true",
+  );
   const area = await (async () => {
     const { revision } = await desk.server.document();
     await desk.drag([0.46, 0.46], [0.54, 0.46], [0.54, 0.53], [0.46, 0.53], [0.46, 0.465]);

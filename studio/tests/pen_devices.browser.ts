@@ -1,4 +1,5 @@
-// Fingers, clicks and typed heights over the map of the real page; what they leave in the recipe is asked of the server.
+// Fingers, clicks and typed heights over the map of the real page; what they leave in the recipe is asked of the
+// server.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, CDPSession, Page } from "playwright-core";
@@ -52,7 +53,9 @@ before(async () => {
   await until("a result is drawn", () => page.locator("[data-key]").count().then((count) => count > 0));
   await page.keyboard.press("Escape");
   await page.keyboard.press("v");
-  await until("the map is large", async () => ((await page.getByRole("region", { name: "Map" }).boundingBox())?.width ?? 0) > 400);
+  await until(
+    "the map is large", async () => ((await page.getByRole("region", { name: "Map" }).boundingBox())?.width ?? 0) > 400,
+  );
   toScreen = await measureMap();
 });
 after(async () => {
@@ -60,14 +63,18 @@ after(async () => {
   await server?.end();
 });
 
-const params = async (id: string) => ((await server.document()).recipe.steps.find((step) => step.id === id)?.params ?? {}) as { [name: string]: Json };
+const params = async (id: string) => (
+  (await server.document()).recipe.steps.find((step) => step.id === id)?.params ?? {}
+) as { [name: string]: Json };
 const items = async (id: string, list: string) => ((await params(id))[list] ?? []) as { [name: string]: Json }[];
 const select = (id: string) => page.locator(".step-select").filter({ hasText: id }).first().click();
 const done = async () => {
   const { history, done: count } = await server.document();
   return history.slice(0, count).map((entry) => entry.label);
 };
-const wave = (y: number): Place[] => Array.from({ length: 18 }, (_, i) => [-7000 + 800 * i, y + 1200 * Math.sin(i / 3)]);
+const wave = (y: number): Place[] => Array.from(
+  { length: 18 }, (_, i) => [-7000 + 800 * i, y + 1200 * Math.sin(i / 3)],
+);
 
 async function drag(places: readonly Place[]): Promise<void> {
   await page.mouse.move(...toScreen(places[0]!));
@@ -77,10 +84,16 @@ async function drag(places: readonly Place[]): Promise<void> {
 }
 
 async function fingers(places: readonly Place[], second?: Place): Promise<void> {
-  const points = (all: readonly Place[]) => all.map((place, id) => ({ x: toScreen(place)[0], y: toScreen(place)[1], id }));
+  const points = (all: readonly Place[]) => all.map(
+    (place, id) => ({ x: toScreen(place)[0], y: toScreen(place)[1], id }),
+  );
   await pen.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points([places[0]!]) });
-  for (const place of places.slice(1)) await pen.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: points([place]) });
-  if (second) await pen.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points([places[places.length - 1]!, second]) });
+  for (const place of places.slice(1)) await pen.send(
+    "Input.dispatchTouchEvent", { type: "touchMove", touchPoints: points([place]) },
+  );
+  if (second) await pen.send(
+    "Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points([places[places.length - 1]!, second]) },
+  );
   await pen.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
 }
 
@@ -104,7 +117,9 @@ test("a summit is set by a click, its height by digits", async () => {
 
 test("an area is drawn around, and a corner moved", async () => {
   await page.keyboard.press("o");
-  for (const place of [[-6000, -5000], [6000, -5000], [5000, 6000], [-6000, 5000]] as const) await page.mouse.click(...toScreen(place));
+  for (
+    const place of [[-6000, -5000], [6000, -5000], [5000, 6000], [-6000, 5000]] as const
+  ) await page.mouse.click(...toScreen(place));
   await page.keyboard.press("Enter");
   const corners = async () => ((await params("isle"))["areas"] as Place[][] | undefined)?.[0] ?? [];
   await until("the coast is in the recipe", async () => (await corners()).length === 4);

@@ -33,7 +33,8 @@ const begin = async (name: RegExp, group?: RegExp): Promise<Desk> => {
   return desk;
 };
 
-/** A ring of places around the middle of the map, as shares of its sides, on a map that is `wide` times as wide as high. */
+/** A ring of places around the middle of the map, as shares of its sides, on a map that is `wide` times as wide as
+ * high. */
 function ring(wide: number): [number, number][] {
   return Array.from({ length: 37 }, (_, i) => {
     const angle = (2 * Math.PI * i) / 36, radius = 0.25 + 0.035 * Math.sin(3 * angle) + 0.025 * Math.cos(5 * angle + 1);

@@ -1,4 +1,5 @@
-// The window around the views, used as a person would: shortcuts, undo, the recipe's text, files in and out, two windows.
+// The window around the views, used as a person would: shortcuts, undo, the recipe's text, files in and out, two
+// windows.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -65,7 +66,9 @@ test("an edit of another window is seen, listed as such, undone and made again b
   const { page, errors } = await opened();
   const { revision } = await server.document();
   const edits = [{ do: "set", pointer: "/steps/isle/params/peak_m", value: 650 }];
-  await server.request("POST", "/api/edits", { window: "other", base: revision, gesture: "", label: "isle: peak 830 → 650", edits });
+  await server.request(
+    "POST", "/api/edits", { window: "other", base: revision, gesture: "", label: "isle: peak 830 → 650", edits },
+  );
   await page.keyboard.press("Alt+3");
   const row = page.getByRole("button", { name: /peak 830 → 650/ });
   await row.waitFor();
@@ -143,7 +146,9 @@ test("an export is written and can be taken along", async () => {
   await dialog.getByRole("button", { name: "Export 2 outputs" }).click();
   await dialog.getByText(/files were written/).waitFor();
   assert.ok(existsSync(join(server.folder, "work/export/height.tif")));
-  const [download] = await Promise.all([page.waitForEvent("download"), dialog.getByRole("button", { name: "Download" }).first().click()]);
+  const [download] = await Promise.all(
+    [page.waitForEvent("download"), dialog.getByRole("button", { name: "Download" }).first().click()],
+  );
   assert.ok(readFileSync(await download.path()).length > 1000);
   assert.deepEqual(errors, []);
   await page.context().close();

@@ -141,7 +141,10 @@ test("two windows stay in step", async () => {
   await desk.page.keyboard.press("Enter");
   await desk.page.keyboard.type("0.5");
   await desk.page.keyboard.press("Enter");
-  await until("the other window sees it", async () => (await other.page.locator("[data-key]").first().getAttribute("data-key")) !== key);
+  await until(
+    "the other window sees it",
+    async () => (await other.page.locator("[data-key]").first().getAttribute("data-key")) !== key,
+  );
   assert.deepEqual(other.errors, []);
   await other.page.context().close();
   await desk.close();

@@ -7,7 +7,9 @@ import { openBrowser, openPage, Server, until } from "./harness";
 
 const recipe: Recipe = {
   seamount: 1, domain: { width_m: 12000, height_m: 12000, cell_m: 60 }, seed: 4,
-  steps: [{ id: "isle", op: "island.build", params: { peak_m: 900, floor_m: -800 } }, { id: "reef", op: "island.coral" }],
+  steps: [
+    { id: "isle", op: "island.build", params: { peak_m: 900, floor_m: -800 } }, { id: "reef", op: "island.coral" },
+  ],
 };
 
 let browser: Browser;
@@ -18,7 +20,9 @@ let errors: string[];
 before(async () => {
   [browser, server] = await Promise.all([openBrowser(), Server.start(recipe)]);
   ({ page, errors } = await openPage(browser, server.address));
-  await until("both views are drawn", () => page.locator("[data-ground-view][data-key]").count().then((count) => count === 2), 60);
+  await until(
+    "both views are drawn", () => page.locator("[data-ground-view][data-key]").count().then((count) => count === 2), 60,
+  );
   await atRest();
 });
 after(async () => {
@@ -61,7 +65,10 @@ function difference(a: number[], b: number[]): number {
 test("both views show the terrain", async () => {
   for (const name of ["3D view", "Map"]) {
     const colours = await picture(name);
-    assert.ok(Math.max(...colours.filter((_, i) => i % 4 === 1)) - Math.min(...colours.filter((_, i) => i % 4 === 1)) > 20, name);
+    assert.ok(
+      Math.max(...colours.filter((_, i) => i % 4 === 1)) - Math.min(...colours.filter((_, i) => i % 4 === 1)) > 20,
+      name,
+    );
   }
 });
 

@@ -3,7 +3,8 @@ import { test } from "node:test";
 import { isTyping, keysText, matches } from "./keys";
 
 const press = (key: string, held = "") => ({
-  key, ctrlKey: held.includes("c"), metaKey: held.includes("m"), shiftKey: held.includes("s"), altKey: held.includes("a"),
+  key, ctrlKey: held.includes("c"), metaKey: held.includes("m"), shiftKey: held.includes("s"),
+  altKey: held.includes("a"),
 });
 
 test("letters go by Shift, signs do not", () => {

@@ -12,7 +12,8 @@ const kNames: { [name: string]: string } = {
   Esc: "escape", Space: " ", Plus: "+", Left: "arrowleft", Right: "arrowright", Up: "arrowup", Down: "arrowdown",
 };
 
-/** Signs such as "?" are typed with Shift on some keyboards and without on others: Shift counts for letters and names. */
+/** Signs such as "?" are typed with Shift on some keyboards and without on others: Shift counts for letters and
+ * names. */
 function shiftCounts(key: string): boolean {
   return key.length > 1 || key === " " || key.toLowerCase() !== key.toUpperCase();
 }
@@ -22,7 +23,9 @@ export function matches(press: KeyPress, keys: string): boolean {
   const name = parts.pop() || "+";
   const wanted = (kNames[name] ?? name).toLowerCase();
   if (press.key.toLowerCase() !== wanted) return false;
-  if ((press.ctrlKey || press.metaKey) !== parts.includes("Ctrl") || press.altKey !== parts.includes("Alt")) return false;
+  if (
+    (press.ctrlKey || press.metaKey) !== parts.includes("Ctrl") || press.altKey !== parts.includes("Alt")
+  ) return false;
   return !shiftCounts(press.key) || press.shiftKey === parts.includes("Shift");
 }
 
@@ -33,9 +36,12 @@ export function keysText(keys: string, mac: boolean): string {
 
 /** Keys without Ctrl are letters while something is typed. */
 export function isTyping(target: EventTarget | null): boolean {
-  const element = target as { tagName?: string; type?: string; isContentEditable?: boolean; shadowRoot?: unknown } | null;
+  const element = target as (
+    { tagName?: string; type?: string; isContentEditable?: boolean; shadowRoot?: unknown } | null
+  );
   if (!element?.tagName) return false;
   if (element.isContentEditable || element.tagName === "TEXTAREA" || element.tagName === "SELECT") return true;
   if (element.shadowRoot) return true;  // the text pane
-  return element.tagName === "INPUT" && !["checkbox", "radio", "range", "button", "color", "file"].includes(element.type ?? "");
+  return element.tagName === "INPUT"
+    && !["checkbox", "radio", "range", "button", "color", "file"].includes(element.type ?? "");
 }

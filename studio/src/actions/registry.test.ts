@@ -7,7 +7,9 @@ const press = (key: string, ctrlKey = false) => ({ key, ctrlKey, metaKey: false,
 test("an action is run by its name and found by its keys, the latest first, if it is possible", () => {
   const ran: string[] = [];
   let possible = true;
-  const first = registerActions([{ id: "a.one", title: "One", group: "Edit", keys: ["F"], run: () => ran.push("one") }]);
+  const first = registerActions(
+    [{ id: "a.one", title: "One", group: "Edit", keys: ["F"], run: () => ran.push("one") }],
+  );
   const second = registerActions([
     { id: "a.two", title: "Two", group: "Edit", keys: ["F"], when: () => possible, run: () => ran.push("two") },
   ]);

@@ -18,6 +18,8 @@ export interface Action {
   icon?: IconType;
   /** The first one is shown. */
   keys?: readonly string[];
+  /** Whether one of the keys counts at the moment; left out: all do. */
+  keysWhen?: (keys: string) => boolean;
   /** Left out: always. Read when the action is shown or its keys are pressed. */
   when?: () => boolean;
   /** Of switches: on or off. */
@@ -35,7 +37,9 @@ type ActionSource = readonly Action[] | (() => readonly Action[]);
 const sources = signal<readonly ActionSource[]>([]);
 
 /** In the order in which they were registered. */
-export const allActions = computed(() => sources.value.flatMap((source) => (typeof source === "function" ? source() : source)));
+export const allActions = computed(
+  () => sources.value.flatMap((source) => (typeof source === "function" ? source() : source)),
+);
 
 /** Returns what takes them out again. */
 export function registerActions(actions: ActionSource): () => void {
@@ -63,7 +67,7 @@ const kFieldsOwn = ["Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+A", "Ctrl+C", "Ctr
 
 function isMeant(action: Action, press: KeyPress, typing: boolean): boolean {
   return (action.keys ?? []).some((keys) => {
-    if (!matches(press, keys)) return false;
+    if (!matches(press, keys) || action.keysWhen?.(keys) === false) return false;
     const isLetter = !/^(Ctrl\+|Alt\+|F\d)/.test(keys);
     return !typing || action.typing === true || (!isLetter && !kFieldsOwn.includes(keys));
   });

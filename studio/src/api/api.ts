@@ -50,7 +50,9 @@ export interface UploadHow {
   signal?: AbortSignal;
 }
 
-export type OpenRequest = { example: string } | { path: string } | { blank: true; width_m: number; height_m: number; cell_m: number };
+export type OpenRequest = { example: string } | { path: string } | {
+  blank: true; width_m: number; height_m: number; cell_m: number;
+};
 
 /** What a step's value can be fetched as, besides rasters. */
 export type ValueForm = "shapes" | "json" | "things";

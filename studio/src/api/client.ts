@@ -21,7 +21,9 @@ async function refusal(response: Response): Promise<ApiError> {
   let answer: ErrorAnswer = { error: `The server answered ${response.status}` };
   try {
     const body: unknown = await response.json();
-    if (body && typeof body === "object" && typeof (body as ErrorAnswer).error === "string") answer = body as ErrorAnswer;
+    if (
+      body && typeof body === "object" && typeof (body as ErrorAnswer).error === "string"
+    ) answer = body as ErrorAnswer;
   } catch {
     // Not the server's own words: what stands there already will do.
   }

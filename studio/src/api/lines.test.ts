@@ -20,7 +20,9 @@ test("rasters have the type that their header says", () => {
 
 test("the token is taken out of the address and kept for the window", () => {
   const kept = new Map<string, string>();
-  const storage = { getItem: (name: string) => kept.get(name) ?? null, setItem: (name: string, value: string) => kept.set(name, value) };
+  const storage = {
+    getItem: (name: string) => kept.get(name) ?? null, setItem: (name: string, value: string) => kept.set(name, value),
+  };
   const places: string[] = [];
   const history = { replaceState: (_data: unknown, _title: string, place: string) => places.push(place) };
   const take = (hash: string) => takeToken(

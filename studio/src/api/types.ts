@@ -265,9 +265,11 @@ export interface Frame {
 //   angle_deg, scale}]}, at most 20 000 instances, the largest.
 
 // ---------------------------------------------------------------------------------------------------- files and jobs
-// GET  /api/examples : {examples: [{name, title, about, group, picture: is there one}]}; GET /api/examples/NAME/picture (PNG, 404 without)
+// GET  /api/examples : {examples: [{name, title, about, group, picture: is there one}]}; GET
+// /api/examples/NAME/picture (PNG, 404 without)
 // GET  /api/files : {folder, files: [{path, bytes, modified}]}: recipes and data in the studio's folder
-// POST /api/open {example} | {path} | {blank: true, width_m, height_m? (square), cell_m} : DocumentAnswer; an "opened" event
+// POST /api/open {example} | {path} | {blank: true, width_m, height_m? (square), cell_m} : DocumentAnswer; an "opened"
+// event
 //   for all windows
 // POST /api/save {path?} : {file, saved}
 // POST /api/upload?name=N, body = bytes : {file, kind, about}: kept beside the document under the hash of its content

@@ -24,16 +24,23 @@ test("a parameter is set by the step's id; the document before stays as it was, 
 });
 
 test("objects on the way are made; without a value the member is taken out, and taking out nothing is nothing", () => {
-  assert.deepEqual(valueAt(after({ do: "set", pointer: "/steps/reef/params/section/crest_m", value: 2 }), "/steps/1/params"),
+  assert.deepEqual(valueAt(after({ do: "set", pointer: "/steps/reef/params/section/crest_m", value: 2 }),
+    "/steps/1/params"),
     { section: { crest_m: 2 } });
-  assert.equal(valueAt(after({ do: "set", pointer: "/steps/isle/params/peak_m" }), "/steps/0/params/peak_m"), undefined);
+  assert.equal(
+    valueAt(after({ do: "set", pointer: "/steps/isle/params/peak_m" }), "/steps/0/params/peak_m"), undefined,
+  );
   assert.deepEqual(after({ do: "set", pointer: "/steps/isle/params/relief" }), recipe);
 });
 
 test("items are put in, taken out and moved", () => {
   const list = "/steps/isle/params/summits";
-  assert.deepEqual(valueAt(after({ do: "insert", list, index: 1, value: { at: [5, 5] } }), `${list}/1`), { at: [5, 5] });
-  assert.deepEqual(valueAt(after({ do: "insert", list: "/steps/reef/params/strokes", value: 1 }), "/steps/1/params/strokes"), [1]);
+  assert.deepEqual(
+    valueAt(after({ do: "insert", list, index: 1, value: { at: [5, 5] } }), `${list}/1`), { at: [5, 5] },
+  );
+  assert.deepEqual(
+    valueAt(after({ do: "insert", list: "/steps/reef/params/strokes", value: 1 }), "/steps/1/params/strokes"), [1],
+  );
   assert.deepEqual(valueAt(after({ do: "remove", item: `${list}/0` }), list), [{ at: [1, 1] }]);
   const moved = after({ do: "move", item: "/steps/flat", index: 0 }) as unknown as Recipe;
   assert.deepEqual(moved.steps.map((step) => step.id), ["flat", "isle", "reef"]);

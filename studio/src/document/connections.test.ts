@@ -47,7 +47,10 @@ test("an operator that needs one of its inputs takes the first that the step bef
   const op = (name: string, input: ReturnType<typeof port>[], out: ReturnType<typeof port>[]) =>
     ({ name, summary: "", source: "", stochastic: false, params: [], in: input, out, needs_one: input.length > 0 });
   const terrain = port("terrain", "terrain"), tin = port("tin", "tin");
-  const own: Schema = { ...schema, operators: [op("make", [], [terrain, tin]), op("extract", [tin, terrain], [port("contours", "contours")])] };
+  const own: Schema = {
+    ...schema,
+    operators: [op("make", [], [terrain, tin]), op("extract", [tin, terrain], [port("contours", "contours")])],
+  };
   const step: Step = { id: "lines", op: "extract" };
   const recipe: Recipe = { seamount: 1, steps: [{ id: "high", op: "make" }, step] };
   const found = connectionsOf(recipe, own, step).map(({ from }) => from);

@@ -1,4 +1,5 @@
-// What each input of a step is connected to, with the recipe's shorthand written out: as src/seamount/recipe/shorthand.h.
+// What each input of a step is connected to, with the recipe's shorthand written out: as
+// src/seamount/recipe/shorthand.h.
 import type { Json, OperatorInfo, PortInfo, Recipe, Schema, Step } from "../api/types";
 import { isObject } from "./pointer";
 

@@ -73,7 +73,10 @@ export class FakeServer implements Api {
       this.recipe = takeBackChanges(this.recipe, gesture.changes);
       this.done -= 1;
       const back = [...gesture.changes].reverse().map(({ before, after, ...place }) => (
-        { ...place, ...(after === undefined ? {} : { before: after }), ...(before === undefined ? {} : { after: before }) }
+        {
+          ...place, ...(after === undefined ? {} : { before: after }),
+          ...(before === undefined ? {} : { after: before }),
+        }
       ));
       return this.tell(back, window, gesture.label);
     });
@@ -174,7 +177,10 @@ export class FakeServer implements Api {
   files(): ReturnType<Api["files"]> {
     const modified = "2026-11-30T12:00:00Z";
     return this.answer("files", null, () => (
-      { folder: "~/terrains", files: [{ path: "island.json", bytes: 2100, modified }, { path: "dem.tif", bytes: 9e6, modified }] }
+      {
+        folder: "~/terrains",
+        files: [{ path: "island.json", bytes: 2100, modified }, { path: "dem.tif", bytes: 9e6, modified }],
+      }
     ));
   }
 
@@ -182,7 +188,10 @@ export class FakeServer implements Api {
     return this.answer("open", request, () => {
       this.file = "path" in request ? request.path : "";
       this.recipe = structuredClone(fakeRecipe) as unknown as Recipe;
-      if ("blank" in request) this.recipe = { seamount: 1, domain: { width_m: request.width_m, height_m: request.height_m, cell_m: request.cell_m }, steps: [] };
+      if ("blank" in request) this.recipe = {
+        seamount: 1, domain: { width_m: request.width_m, height_m: request.height_m, cell_m: request.cell_m },
+        steps: [],
+      };
       this.revision += 1;
       this.history = [];
       this.done = 0;
@@ -294,7 +303,9 @@ export class FakeServer implements Api {
     recipe.steps.forEach((step, i) => {
       if (fakeSchema.operators.some((operator) => operator.name === step.op)) return;
       const message = `unknown operator '${step.op}'`;
-      throw new ApiError(422, { error: message, diagnostics: [{ pointer: `/steps/${i}/op`, message, line: 1, column: 1 }] });
+      throw new ApiError(
+        422, { error: message, diagnostics: [{ pointer: `/steps/${i}/op`, message, line: 1, column: 1 }] },
+      );
     });
   }
 
@@ -348,18 +359,27 @@ export class FakeServer implements Api {
     const outputs = fakeSchema.operators.find((operator) => operator.name === this.recipe.steps[at]?.op)?.out ?? [];
     const kind = (outputs.find((output) => output.name === port) ?? (port ? undefined : outputs[0]))?.kind;
     if (!kind) return null;
-    const content = JSON.stringify([this.recipe.domain ?? {}, this.recipe.seed ?? 0, this.recipe.steps.slice(0, at + 1)]);
+    const content = JSON.stringify(
+      [this.recipe.domain ?? {}, this.recipe.seed ?? 0, this.recipe.steps.slice(0, at + 1)],
+    );
     const number = [...content].reduce((sum, letter) => (Math.imul(sum, 31) + letter.charCodeAt(0)) >>> 0, 7);
     const key = `${number.toString(16)}-${source}`;
     const event: ValueEvent = { event: "value", source, key, kind, revision: this.revision, coarse: false };
     if (!["terrain", "labels", "field"].includes(kind)) return event;
     const width = Number(this.recipe.domain?.["width_m"] ?? 24000);
-    const frame = { columns: kCells, rows: kCells, cell_m: width / kCells, west: -width / 2, north: width / 2, crs: "" };
-    const peak = Number(this.recipe.steps.find((step) => step.params?.["peak_m"])?.params?.["peak_m"] ?? 900) * (1 - 0.04 * at);
+    const frame = {
+      columns: kCells, rows: kCells, cell_m: width / kCells, west: -width / 2, north: width / 2, crs: "",
+    };
+    const peak = Number(
+      this.recipe.steps.find((step) => step.params?.["peak_m"])?.params?.["peak_m"] ?? 900,
+    ) * (1 - 0.04 * at);
     const heights = fakeHeights(frame, (this.recipe.seed ?? 0) % 1000, peak);
     const values = kind === "terrain" ? heights : kind === "labels" ? fakeLabels(heights) : fakeMask(heights, peak);
     this.values.set(key, { frame, values });
-    return { ...event, frame, min: kind === "terrain" ? Math.min(...heights) : 0, max: kind === "terrain" ? Math.max(...heights) : 1 };
+    return {
+      ...event, frame, min: kind === "terrain" ? Math.min(...heights) : 0,
+      max: kind === "terrain" ? Math.max(...heights) : 1,
+    };
   }
 }
 

@@ -9,8 +9,12 @@ const said = (label: string, done: number, undone: number): DocumentEvent => (
 );
 
 test("edits are put behind, a gesture that goes on keeps its place", () => {
-  assert.deepEqual(followHistory({ history: gestures("a"), done: 1 }, said("b", 2, 0)), { history: gestures("a", "b"), done: 2 });
-  assert.deepEqual(followHistory({ history: gestures("a"), done: 1 }, said("a2", 1, 0)), { history: gestures("a2"), done: 1 });
+  assert.deepEqual(
+    followHistory({ history: gestures("a"), done: 1 }, said("b", 2, 0)), { history: gestures("a", "b"), done: 2 },
+  );
+  assert.deepEqual(
+    followHistory({ history: gestures("a"), done: 1 }, said("a2", 1, 0)), { history: gestures("a2"), done: 1 },
+  );
 });
 
 test("what was taken back stays listed until another edit", () => {

@@ -21,7 +21,9 @@ export function followHistory(before: History, event: DocumentEvent): History | 
   }
   if (done < before.done) return null;
   const kept = before.history.slice(0, Math.min(before.done, Math.max(done - 1, 0)));
-  return done === 0 ? { history: [], done } : { history: [...kept, { label: event.label, window: event.window }], done };
+  return done === 0 ? { history: [], done } : {
+    history: [...kept, { label: event.label, window: event.window }], done,
+  };
 }
 
 /** The last gesture that was taken back, made again. */

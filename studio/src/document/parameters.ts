@@ -36,7 +36,9 @@ function valueByPath(recipe: Recipe, root: Json | undefined, path: string): Json
 }
 
 /** A preset stands in a list of params and sets some of them, also members of groups ("widths.reef_m"). */
-function presetValue(recipe: Recipe, params: readonly ParamInfo[], stated: Json | undefined, path: string): Json | undefined {
+function presetValue(
+  recipe: Recipe, params: readonly ParamInfo[], stated: Json | undefined, path: string,
+): Json | undefined {
   const preset = params.find((param) => param.kind === "preset");
   if (!preset || preset.name === path) return undefined;
   const word = valueByPath(recipe, stated, preset.name);

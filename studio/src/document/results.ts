@@ -14,6 +14,15 @@ export function frameOfLevel(frame: Frame, level: number, columns: number, rows:
   return { ...frame, columns, rows, cell_m, west: frame.west - shift, north: frame.north + shift };
 }
 
+/** About as much memory as a value takes: scenes of many objects are large. */
+export function jsonBytes(value: Json): number {
+  if (typeof value === "string") return 24 + 2 * value.length;
+  if (value === null || typeof value !== "object") return 8;
+  let sum = 32;
+  for (const item of Object.values(value)) sum += 8 + jsonBytes(item);
+  return sum;
+}
+
 /** The newest promises by key, up to so many bytes. */
 class PromiseCache<T> {
   private entries = new Map<string, { value: Promise<T>; bytes: number }>();
@@ -68,7 +77,7 @@ export class Results {
   readonly engine = signal<EngineState>({ revision: 0, settled: true, coarse: false, fraction: 1, steps: [] });
   readonly values = signal<ReadonlyMap<string, ValueEvent>>(new Map());
   private rasters = new PromiseCache<Raster>((raster) => raster.values.byteLength);
-  private contents = new PromiseCache<Json>(() => 64 * 1024);
+  private contents = new PromiseCache<Json>(jsonBytes);
   private wants = new Map<string, readonly string[]>();
   private asked = "";
   private asking = false;
@@ -120,7 +129,9 @@ export class Results {
       return await this.rasters.get(`${value.key}/${level}`, async () => {
         const { columns, rows, values } = await this.api.raster(value.key, level === 0 ? {} : { level });
         const range = { min: value.min ?? 0, max: value.max ?? 0 };
-        return { key: value.key, frame: frameOfLevel(frame, level, columns, rows), values, coarse: value.coarse, ...range };
+        return {
+          key: value.key, frame: frameOfLevel(frame, level, columns, rows), values, coarse: value.coarse, ...range,
+        };
       });
     } catch (error) {
       return nothing(error);

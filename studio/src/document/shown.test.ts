@@ -26,7 +26,9 @@ test("with the ground of a scene comes what lives on it, and what that looks lik
   const life = { terrain: "life.terrain", objects: "life.objects", things: "things.things" };
   assert.deepEqual(shownOf(scene, schema, null, null), { ...life, overlay: null });
   assert.deepEqual(shownOf(scene, schema, "life", null), { ...life, overlay: null });
-  assert.deepEqual(shownOf(scene, schema, "floor", null), { terrain: "floor.terrain", overlay: null, objects: null, things: null });
+  assert.deepEqual(
+    shownOf(scene, schema, "floor", null), { terrain: "floor.terrain", overlay: null, objects: null, things: null },
+  );
 });
 
 test("things stand on the ground of their scene, not on the one before it", () => {

@@ -21,7 +21,9 @@ function terrainAbove(recipe: Recipe, schema: Schema, id: string): string | null
       const out = operatorOf(schema, step.op)?.out.find((port) => port.kind === "terrain");
       if (out) return `${at}.${out.name}`;
       const steps = (scene: boolean) => connectionsOf(recipe, schema, step)
-        .flatMap(({ input, from }) => (from && "step" in from && (input.kind === "objects") === scene ? [from.step] : []));
+        .flatMap(
+          ({ input, from }) => (from && "step" in from && (input.kind === "objects") === scene ? [from.step] : []),
+        );
       above.push(...steps(true), ...steps(false));
     }
     level = above;
@@ -37,7 +39,9 @@ function terrainBelow(recipe: Recipe, schema: Schema, id: string): string | null
     grown = false;
     for (const step of recipe.steps) {
       if (reached.has(step.id)) continue;
-      const reads = connectionsOf(recipe, schema, step).some(({ from }) => from && "step" in from && reached.has(from.step));
+      const reads = connectionsOf(recipe, schema, step).some(
+        ({ from }) => from && "step" in from && reached.has(from.step),
+      );
       if (!reads) continue;
       const out = operatorOf(schema, step.op)?.out.find((port) => port.kind === "terrain");
       if (out) return `${step.id}.${out.name}`;

@@ -127,7 +127,9 @@ test("results of what is shown come, also as every second cell", async () => {
   assert.deepEqual(studio.shown.value, { terrain: "rougher.terrain", overlay: null, objects: null, things: null });
   await until(() => studio.values.value.has("rougher.terrain"));
   studio.selected.value = "heights";
-  assert.deepEqual(studio.shown.value, { terrain: "reef.terrain", overlay: "heights.mask", objects: null, things: null });
+  assert.deepEqual(
+    studio.shown.value, { terrain: "reef.terrain", overlay: "heights.mask", objects: null, things: null },
+  );
   await until(() => studio.values.value.has("heights.mask"));
   const whole = await studio.raster("reef.terrain"), half = await studio.raster("reef.terrain", 1);
   assert.equal(whole!.values.length, 256 * 256);
@@ -149,7 +151,9 @@ test("three hundred random actions of two windows end alike", async () => {
     const choice = next(6);
     if (choice === 0) waiting.push(studio.undo());
     else if (choice === 1) waiting.push(studio.redo());
-    else if (choice === 2) waiting.push(studio.edit([{ do: "insert", list: "/steps/isle/params/summits", index: 0, value: i }], "put"));
+    else if (choice === 2) waiting.push(
+      studio.edit([{ do: "insert", list: "/steps/isle/params/summits", index: 0, value: i }], "put"),
+    );
     else waiting.push(studio.edit(peak(i), "peak", `g${next(3)}`));
     if (next(4) === 0) await new Promise((resolve) => setTimeout(resolve, 1));
   }

@@ -1,5 +1,6 @@
 // The document as this window holds it: what the server has confirmed, and over it the window's own edits that are on
-// their way. Edits are sent one request at a time and in order; what the server says of others' edits is put under them.
+// their way. Edits are sent one request at a time and in order; what the server says of others' edits is put under
+// them.
 import { signal } from "@preact/signals";
 import type { Signal } from "@preact/signals";
 import { ApiError, Disconnected } from "../api/api";
@@ -109,7 +110,8 @@ export class DocumentStore {
     }
   }
 
-  /** What is known already, or what changes nothing but whether it is saved; where is known to the window that did it. */
+  /** What is known already, or what changes nothing but whether it is saved; where is known to the window that did
+   * it. */
   private receiveAgain(event: DocumentEvent): void {
     if (event.revision === this.confirmed.revision && event.changes.length === 0) {
       this.confirmed = { ...this.confirmed, saved: event.saved, missing: event.missing };

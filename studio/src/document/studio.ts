@@ -63,7 +63,8 @@ export interface Studio {
 
   step(id: string): Step | undefined;
   operator(op: string): OperatorInfo | undefined;
-  /** Value of a parameter by its path ("walk/stickiness"): what the step states, else the preset's, else the default. */
+  /** Value of a parameter by its path ("walk/stickiness"): what the step states, else the preset's, else the
+   * default. */
   param(step: string, path: string): Json | undefined;
 }
 

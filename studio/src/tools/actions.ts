@@ -45,7 +45,9 @@ function harden(tools: ToolBox, by: number): void {
   choose(slot, "hardness", Number(Math.min(1, Math.max(0, (typeof value === "number" ? value : 0) + by)).toFixed(2)));
 }
 
-function action(id: string, title: string, keys: string, icon: string, run: () => void, enabled = () => true): ToolAction {
+function action(
+  id: string, title: string, keys: string, icon: string, run: () => void, enabled = () => true,
+): ToolAction {
   return { id, title, keys, icon, run, enabled };
 }
 
@@ -69,7 +71,10 @@ export function toolActions(studio: Studio): ToolAction[] {
     action("brush.larger", "Larger brush", "]", "brush", () => resize(tools, true)),
     action("brush.softer", "Softer brush", "{", "brush", () => harden(tools, -0.1)),
     action("brush.harder", "Harder brush", "}", "brush", () => harden(tools, 0.1)),
-    action("drawing.select_all", "Select all that is drawn", "Ctrl+A", "select", selectAll, () => tools.features.value.length > 0),
+    action(
+      "drawing.select_all", "Select all that is drawn", "Ctrl+A", "select", selectAll,
+      () => tools.features.value.length > 0,
+    ),
   ];
 }
 
@@ -78,7 +83,8 @@ export function offeredActions(studio: Studio): ToolAction[] {
   const tools = toolsOf(studio);
   const { rail, more } = tools.offers.value;
   return [...rail, ...more].filter((offer) => !kFixed.has(offer.id)).map((offer) =>
-    rail.includes(offer) ? takeByKey(tools, offer) : action(`tool.${offer.id}`, `${offer.look.title}: ${offer.help}`, "", offer.look.icon, () => tools.take(offer.id)));
+    rail.includes(offer) ? takeByKey(tools, offer) : action(`tool.${offer.id}`, `${offer.look.title}: ${offer.help}`,
+      "", offer.look.icon, () => tools.take(offer.id)));
 }
 
 function digit(tools: ToolBox, key: string): boolean {
@@ -102,13 +108,18 @@ function isForControl(event: { key: string; target?: EventTarget | null }): bool
   if (typeof Element === "undefined" || !(target instanceof Element)) return false;
   if (target.closest("input:not([type=checkbox]), textarea, select, [contenteditable], .cm-editor")) return true;
   const control = target.closest("[data-number-field], button, [role=menu], [role=dialog], [role=slider]");
-  const name = control?.hasAttribute("data-number-field") ? /^([\d.,-]|Arrow\w+|Backspace|Delete|Enter|Escape|Home|End)$/ : /^(Enter| |Arrow\w+)$/;
+  const name =
+    control?.hasAttribute("data-number-field") ? /^([\d.,-]|Arrow\w+|Backspace|Delete|Enter|Escape|Home|End)$/
+    : /^(Enter| |Arrow\w+)$/;
   return control !== null && name.test(event.key);
 }
 
-type Press = Pick<KeyboardEvent, "key" | "ctrlKey" | "shiftKey" | "altKey" | "metaKey"> & { target?: EventTarget | null };
+type Press = Pick<KeyboardEvent, "key" | "ctrlKey" | "shiftKey" | "altKey" | "metaKey"> & {
+  target?: EventTarget | null,
+};
 
-/** Keys of what the pen is doing: ends, cancels, deletes, nudges, types a height. False: it means nothing to the pen. */
+/** Keys of what the pen is doing: ends, cancels, deletes, nudges, types a height. False: it means nothing to the
+ * pen. */
 function penKey(studio: Studio, event: Press): boolean {
   if (isForControl(event)) return false;
   const tools = toolsOf(studio);
@@ -120,7 +131,9 @@ function penKey(studio: Studio, event: Press): boolean {
 /** What a pressed key means: to the pen, to the brush, to the tools that are offered. */
 export function toolKey(studio: Studio, event: Press): boolean {
   if (penKey(studio, event)) return true;
-  const meant = [...toolActions(studio), ...offeredActions(studio)].find((one) => one.keys !== "" && matches(event, one.keys) && one.enabled());
+  const meant = [...toolActions(studio), ...offeredActions(studio)].find(
+    (one) => one.keys !== "" && matches(event, one.keys) && one.enabled(),
+  );
   meant?.run();
   return meant !== undefined;
 }

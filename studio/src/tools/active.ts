@@ -97,7 +97,8 @@ export function chosenMembers(slot: Slot, domain: Domain): { [name: string]: Jso
   const result: { [name: string]: Json } = {};
   for (const member of slot.members) {
     const value = chosenValue(slot, member, domain);
-    const seen = isReach(member) || isIteration(member) || /^(strength(_m)?|height_m|depth_m|region|value|change_m)$/.test(member.name);
+    const seen = isReach(member) || isIteration(member)
+      || /^(strength(_m)?|height_m|depth_m|region|value|change_m)$/.test(member.name);
     if (value === null || value === "" || (!seen && value === member.default)) continue;
     result[member.name] = value;
   }

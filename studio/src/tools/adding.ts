@@ -37,9 +37,11 @@ function replacements(schema: Schema, step: Step, op: string): Map<string, strin
   return result;
 }
 
-/** Edits that connect the readers of `step` to the new step, where it passes on what they read; and those that keep what
- * others read where shorthand ("the step before") would now mean another step. */
-function reconnect(before: Recipe, after: Recipe, schema: Schema, step: string, id: string, ports: Map<string, string>): Edit[] {
+/** Edits that connect the readers of `step` to the new step, where it passes on what they read; and those that keep
+ * what others read where shorthand ("the step before") would now mean another step. */
+function reconnect(
+  before: Recipe, after: Recipe, schema: Schema, step: string, id: string, ports: Map<string, string>,
+): Edit[] {
   const edits: Edit[] = [];
   for (const reader of before.steps) {
     const wanted = connectionsOf(before, schema, reader).map(({ input, from }): Connection => {
@@ -56,7 +58,9 @@ function reconnect(before: Recipe, after: Recipe, schema: Schema, step: string, 
       const source = output[member];
       if (typeof source !== "string") continue;
       const [name, port] = source.split(".");
-      const to = name !== step ? undefined : port === undefined ? (member === "from" ? "" : undefined) : ports.get(port);
+      const to = name !== step ? undefined : port === undefined ? (
+        member === "from" ? "" : undefined
+      ) : ports.get(port);
       if (to === undefined || (to === "" && !ports.has("terrain"))) continue;
       edits.push({ do: "set", pointer: `/outputs/${i}/${member}`, value: to === "" ? id : `${id}.${to}` });
     }
@@ -121,13 +125,19 @@ function keptOutputs(recipe: Recipe): Edit[] {
 }
 
 /** What is painted for an input is where nobody has painted: nothing is known, or all is alike. */
-const kUnpainted: { [input: string]: { [name: string]: Json } } = { levelset: { unknown: true }, probability: { base: 0.5 } };
+const kUnpainted: { [input: string]: { [name: string]: Json } } = {
+  levelset: { unknown: true }, probability: { base: 0.5 },
+};
 
 /** Edits that add the step with these parameters. */
-export function addStep(recipe: Recipe, schema: Schema, adds: Addition, id: string, params: { [name: string]: Json }): Edit[] {
+export function addStep(
+  recipe: Recipe, schema: Schema, adds: Addition, id: string, params: { [name: string]: Json },
+): Edit[] {
   const ground = adds.op === "terrain.paint" ? kUnpainted[adds.input ?? ""] ?? {} : {};
   const step: Step = { id, op: adds.op, params: { ...ground, ...params } };
   const at = adds.at === undefined ? undefined : stepOf(recipe, adds.at);
-  if (!at || adds.where === "alone") return [...keptOutputs(recipe), { do: "insert", list: "/steps", value: step as unknown as Json }];
+  if (!at || adds.where === "alone") return [
+    ...keptOutputs(recipe), { do: "insert", list: "/steps", value: step as unknown as Json },
+  ];
   return adds.where === "behind" ? behind(recipe, schema, at, step) : before(recipe, schema, at, adds.input!, step);
 }

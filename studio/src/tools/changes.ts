@@ -24,9 +24,12 @@ function between(values: readonly number[], at: number): number {
   return Number((values[low]! + (values[high]! - values[low]!) * (at - low)).toFixed(4));
 }
 
-const set = (pointer: string, value?: Json): Edit => (value === undefined ? { do: "set", pointer } : { do: "set", pointer, value });
+const set = (pointer: string, value?: Json): Edit => (
+  value === undefined ? { do: "set", pointer } : { do: "set", pointer, value }
+);
 
-/** New points of a feature. `from`: which old point (or place between two) each new one was, where their number changes. */
+/** New points of a feature. `from`: which old point (or place between two) each new one was, where their number
+ * changes. */
 export function setPoints(feature: Feature, points: readonly Point[], from?: readonly number[]): Edit[] {
   const { slot, part, item } = feature;
   if (part.as === "pair") {
@@ -38,7 +41,9 @@ export function setPoints(feature: Feature, points: readonly Point[], from?: rea
     const edits = [set(feature.key, [...at!])];
     if (part !== slot.parts[0]) return edits;
     for (const path of slot.also) edits.push(set(`${item.pointer}/${path.map(token).join("/")}`, [...at!]));
-    if (slot.by && end) edits.push(set(`${item.pointer}/${slot.by.map(token).join("/")}`, [end[0] - at![0], end[1] - at![1]]));
+    if (slot.by && end) edits.push(
+      set(`${item.pointer}/${slot.by.map(token).join("/")}`, [end[0] - at![0], end[1] - at![1]]),
+    );
     return edits;
   }
   const edits = [set(feature.key, pairs(points))];
@@ -61,7 +66,8 @@ export function moveFeature(feature: Feature, dx: number, dy: number, step: numb
 /** How few points a feature may have before it is nothing any more. */
 export function fewest(feature: Feature): number {
   if (feature.geometry === "ring") return 3;
-  return feature.geometry === "line" && !feature.slot.brush && feature.slot.tool !== "slope" && feature.slot.tool !== "add" ? 2 : 1;
+  return feature.geometry === "line" && !feature.slot.brush && feature.slot.tool !== "slope"
+    && feature.slot.tool !== "add" ? 2 : 1;
 }
 
 /** Compares places as they follow each other in the recipe: "areas/2" before "areas/10". */
@@ -171,7 +177,8 @@ export function create(
 }
 
 function append(
-  pointer: string, list: Json | undefined, value: Json, item: (p: readonly Point[], m: { [name: string]: Json }) => Json,
+  pointer: string, list: Json | undefined, value: Json,
+  item: (p: readonly Point[], m: { [name: string]: Json }) => Json,
 ): Creation {
   const index = Array.isArray(list) ? list.length : 0;
   const key = `${pointer}/${index}`;

@@ -68,7 +68,9 @@ function pointsValue(part: Part, points: readonly Point[]): Json {
 }
 
 /** Parameters of a step that holds nothing but one drawn thing. */
-function paramsWith(slot: Slot, part: Part, points: readonly Point[], members: { [name: string]: Json }): { [name: string]: Json } {
+function paramsWith(
+  slot: Slot, part: Part, points: readonly Point[], members: { [name: string]: Json },
+): { [name: string]: Json } {
   return slot.list
     ? nested(slot.list, [newItem(slot, part, points, members)])
     : nested(part.path, pointsValue(part, points));
@@ -126,7 +128,8 @@ export class Drawing {
     const answer = this.gesture.finish(() => this.edits(points, members));
     this.selectAdded();
     const key = this.creation?.key;
-    const drawn = this.slot.brush ? [] : this.desk.features().filter((f) => f.key === key || f.key.startsWith(`${key}/`) || f.key.startsWith(`${key}#`));
+    const drawn = this.slot.brush ? []
+      : this.desk.features().filter((f) => f.key === key || f.key.startsWith(`${key}/`) || f.key.startsWith(`${key}#`));
     this.desk.select(drawn.map((feature) => feature.key));
     this.desk.end(this.desk.offer.adds ? `slot:${this.slot.id}` : undefined);
     return answer;

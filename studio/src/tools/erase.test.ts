@@ -30,19 +30,23 @@ test("a sweep goes on cutting what is left", () => {
 });
 
 test("pieces are things of their own with all that the line said", () => {
-  assert.deepEqual(erased("contour.grow", { rivers: [{ points: [[0, 0], [100, 0]], bed_m: [10, 0], mouth_width_m: 5 }] }, [[50, 0]], 10), {
+  assert.deepEqual(erased("contour.grow",
+    { rivers: [{ points: [[0, 0], [100, 0]], bed_m: [10, 0], mouth_width_m: 5 }] }, [[50, 0]], 10), {
     rivers: [
-      { points: [[0, 0], [40, 0]], bed_m: [10, 6], mouth_width_m: 5 }, { points: [[60, 0], [100, 0]], bed_m: [4, 0], mouth_width_m: 5 },
+      { points: [[0, 0], [40, 0]], bed_m: [10, 6], mouth_width_m: 5 },
+      { points: [[60, 0], [100, 0]], bed_m: [4, 0], mouth_width_m: 5 },
     ],
   });
 });
 
 test("places and areas under it go as a whole; what is far stays", () => {
   const ridges: Json = [{ points: [[0, 500], [100, 500]] }];
-  assert.deepEqual(erased("learned.sketch", { ridges, heights: [{ x_m: 0, y_m: 0, height_m: 1 }, { x_m: 900, y_m: 0, height_m: 1 }] }, [[5, 0]], 10), {
+  assert.deepEqual(erased("learned.sketch",
+    { ridges, heights: [{ x_m: 0, y_m: 0, height_m: 1 }, { x_m: 900, y_m: 0, height_m: 1 }] }, [[5, 0]], 10), {
     ridges, heights: [{ x_m: 900, y_m: 0, height_m: 1 }],
   });
-  assert.deepEqual(erased("island.build", { areas: [[[0, 0], [100, 0], [0, 100]], [[500, 500], [600, 500], [500, 600]]] }, [[0, 50]], 5), {
+  assert.deepEqual(erased("island.build",
+    { areas: [[[0, 0], [100, 0], [0, 100]], [[500, 500], [600, 500], [500, 600]]] }, [[0, 50]], 5), {
     areas: [[[500, 500], [600, 500], [500, 600]]],
   });
 });
@@ -57,7 +61,10 @@ test("radii: read, written, found", () => {
 });
 
 test("dragging an outline is soft, local, and crosses no other", () => {
-  const drag = { outline: 0, from: [1000, 0] as Point, to: [1900, 0] as Point, centre: [0, 0] as Point, radius_m: 600, smooth: false, step: 10 };
+  const drag = {
+    outline: 0, from: [1000, 0] as Point, to: [1900, 0] as Point, centre: [0, 0] as Point, radius_m: 600, smooth: false,
+    step: 10,
+  };
   const [inner, outer] = dragOutline([[1000], [1500]], drag);
   assert.equal(inner![0], 1900);
   assert.ok(inner![2]! > 1000 && inner![2]! < 1900);
@@ -71,7 +78,9 @@ test("dragging an outline is soft, local, and crosses no other", () => {
 
 test("the coast of a label map", () => {
   const frame = { columns: 40, rows: 40, cell_m: 10, west: -200, north: 200, crs: "" };
-  const values = new Uint8Array(1600).map((_, i) => (Math.hypot((i % 40) - 19.5, Math.floor(i / 40) - 19.5) < 10 ? 0 : 4));
+  const values = new Uint8Array(1600).map(
+    (_, i) => (Math.hypot((i % 40) - 19.5, Math.floor(i / 40) - 19.5) < 10 ? 0 : 4),
+  );
   const raster = { key: "k", frame, values, coarse: false, min: 0, max: 4 };
   const coast = coastOf(raster, [0, 0], 1)!;
   assert.ok(coast.every((radius) => Math.abs(radius - 100) <= 12), String(coast));

@@ -37,7 +37,9 @@ class Reader {
   readonly features: Feature[] = [];
   constructor(private readonly recipe: Recipe, private readonly slot: Slot) {}
 
-  private add(part: Part, at: Found, points: Point[] | null, item: Found, index: number, whole: Found, hole = false): void {
+  private add(
+    part: Part, at: Found, points: Point[] | null, item: Found, index: number, whole: Found, hole = false,
+  ): void {
     if (!points) return;
     const geometry = part === this.slot.parts[0] ? this.slot.geometry : geometryOf(part);
     this.features.push({ key: at.pointer, slot: this.slot, part, geometry, points, item, index, whole, hole });
@@ -60,7 +62,10 @@ class Reader {
       const [x, y] = part.names!.map((name) => below(this.recipe, at, [name]).value);
       const inList = this.slot.list !== null;
       if (typeof x !== "number" && typeof y !== "number" && !inList) return;
-      return this.add(part, { ...at, pointer: `${at.pointer}#${part.names![0]}` }, [[Number(x ?? 0), Number(y ?? 0)]], item, index, whole);
+      return this.add(
+        part, { ...at, pointer: `${at.pointer}#${part.names![0]}` }, [[Number(x ?? 0), Number(y ?? 0)]], item, index,
+        whole,
+      );
     }
     const inItem = this.slot.list !== null && at.value === undefined && part === this.slot.parts[0];
     const point: Point | null = isPoint(at.value) ? at.value : inItem && this.slot.tool !== "paste" ? [0, 0] : null;

@@ -17,9 +17,19 @@ function NumberValue({ member, value, usual, change }: Props) {
   const { name, unit, min, max, help } = member;
   return (
     <div class="tool-number">
-      <NumberField label={titleOf(name)} prefix={titleOf(name)} value={typeof value === "number" ? value : null} unit={unit} help={help}
-        min={min} max={max} integer={member.kind === "integer"} usual={usual} onChange={(next, gesture) => change(next, gesture)}
-        onReset={(gesture) => change(member.default, gesture ?? newGesture())} />
+      <NumberField
+        label={titleOf(name)}
+        prefix={titleOf(name)}
+        value={typeof value === "number" ? value : null}
+        unit={unit}
+        help={help}
+        min={min}
+        max={max}
+        integer={member.kind === "integer"}
+        usual={usual}
+        onChange={(next, gesture) => change(next, gesture)}
+        onReset={(gesture) => change(member.default, gesture ?? newGesture())}
+      />
     </div>
   );
 }
@@ -30,7 +40,13 @@ export function Field(props: Props) {
   if (member.kind === "number" || member.kind === "integer") return <NumberValue {...props} />;
   let control;
   if (member.kind === "switch") {
-    control = <input type="checkbox" checked={value === true} onChange={(event) => change(event.currentTarget.checked, newGesture())} />;
+    control = (
+      <input
+        type="checkbox"
+        checked={value === true}
+        onChange={(event) => change(event.currentTarget.checked, newGesture())}
+      />
+    );
   } else if (member.kind === "choice") {
     control = (
       <select value={String(value)} onChange={(event) => change(event.currentTarget.value, newGesture())}>

@@ -1,6 +1,8 @@
 // What a hand draws becomes a few good points: the pen's jitter goes, corners stay, a long stroke has some dozens of
 // points, and coordinates are as round as the screen allows.
-import { keptPoints, mix, rounded, roundedPoint, roundingStep, simpleRing, simplified, toSegment, type Point } from "./geometry";
+import {
+  keptPoints, mix, rounded, roundedPoint, roundingStep, simpleRing, simplified, toSegment, type Point,
+} from "./geometry";
 
 export interface Sample {
   x: number;

@@ -30,7 +30,8 @@ export function segments(count: number, closed: boolean): number {
 
 export function lengthOf(points: readonly Point[], closed = false): number {
   let sum = 0;
-  for (let i = 0; i < segments(points.length, closed); ++i) sum += distance(points[i]!, points[(i + 1) % points.length]!);
+  const count = points.length;
+  for (let i = 0; i < segments(count, closed); ++i) sum += distance(points[i]!, points[(i + 1) % count]!);
   return sum;
 }
 

@@ -24,7 +24,9 @@ export class Gesture {
   private refused = false;
   private over = false;
 
-  constructor(private readonly studio: Editor, private label: string, private readonly frame: Frame = nextFrame, id?: string) {
+  constructor(
+    private readonly studio: Editor, private label: string, private readonly frame: Frame = nextFrame, id?: string,
+  ) {
     this.id = id ?? `pen-${randomName()}`;
   }
 

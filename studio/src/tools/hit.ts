@@ -29,7 +29,9 @@ function nearestPoint(features: readonly Feature[], at: Point, reach: number): H
   return best;
 }
 
-function nearestSegment(features: readonly Feature[], at: Point, reach: number, part: "middle" | "segment"): Hit | null {
+function nearestSegment(
+  features: readonly Feature[], at: Point, reach: number, part: "middle" | "segment",
+): Hit | null {
   let best: Hit | null = null;
   let least = reach;
   for (const feature of features) {
@@ -59,7 +61,9 @@ export function hitTest(
     nearestSegment(chosen, at, reach * 0.6, "middle") ??
     nearestSegment(features, at, reach, "segment");
   if (hit || !insides) return hit;
-  const around = features.filter((feature) => feature.geometry === "ring" && !feature.hole && insideRing(at, feature.points));
+  const around = features.filter(
+    (feature) => feature.geometry === "ring" && !feature.hole && insideRing(at, feature.points),
+  );
   around.sort((a, b) => Math.abs(ringArea(a.points)) - Math.abs(ringArea(b.points)));
   return around[0] ? { feature: around[0], part: "inside" } : null;
 }

@@ -82,7 +82,8 @@ function addOffer(operator: OperatorInfo, adds: Addition, title: string, icon: s
   const slot = slotId ? slots.find((one) => one.id === slotId) : slots[0];
   if (!slot) return null;
   const where = {
-    behind: `adds ${operator.name} behind ${adds.at}`, before: `adds ${operator.name} before ${adds.at}`, alone: `adds ${operator.name}`,
+    behind: `adds ${operator.name} behind ${adds.at}`, before: `adds ${operator.name} before ${adds.at}`,
+    alone: `adds ${operator.name}`,
   };
   const target = adds.existing ? `in the step ${adds.existing}` : where[adds.where];
   const id = ["add", adds.op, adds.where, ...(adds.input ? [adds.input] : [])].join(":");
@@ -117,7 +118,12 @@ function moreOffers(recipe: Recipe, schema: Schema, stepId: string): Offer[] {
       if (input.kind !== kind || /_\d+$/.test(input.name)) continue;
       if (operator.out.some((port) => port.kind === kind && (kind === "labels" || port.name === input.name))) continue;
       const there = from && "step" in from && stepOf(recipe, from.step)?.op === op ? from.step : undefined;
-      offers.push(addOffer(other, { op, at: stepId, where: "before", input: input.name, ...(there ? { existing: there } : {}) }, title(input.name), "brush"));
+      offers.push(
+        addOffer(
+          other, { op, at: stepId, where: "before", input: input.name, ...(there ? { existing: there } : {}) },
+          title(input.name), "brush",
+        ),
+      );
     }
   }
   return offers.filter((offer): offer is Offer => offer !== null);
@@ -145,7 +151,8 @@ export function offersFor(recipe: Recipe, schema: Schema, stepId: string | null,
   const step = stepId === null ? undefined : stepOf(recipe, stepId);
   const operator = step && operatorOf(schema, step.op);
   if (!operator) {
-    const behind = shown === null ? [] : moreOffers(recipe, schema, shown).filter((offer) => offer.adds!.where === "behind");
+    const behind = shown === null ? []
+      : moreOffers(recipe, schema, shown).filter((offer) => offer.adds!.where === "behind");
     return { rail: [kSelect, ...aloneOffers(schema), ...kMeasures], more: behind };
   }
   const own = slotOffers(operator);
@@ -153,7 +160,9 @@ export function offersFor(recipe: Recipe, schema: Schema, stepId: string | null,
   const ownEraser = own.some(({ look }) => look.keys === "E");
   const edit = [kSelect, ...(erasable && !ownEraser ? [kEraser] : [])];
   const draw = [...own.filter((o) => o.slot!.id !== "centre"), ...own.filter((o) => o.slot!.id === "centre")];
-  return { rail: [...edit, ...draw, ...kMeasures], more: [...moreOffers(recipe, schema, step.id), ...aloneOffers(schema)] };
+  return {
+    rail: [...edit, ...draw, ...kMeasures], more: [...moreOffers(recipe, schema, step.id), ...aloneOffers(schema)],
+  };
 }
 
 export function offerById(offers: Offers, id: string): Offer | undefined {

@@ -51,23 +51,35 @@ function ClassChoice({ classes, value, change }: ClassChoiceProps) {
   );
 }
 
-const kReach: ParamInfo = { name: "radius_m", kind: "number", unit: "m", min: 0.01, default: 0, help: "reach of the brush: [ and ] change it" };
+const kReach: ParamInfo = {
+  name: "radius_m", kind: "number", unit: "m", min: 0.01, default: 0, help: "reach of the brush: [ and ] change it",
+};
 
 function ReachField({ domain, geometry }: { domain: Domain; geometry: string | undefined }) {
   const value = ownReach(geometry, domain);
-  return <Field member={practical(kReach, domain)} value={value} usual={null} change={(next) => (reach.value = Number(next))} />;
+  return (
+    <Field
+      member={practical(kReach, domain)}
+      value={value}
+      usual={null}
+      change={(next) => (reach.value = Number(next))}
+    />
+  );
 }
 
 /** Members that the bar has room for: those that the hand can see first. */
 function shownMembers(slot: Slot): readonly ParamInfo[] {
   const weight = ({ name }: ParamInfo) => {
     const order = [
-      "region", "class", "name", "value", "height_m", "depth_m", "amplitude_m", "change_m", "rotation_deg", "scale", "height_scale", "raise_m",
+      "region", "class", "name", "value", "height_m", "depth_m", "amplitude_m", "change_m", "rotation_deg", "scale",
+      "height_scale", "raise_m",
       "radius_m", "width_m", "strength_m", "strength", "speed_m_s", "towards_deg",
     ];
     return order.indexOf(name) < 0 ? order.length : order.indexOf(name);
   };
-  return slot.members.filter(({ name }) => !kInPanelOnly.has(name)).sort((a, b) => weight(a) - weight(b)).slice(0, kMost);
+  return slot.members.filter(
+    ({ name }) => !kInPanelOnly.has(name),
+  ).sort((a, b) => weight(a) - weight(b)).slice(0, kMost);
 }
 
 interface MembersProps {
@@ -92,14 +104,30 @@ function Members({ tools, slot, domain, features, next }: MembersProps) {
           if (features.length > 0) tools.setMember(features, member.name, to, gesture);
         };
         if (member.name === "region") {
-          return <RegionChoice key={member.name} value={value} change={(to) => change(to, `option-region-${Date.now()}`)} />;
+          return (
+            <RegionChoice key={member.name} value={value} change={(to) => change(to, `option-region-${Date.now()}`)} />
+          );
         }
         if (member.name === "class" && classes.length > 0) {
-          return <ClassChoice key={member.name} classes={classes} value={value === "" || value === null ? firstClass(classes) : value}
-            change={(to) => change(to, `option-class-${Date.now()}`)} />;
+          return (
+            <ClassChoice
+              key={member.name}
+              classes={classes}
+              value={value === "" || value === null ? firstClass(classes) : value}
+              change={(to) => change(to, `option-class-${Date.now()}`)}
+            />
+          );
         }
         const usual = startValue(slot, member, domain);
-        return <Field key={member.name} member={practical(member, domain)} value={value} usual={typeof usual === "number" ? usual : null} change={change} />;
+        return (
+          <Field
+            key={member.name}
+            member={practical(member, domain)}
+            value={value}
+            usual={typeof usual === "number" ? usual : null}
+            change={change}
+          />
+        );
       })}
     </>
   );
@@ -110,13 +138,18 @@ function hintOf(slot: Slot | undefined, id: string): string {
   if (id === "edit:erase") return "Sweep over lines";
   if (!slot) return "Drag, or click from point to point";
   if (slot.brush) {
-    const other = slot.tool === "raise" ? "Ctrl lowers" : slot.tool === "lower" ? "Ctrl raises" : slot.tool === "brush" || slot.tool === "region" ? "Ctrl erases" : "";
-    return [other, slot.op === "terrain.sculpt" && slot.tool !== "smooth" ? "Shift smooths" : "", "[ ] size"].filter(Boolean).join(" · ");
+    const other = slot.tool === "raise" ? "Ctrl lowers" : slot.tool === "lower" ? "Ctrl raises" : slot.tool === "brush"
+      || slot.tool === "region" ? "Ctrl erases" : "";
+    return [
+      other, slot.op === "terrain.sculpt" && slot.tool !== "smooth" ? "Shift smooths" : "", "[ ] size",
+    ].filter(Boolean).join(" · ");
   }
   if (slot.geometry === "line") return "Drag, or click from point to point; Enter ends";
-  if (slot.geometry === "ring") return slot.click ? "Draw around, or click a contour" : "Draw around, or click corners; Ctrl makes a hole";
+  if (slot.geometry === "ring") return slot.click ? "Draw around, or click a contour"
+    : "Draw around, or click corners; Ctrl makes a hole";
   if (slot.geometry === "polar") return "Drag the coast; Shift smooths";
-  return slot.members.some((member) => member.name === "height_m") ? "Click sets, drag moves, digits or Alt+wheel give the height" : "Click sets, drag moves";
+  return slot.members.some((member) => member.name === "height_m")
+    ? "Click sets, drag moves, digits or Alt+wheel give the height" : "Click sets, drag moves";
 }
 
 export function ToolOptions({ studio }: { studio: Studio }) {
@@ -131,12 +164,19 @@ export function ToolOptions({ studio }: { studio: Studio }) {
   const count = selection.value.size;
   return (
     <div class="tool-bar" role="toolbar" aria-label={`Options: ${title}`}>
-      <span class="tool-name"><ToolIcon name={slot || own.length === 0 ? offer.look.icon : lookOf(own[0]!.slot).icon} size={16} />{title}</span>
+      <span class="tool-name">
+        <ToolIcon name={slot || own.length === 0 ? offer.look.icon : lookOf(own[0]!.slot).icon} size={16} />
+        {title}
+      </span>
       {offer.adds && <span class="tool-adds">{offer.help}</span>}
       {shown && <Members tools={tools} slot={shown} domain={domain} features={own} next={slot !== undefined} />}
-      {(offer.id === "edit:erase" || slot?.geometry === "polar") && <ReachField domain={domain} geometry={slot?.geometry} />}
+      {(offer.id === "edit:erase" || slot?.geometry === "polar") && (
+        <ReachField domain={domain} geometry={slot?.geometry} />
+      )}
       {count > 0 && !slot && <span class="tool-count">{count === 1 ? "1 selected" : `${count} selected`}</span>}
-      <span class="tool-readout" aria-live="polite">{readout.value || <span class="tool-hint muted">{hintOf(slot, offer.id)}</span>}</span>
+      <span class="tool-readout" aria-live="polite">
+        {readout.value || <span class="tool-hint muted">{hintOf(slot, offer.id)}</span>}
+      </span>
     </div>
   );
 }

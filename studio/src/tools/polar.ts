@@ -18,7 +18,8 @@ export function roleOfOutline(index: number, count: number): Role {
 export function readOutlines(value: Json | undefined): Radii[] {
   if (!Array.isArray(value)) return [];
   const outlines = value.map((item) => (typeof item === "number" ? [item] : item));
-  const numbers = (item: Json): item is number[] => Array.isArray(item) && item.length > 0 && item.every((r) => typeof r === "number");
+  const numbers = (item: Json): item is number[] => Array.isArray(item) && item.length > 0
+    && item.every((r) => typeof r === "number");
   return outlines.every(numbers) ? (outlines as number[][]) : [];
 }
 
@@ -97,8 +98,12 @@ export function dragOutline(outlines: readonly Radii[], drag: Drag): number[][] 
     moved[i] = rounded(Math.max(10 * drag.step, to), drag.step);
   });
   for (let i = 0; i < count; ++i) {
-    for (let k = drag.outline + 1; k < result.length; ++k) result[k]![i] = Math.max(result[k]![i]!, result[k - 1]![i]! + drag.step);
-    for (let k = drag.outline - 1; k >= 0; --k) result[k]![i] = Math.max(drag.step, Math.min(result[k]![i]!, result[k + 1]![i]! - drag.step));
+    for (let k = drag.outline + 1; k < result.length; ++k) {
+      result[k]![i] = Math.max(result[k]![i]!, result[k - 1]![i]! + drag.step);
+    }
+    for (let k = drag.outline - 1; k >= 0; --k) result[k]![i] = Math.max(
+      drag.step, Math.min(result[k]![i]!, result[k + 1]![i]! - drag.step),
+    );
   }
   return result;
 }

@@ -1,5 +1,6 @@
 // The rail of tools at the side of the map: what draws into the selected step, how what is drawn is edited, and behind
-// the dots what else there is, with the step that it would add. Hints and the list stand over what lies beside the rail.
+// the dots what else there is, with the step that it would add. Hints and the list stand over what lies beside the
+// rail.
 import { useEffect, useRef } from "preact/hooks";
 import { useSignal, type Signal } from "@preact/signals";
 import type { Studio } from "../document/studio";
@@ -28,12 +29,21 @@ function ToolButton({ offer, tools, hint }: { offer: Offer; tools: ToolBox; hint
   };
   const hide = () => (hint.value = null);
   return (
-    <button type="button" class={`tool ${active ? "active" : ""}`} aria-pressed={active} aria-label={look.title}
-      aria-keyshortcuts={look.keys || undefined} onPointerEnter={show} onPointerLeave={hide} onFocus={show} onBlur={hide}
+    <button
+      type="button"
+      class={`tool ${active ? "active" : ""}`}
+      aria-pressed={active}
+      aria-label={look.title}
+      aria-keyshortcuts={look.keys || undefined}
+      onPointerEnter={show}
+      onPointerLeave={hide}
+      onFocus={show}
+      onBlur={hide}
       onClick={() => {
         hide();
         tools.take(offer.id);
-      }}>
+      }}
+    >
       <ToolIcon name={look.icon} />
     </button>
   );
@@ -67,7 +77,9 @@ function MoreTools({ offers, tools }: { offers: readonly Offer[]; tools: ToolBox
   const toggle = (event: { currentTarget: HTMLElement }) => {
     const { right, top } = event.currentTarget.getBoundingClientRect();
     const height = 34 * offers.length + 10;
-    open.value = open.value ? null : { left: right + 8, top: Math.max(8, Math.min(top, window.innerHeight - height - 8)) };
+    open.value = open.value ? null : {
+      left: right + 8, top: Math.max(8, Math.min(top, window.innerHeight - height - 8)),
+    };
   };
   const keys = (event: KeyboardEvent) => {
     const items = [...(list.current?.querySelectorAll("button") ?? [])];
@@ -83,17 +95,36 @@ function MoreTools({ offers, tools }: { offers: readonly Offer[]; tools: ToolBox
   };
   return (
     <div class="more-tools" ref={box} onKeyDown={keys}>
-      <button type="button" class={`tool ${active ? "active" : ""}`} aria-label="More tools" aria-expanded={open.value !== null}
-        aria-haspopup="menu" title="More tools" onClick={toggle}>
+      <button
+        type="button"
+        class={`tool ${active ? "active" : ""}`}
+        aria-label="More tools"
+        aria-expanded={open.value !== null}
+        aria-haspopup="menu"
+        title="More tools"
+        onClick={toggle}
+      >
         <ToolIcon name="more" />
       </button>
       {open.value && (
-        <div class="more-list" role="menu" aria-label="More tools" ref={list} style={{ left: `${open.value.left}px`, top: `${open.value.top}px` }}>
+        <div
+          class="more-list"
+          role="menu"
+          aria-label="More tools"
+          ref={list}
+          style={{ left: `${open.value.left}px`, top: `${open.value.top}px` }}
+        >
           {offers.map((offer) => (
-            <button key={offer.id} type="button" class="plain" role="menuitem" onClick={() => {
-              tools.take(offer.id);
-              open.value = null;
-            }}>
+            <button
+              key={offer.id}
+              type="button"
+              class="plain"
+              role="menuitem"
+              onClick={() => {
+                tools.take(offer.id);
+                open.value = null;
+              }}
+            >
               <ToolIcon name={offer.look.icon} />
               <span>{offer.look.title}</span>
               <span class="muted">{offer.help}</span>
@@ -124,7 +155,9 @@ export function ToolRail({ studio, viewport }: Props) {
   const hint = useSignal<Hint | null>(null);
   useEffect(() => (viewport ? tools.attach(viewport) : undefined), [tools, viewport]);
   const { rail, more } = tools.offers.value;
-  const groups = (["edit", "draw", "brush", "measure"] as const).map((group) => rail.filter((offer) => offer.group === group));
+  const groups = (["edit", "draw", "brush", "measure"] as const).map(
+    (group) => rail.filter((offer) => offer.group === group),
+  );
   const alone = rail.filter((offer) => offer.group === "more");
   return (
     <div class="tool-column" role="toolbar" aria-orientation="vertical" aria-label="Tools">

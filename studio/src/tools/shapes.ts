@@ -36,7 +36,9 @@ function headOf(points: readonly Point[], role: Role, width_px: number, share = 
   if (way === 0) return [];
   const size = totalLength(points) * share;
   const [ux, uy] = [(b[0] - a[0]) / way, (b[1] - a[1]) / way];
-  const wing = (side: number): Point => [b[0] - size * ux - side * size * 0.55 * uy, b[1] - size * uy + side * size * 0.55 * ux];
+  const wing = (side: number): Point => [
+    b[0] - size * ux - side * size * 0.55 * uy, b[1] - size * uy + side * size * 0.55 * ux,
+  ];
   return [{ shape: "line", points: [wing(1), b, wing(-1)], role, width_px }];
 }
 
@@ -47,7 +49,9 @@ function totalLength(points: readonly Point[]): number {
 function placeShapes(feature: Feature, role: Role, selected: boolean): OverlayShape[] {
   const [at, end] = feature.points;
   const label = labelOf(feature);
-  const shapes: OverlayShape[] = [{ shape: "dot", at: at!, role: selected ? "selected" : role, ...(label ? { label } : {}), handle: selected }];
+  const shapes: OverlayShape[] = [
+    { shape: "dot", at: at!, role: selected ? "selected" : role, ...(label ? { label } : {}), handle: selected },
+  ];
   const radius = itemMembers(feature)["radius_m"];
   if (typeof radius === "number" && radius < 1e5) shapes.push({ shape: "circle", at: at!, radius_m: radius, role });
   if (end && distance(at!, end) > 0) {
@@ -64,7 +68,11 @@ function handles(feature: Feature, points: ReadonlySet<string>): OverlayShape[] 
   const shapes: OverlayShape[] = [];
   const room = feature.points.length <= kMostWithMiddles;
   for (let i = 0; room && i < segments(feature.points.length, isClosed(feature)); ++i) {
-    shapes.push({ shape: "dot", at: mix(feature.points[i]!, feature.points[(i + 1) % feature.points.length]!, 0.5), role: "guide" });
+    shapes.push(
+      {
+        shape: "dot", at: mix(feature.points[i]!, feature.points[(i + 1) % feature.points.length]!, 0.5), role: "guide",
+      },
+    );
   }
   feature.points.forEach((at, i) => {
     shapes.push({ shape: "dot", at, role: points.has(`${feature.key} ${i}`) ? "selected" : "handle", handle: true });
@@ -85,11 +93,18 @@ export function featureShapes(
     else if (feature.geometry === "line") shapes.push(...lineShapes(feature, chosen ? "selected" : role, chosen));
     else {
       shapes.push({ shape: "area", points: feature.points, role });
-      shapes.push({ shape: "line", points: feature.points, role: chosen ? "selected" : role, closed: true, width_px: chosen ? 3 : 2 });
+      shapes.push(
+        {
+          shape: "line", points: feature.points, role: chosen ? "selected" : role, closed: true,
+          width_px: chosen ? 3 : 2,
+        },
+      );
       const label = labelOf(feature);
       if (label) over.push({ shape: "dot", at: feature.points[0]!, role, label });
     }
-    if (editing && chosen && feature.points.length > 1 && feature.geometry !== "vector") over.push(...handles(feature, points));
+    if (
+      editing && chosen && feature.points.length > 1 && feature.geometry !== "vector"
+    ) over.push(...handles(feature, points));
   }
   return [...shapes, ...over];
 }

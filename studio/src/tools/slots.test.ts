@@ -55,7 +55,8 @@ test("brushes are strokes of a list of tools with a radius", () => {
 });
 
 test("members are what else an item says", () => {
-  const names = (op: string, id: string) => slotsOf(operatorNamed(op)).find((s) => s.id === id)!.members.map((m) => m.name);
+  const names =
+    (op: string, id: string) => slotsOf(operatorNamed(op)).find((s) => s.id === id)!.members.map((m) => m.name);
   assert.deepEqual(names("island.wind", "strokes"), ["width_m", "strength_m"]);
   assert.deepEqual(names("learned.sketch", "heights"), ["height_m"]);
   assert.ok(!names("terrain.sculpt", "strokes:raise").includes("pressure"));

@@ -67,7 +67,8 @@ const kRiverMembers = [
 
 /** A list of points is a line, unless its name or its help speaks of places. */
 function isPlaces(param: ParamInfo): boolean {
-  return /^(at|places?)$/.test(param.name) || (/\bplaces?\b/.test(param.help) && !/\b(line|spline|curve|stroke)\b/.test(param.help));
+  return /^(at|places?)$/.test(param.name)
+    || (/\bplaces?\b/.test(param.help) && !/\b(line|spline|curve|stroke)\b/.test(param.help));
 }
 
 function pairsOf(params: readonly ParamInfo[]): { names: [string, string]; prefix: string }[] {
@@ -137,17 +138,26 @@ function listSlot(op: string, param: ParamInfo, path: Path): Slot {
   const base = { id: path.join("/"), op, list: path, about: param.help, also: [], brush: false };
   switch (param.kind) {
     case "strokes":
-      return { ...base, geometry: "line", parts: [{ path: ["points"], as: "line" }], bare: false, members: kStrokeMembers };
+      return {
+        ...base, geometry: "line", parts: [{ path: ["points"], as: "line" }], bare: false, members: kStrokeMembers,
+      };
     case "rivers":
-      return { ...base, geometry: "line", parts: [{ path: ["points"], as: "line" }], bare: true, members: kRiverMembers };
+      return {
+        ...base, geometry: "line", parts: [{ path: ["points"], as: "line" }], bare: true, members: kRiverMembers,
+      };
     default:
-      return { ...base, geometry: "ring", parts: [{ path: ["ring"], as: "ring" }], bare: true, members: kRegionMembers };
+      return {
+        ...base, geometry: "ring", parts: [{ path: ["ring"], as: "ring" }], bare: true, members: kRegionMembers,
+      };
   }
 }
 
 function singleSlot(op: string, part: Part, about: string): Slot {
   const id = part.as === "pair" ? [...part.path, part.names![0]].join("/") : part.path.join("/");
-  return { id, op, list: null, about, geometry: geometryOf(part), parts: [part], also: [], bare: false, members: [], brush: false };
+  return {
+    id, op, list: null, about, geometry: geometryOf(part), parts: [part], also: [], bare: false, members: [],
+    brush: false,
+  };
 }
 
 function slotsAmong(op: string, params: readonly ParamInfo[], above: Path): Slot[] {
@@ -155,8 +165,12 @@ function slotsAmong(op: string, params: readonly ParamInfo[], above: Path): Slot
   for (const param of params) {
     const path = [...above, param.name];
     const inner = param.tools ?? [];
-    if (param.kind === "strokes" || param.kind === "rivers" || param.kind === "regions") slots.push(listSlot(op, param, path));
-    if (param.kind === "points") slots.push(singleSlot(op, { path, as: isPlaces(param) ? "places" : "line" }, param.help));
+    if (
+      param.kind === "strokes" || param.kind === "rivers" || param.kind === "regions"
+    ) slots.push(listSlot(op, param, path));
+    if (param.kind === "points") slots.push(
+      singleSlot(op, { path, as: isPlaces(param) ? "places" : "line" }, param.help),
+    );
     if (param.kind === "polygons") slots.push(singleSlot(op, { path, as: "polygons" }, param.help));
     if (param.kind === "point") slots.push(singleSlot(op, { path, as: "point" }, param.help));
     if (param.kind === "outlines") slots.push(singleSlot(op, { path, as: "polar" }, param.help));

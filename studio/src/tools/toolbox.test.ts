@@ -21,9 +21,13 @@ class Paper {
     this.shapes = shapes;
   }
   at([x, y]: readonly [number, number], more: Partial<GroundPointer> = {}): GroundPointer {
-    return { x, y, height: 420.4, pressure: 1, device: "mouse", shift: false, ctrl: false, alt: false, pixel_m: 20, ...more };
+    return {
+      x, y, height: 420.4, pressure: 1, device: "mouse", shift: false, ctrl: false, alt: false, pixel_m: 20, ...more,
+    };
   }
-  async stroke(points: readonly (readonly [number, number])[], more: Partial<GroundPointer> = {}, pressures?: number[]): Promise<void> {
+  async stroke(
+    points: readonly (readonly [number, number])[], more: Partial<GroundPointer> = {}, pressures?: number[],
+  ): Promise<void> {
     const samples = points.map((p, i) => this.at(p, { ...more, pressure: pressures?.[i] ?? 1 }));
     this.pen!.down(samples[0]!);
     for (let i = 1; i < samples.length; i += 5) {
@@ -63,7 +67,9 @@ async function open(steps: Recipe["steps"], selected: string | null, more: Parti
 const params = (id: string) => studio.step(id)!.params as { [name: string]: Json };
 const items = (id: string, list: string) => (params(id)[list] ?? []) as { [name: string]: Json }[];
 const labels = () => studio.document.value.history.map((entry) => entry.label);
-const press = (key: string, more = {}) => toolKey(studio, { key, ctrlKey: false, shiftKey: false, altKey: false, metaKey: false, ...more });
+const press = (key: string, more = {}) => toolKey(
+  studio, { key, ctrlKey: false, shiftKey: false, altKey: false, metaKey: false, ...more },
+);
 const pointsOf = (stroke: readonly Sample[]) => stroke.map((s) => [s.x, s.y] as const);
 
 afterEach(() => {
@@ -226,7 +232,9 @@ test("pressure of a pen is kept with the points, and not where a tool has none",
 test("areas: a lasso, corners, and a hole with Ctrl", async () => {
   await open([{ id: "isle", op: "island.build" }], "isle");
   activeTool.value = "slot:areas";
-  const circle = (r: number) => Array.from({ length: 60 }, (_, i) => [r * Math.cos(i / 9), r * Math.sin(i / 9)] as const);
+  const circle = (r: number) => Array.from(
+    { length: 60 }, (_, i) => [r * Math.cos(i / 9), r * Math.sin(i / 9)] as const,
+  );
   await paper.stroke(circle(6000));
   await paper.stroke(circle(2000), { ctrl: true });
   const [area] = params("isle")["areas"] as { [name: string]: Json }[];
@@ -276,7 +284,10 @@ test("every tool of every step survives any order of events, and the recipe stay
     for (const offer of tools.offers.value.rail) {
       tools.take(offer.id);
       for (let i = 0; i < 12; ++i) {
-        const at = paper.at([24000 * (random() - 0.5), 24000 * (random() - 0.5)], { ctrl: random() > 0.8, shift: random() > 0.8, height: random() > 0.5 ? 10 : null });
+        const at = paper.at(
+          [24000 * (random() - 0.5), 24000 * (random() - 0.5)],
+          { ctrl: random() > 0.8, shift: random() > 0.8, height: random() > 0.5 ? 10 : null },
+        );
         const what = Math.floor(random() * 8);
         if (what === 0) paper.pen!.down(at);
         else if (what === 1) paper.pen!.move([at]);

@@ -252,7 +252,9 @@ export class ToolBox {
   setMember(features: readonly Feature[], member: string, value: Json, gesture: string): void {
     const step = this.studio.selected.peek();
     const label = `${step ?? ""}: ${lookOf(features[0]!.slot).title.toLowerCase()}, ${member.replace(/_/g, " ")}`;
-    const edits = features.map((feature) => ({ do: "set" as const, pointer: `${feature.item.pointer}/${member}`, value }));
+    const edits = features.map(
+      (feature) => ({ do: "set" as const, pointer: `${feature.item.pointer}/${member}`, value }),
+    );
     void this.studio.edit(edits, label, gesture);
   }
 

@@ -11,7 +11,9 @@ export interface Climate {
 }
 
 type Knots = readonly (readonly [latitude: number, metres: number])[];
-const snow: Knots = [[0, 4750], [18, 5200], [28, 5800], [37, 4000], [47, 2850], [62, 1700], [67, 1250], [78, 450], [90, 0]];
+const snow: Knots = [
+  [0, 4750], [18, 5200], [28, 5800], [37, 4000], [47, 2850], [62, 1700], [67, 1250], [78, 450], [90, 0],
+];
 const trees: Knots = [[0, 3900], [28, 4000], [37, 3000], [47, 2000], [62, 1100], [67, 700], [73, 1], [90, 1]];
 
 function between(knots: Knots, latitude: number): number {

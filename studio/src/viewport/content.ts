@@ -65,11 +65,15 @@ export function followContent(studio: Studio, came: (content: Content) => void):
       const stands = over?.kind === "things" ? over : things.answer.value;
       const scene = over?.kind === "objects" ? over : objects.answer.value;
       const step = (studio.shown.value.objects ?? studio.shown.value.overlay)?.split(".")[0] ?? "";
-      const living = scene === null ? null : objectShapes(scene.content, catalogueClasses(studio, step), stands !== null);
+      const living = scene === null ? null : objectShapes(
+        scene.content, catalogueClasses(studio, step), stands !== null,
+      );
       const drawn = over === null || over.kind === "things" || over === scene ? [] : shapesOf(over.content, over.kind);
       seenClasses.value = living?.classes ?? [];
       seenObjects.value = living?.objects ?? [];
-      came({ things: stands === null ? null : readThings(stands.content), shapes: [...(living?.shapes ?? []), ...drawn] });
+      came(
+        { things: stands === null ? null : readThings(stands.content), shapes: [...(living?.shapes ?? []), ...drawn] },
+      );
     }),
   ];
   return () => {

@@ -19,9 +19,11 @@ export function drawCurrent(ink: CanvasRenderingContext2D, raster: Raster, eye: 
       const [x, y] = toGround(eye, size, px, py);
       const column = Math.floor((x - frame.west) / frame.cell_m), row = Math.floor((frame.north - y) / frame.cell_m);
       if (column < 0 || row < 0 || column >= frame.columns || row >= frame.rows) continue;
-      const i = 2 * (row * frame.columns + column), east = values[i]!, north = values[i + 1]!, speed = Math.hypot(east, north);
+      const i = 2 * (row * frame.columns + column), east = values[i]!, north = values[i + 1]!;
+      const speed = Math.hypot(east, north);
       if (!(speed > 0.02 * fastest)) continue;
-      const long = 5 + 0.62 * gap_px * Math.sqrt(speed / fastest), dx = (east / speed) * long, dy = (-north / speed) * long;
+      const long = 5 + 0.62 * gap_px * Math.sqrt(speed / fastest), dx = (east / speed) * long;
+      const dy = (-north / speed) * long;
       const tx = px + dx / 2, ty = py + dy / 2;
       arrows.moveTo(px - dx / 2, py - dy / 2);
       arrows.lineTo(tx, ty);

@@ -25,7 +25,9 @@ const mostPieces = 3000;
 export function subdivided(points: Places, step_m: number): Places {
   if (points.length < 2) return points;
   let total = 0;
-  for (let i = 1; i < points.length; ++i) total += Math.hypot(points[i]![0] - points[i - 1]![0], points[i]![1] - points[i - 1]![1]);
+  for (let i = 1; i < points.length; ++i) total += Math.hypot(
+    points[i]![0] - points[i - 1]![0], points[i]![1] - points[i - 1]![1],
+  );
   const step = Math.max(step_m, total / mostPieces);
   const result: [number, number][] = [[points[0]![0], points[0]![1]]];
   for (let i = 1; i < points.length; ++i) {

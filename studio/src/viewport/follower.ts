@@ -69,7 +69,9 @@ export class Follower {
         continue;
       }
       try {
-        const raster = await this.studio.raster(value.source, levelFor(value.frame.columns, value.frame.rows, this.most));
+        const raster = await this.studio.raster(
+          value.source, levelFor(value.frame.columns, value.frame.rows, this.most),
+        );
         if (raster === null || this.gone || this.which(this.studio.shown.peek()) !== value.source) continue;
         this.gotKey = value.key;
         this.got(raster, value);

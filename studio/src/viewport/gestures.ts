@@ -1,7 +1,7 @@
-// Sorts what pointers do over a view: strokes for the tool, moves of the view for navigation. The left button, the pen's
-// tip and a single finger are the tool's; two fingers, other buttons, Alt and the space bar move the view. A second
-// finger takes back the stroke that the first began; once a pen was seen, fingers only navigate, and while it is down
-// they (a palm) do nothing.
+// Sorts what pointers do over a view: strokes for the tool, moves of the view for navigation. The left button, the
+// pen's tip and a single finger are the tool's; two fingers, other buttons, Alt and the space bar move the view. A
+// second finger takes back the stroke that the first began; once a pen was seen, fingers only navigate, and while it
+// is down they (a palm) do nothing.
 import type { NavigationPreset } from "./options";
 
 export type Way = "orbit" | "pan" | "dolly" | "fly";
@@ -38,7 +38,8 @@ let penSeen = false;
 const flyKeyCodes = new Set(["KeyW", "KeyA", "KeyS", "KeyD", "KeyQ", "KeyE", "ShiftLeft", "ShiftRight"]);
 
 export function isTyping(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && target.closest("input, textarea, select, [contenteditable], .cm-editor") !== null;
+  return target instanceof HTMLElement
+    && target.closest("input, textarea, select, [contenteditable], .cm-editor") !== null;
 }
 
 export class Gestures {

@@ -14,7 +14,8 @@ export interface Legend {
 }
 
 const slopeColours: readonly [string, Colour][] = [
-  ["0\u00b0", [199, 212, 189]], ["15\u00b0", [237, 219, 133]], ["25\u00b0", [235, 143, 71]], ["40\u00b0", [189, 56, 56]], ["60\u00b0", [92, 33, 77]],
+  ["0\u00b0", [199, 212, 189]], ["15\u00b0", [237, 219, 133]], ["25\u00b0", [235, 143, 71]],
+  ["40\u00b0", [189, 56, 56]], ["60\u00b0", [92, 33, 77]],
 ];
 
 export function legendOf(overlay: GroundOverlay): Legend | null {
@@ -70,7 +71,9 @@ export class OverlayTexture {
     const { raster } = overlay;
     const key = `${overlay.overlay} ${raster.key} ${raster.frame.columns} ${raster.min} ${raster.max}`;
     if (key === this.shownKey) return;
-    const texture = new DataTexture(overlayPixels(raster), raster.frame.columns, raster.frame.rows, RGBAFormat, UnsignedByteType);
+    const texture = new DataTexture(
+      overlayPixels(raster), raster.frame.columns, raster.frame.rows, RGBAFormat, UnsignedByteType,
+    );
     this.replace(texture, raster.frame, key);
   }
 

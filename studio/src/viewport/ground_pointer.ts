@@ -9,7 +9,9 @@ export interface Under {
   pixel_m: number;
 }
 
-export function groundPointer(event: MouseEvent & { pointerType?: string; pressure?: number }, under: Under): GroundPointer {
+export function groundPointer(
+  event: MouseEvent & { pointerType?: string; pressure?: number }, under: Under,
+): GroundPointer {
   const device = event.pointerType === "pen" ? "pen" : event.pointerType === "touch" ? "touch" : "mouse";
   // The other end of a pen does what Ctrl does: it takes away.
   const eraser = device === "pen" && ((event.buttons & 32) !== 0 || event.button === 5);

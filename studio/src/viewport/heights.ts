@@ -1,5 +1,5 @@
-// Heights on the processor's side: bilinear samples, statistics, and a tree of least and greatest heights over blocks of
-// cells, which picking and the choice of patches walk down.
+// Heights on the processor's side: bilinear samples, statistics, and a tree of least and greatest heights over blocks
+// of cells, which picking and the choice of patches walk down.
 //
 // Block coordinates count cells from the north-west corner of the frame: cell i covers [i, i + 1], its sample is at
 // i + 0.5.
@@ -81,7 +81,10 @@ export class HeightField {
     }
     if (right - left < 0.1 * columns && bottom - top < 0.1 * rows) return this.rectangle;
     const { west, north } = this.frame;
-    return { west: west + left * side, east: west + (right + 1) * side, north: north - top * side, south: north - (bottom + 1) * side };
+    return {
+      west: west + left * side, east: west + (right + 1) * side, north: north - top * side,
+      south: north - (bottom + 1) * side,
+    };
   }
   get centre(): [number, number] {
     return [this.frame.west + this.width_m / 2, this.frame.north - this.height_m / 2];

@@ -26,7 +26,9 @@ export function panned(eye: MapEye, right_px: number, down_px: number): MapEye {
 }
 
 /** Zooms so that the place under a pixel stays there. */
-export function zoomed(eye: MapEye, size: Size, px: number, py: number, factor: number, least: number, most: number): MapEye {
+export function zoomed(
+  eye: MapEye, size: Size, px: number, py: number, factor: number, least: number, most: number,
+): MapEye {
   const pixel_m = Math.min(most, Math.max(least, eye.pixel_m * factor));
   const [x, y] = toGround(eye, size, px, py);
   return { x: x - (px - size.width / 2) * pixel_m, y: y + (py - size.height / 2) * pixel_m, pixel_m };

@@ -10,8 +10,13 @@ interface Palette {
   line: string;
   half: string;
 }
-const dark: Palette = { text: "rgba(255, 255, 255, 0.92)", halo: "rgba(8, 16, 22, 0.55)", line: "rgba(255, 255, 255, 0.16)", half: "rgba(255, 255, 255, 0.35)" };
-const light: Palette = { text: "#1b2228", halo: "rgba(255, 255, 255, 0.78)", line: "rgba(10, 20, 30, 0.16)", half: "rgba(27, 34, 40, 0.35)" };
+const dark: Palette = {
+  text: "rgba(255, 255, 255, 0.92)", halo: "rgba(8, 16, 22, 0.55)", line: "rgba(255, 255, 255, 0.16)",
+  half: "rgba(255, 255, 255, 0.35)",
+};
+const light: Palette = {
+  text: "#1b2228", halo: "rgba(255, 255, 255, 0.78)", line: "rgba(10, 20, 30, 0.16)", half: "rgba(27, 34, 40, 0.35)",
+};
 
 export interface FurnitureOptions {
   grid: boolean;
@@ -28,7 +33,9 @@ export function drawFurniture(ink: CanvasRenderingContext2D, eye: MapEye, size: 
 }
 
 /** Places as the document has them, the same that the status line says. */
-function edgeMarks(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, options: FurnitureOptions, palette: Palette): void {
+function edgeMarks(
+  ink: CanvasRenderingContext2D, eye: MapEye, size: Size, options: FurnitureOptions, palette: Palette,
+): void {
   const step = gridStep(eye.pixel_m);
   const [west, north] = toGround(eye, size, 0, 0), [east, south] = toGround(eye, size, size.width, size.height);
   ink.lineWidth = 1;
@@ -48,8 +55,12 @@ function edgeMarks(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, optio
     ink.textAlign = vertical ? "center" : "left";
     text(ink, at === 0 ? "0" : lengthText(at), vertical ? q : 9, vertical ? 8 : q, palette.text, palette.halo);
   };
-  for (const x of multiples(west, east, step)) if ((x - west) / eye.pixel_m > 60 && (east - x) / eye.pixel_m > 48) marks(true, x);
-  for (const y of multiples(south, north, step)) if ((north - y) / eye.pixel_m > 34 && (y - south) / eye.pixel_m > 44) marks(false, y);
+  for (const x of multiples(west, east, step)) if (
+    (x - west) / eye.pixel_m > 60 && (east - x) / eye.pixel_m > 48
+  ) marks(true, x);
+  for (const y of multiples(south, north, step)) if (
+    (north - y) / eye.pixel_m > 34 && (y - south) / eye.pixel_m > 44
+  ) marks(false, y);
 }
 
 function scaleBar(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, palette: Palette): void {

@@ -1,6 +1,9 @@
 // Tileable noise for the shaders, made once: red a sum of octaves from 8 waves across, blue and alpha its slopes (0.5:
 // level), green another sum. Finer octaves fade out with the mipmaps, so nothing shimmers.
-import { DataTexture, LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, RepeatWrapping, RGBAFormat, UnsignedByteType } from "three";
+import {
+  DataTexture, LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, RepeatWrapping, RGBAFormat,
+  UnsignedByteType,
+} from "three";
 
 const size = 256;
 const waves = 8;
@@ -47,7 +50,10 @@ export function noiseTexture(smoothLevels: boolean): DataTexture {
       const i = y * size + x;
       const east = first[y * size + ((x + 1) % size)]! - first[y * size + ((x + size - 1) % size)]!;
       const north = first[((y + 1) % size) * size + x]! - first[((y + size - 1) % size) * size + x]!;
-      data.set([byte(0.5 + 0.55 * first[i]!), byte(0.5 + 0.55 * second[i]!), byte(0.5 + 2.2 * north), byte(0.5 + 2.2 * east)], 4 * i);
+      data.set(
+        [byte(0.5 + 0.55 * first[i]!), byte(0.5 + 0.55 * second[i]!), byte(0.5 + 2.2 * north), byte(0.5 + 2.2 * east)],
+        4 * i,
+      );
     }
   }
   const texture = new DataTexture(data, size, size, RGBAFormat, UnsignedByteType);

@@ -17,7 +17,9 @@ test("objects of a class are marks of its colour, curves lines", () => {
     { shape: "line", points: [[0, 0], [5, 5]], role: "ink", colour: "#ff0000", width_px: 1.5, only: "map" },
     { shape: "dots", places: [[1, 2], [3, 4]], colour: "#00ff00", only: "map" },
   ]);
-  assert.deepEqual(classes, [{ name: "palm", count: 2, colour: "#00ff00" }, { name: "reef", count: 1, colour: "#ff0000" }]);
+  assert.deepEqual(
+    classes, [{ name: "palm", count: 2, colour: "#00ff00" }, { name: "reef", count: 1, colour: "#ff0000" }],
+  );
 });
 
 test("where nothing says what they look like they are marks in both views", () => {

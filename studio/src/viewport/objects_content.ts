@@ -82,7 +82,9 @@ function lengthOf(points: readonly Point[]): number {
 
 /** The nearest object within a reach; of lines alone where only they will do. Of lines that are about as near as each
  * other, the longest is meant. */
-export function nearestObject(objects: readonly SceneObject[], at: Point, reach_m: number, lines: boolean): SceneObject | null {
+export function nearestObject(
+  objects: readonly SceneObject[], at: Point, reach_m: number, lines: boolean,
+): SceneObject | null {
   let nearest: SceneObject | null = null, least = reach_m, length = 0;
   for (const object of objects) {
     if (lines && object.points.length < 2) continue;

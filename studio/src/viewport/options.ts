@@ -1,6 +1,7 @@
 // How the views show the ground: what a person sets in the view's own controls. Never part of a recipe.
 
-/** texture: natural ground; relief: one pale stone; slope: steepness in colours; contours: natural with height lines. */
+/** texture: natural ground; relief: one pale stone; slope: steepness in colours; contours: natural with height
+ * lines. */
 export type GroundStyle = "texture" | "relief" | "slope" | "contours";
 export type NavigationPreset = "blender" | "gaea";
 

@@ -42,7 +42,9 @@ test("where patches of different levels meet, the finer has morphed and the coar
         for (let k = 0; k <= patchCells; ++k) {
           for (const [i, j] of [[0, k], [patchCells, k], [k, 0], [k, patchCells]] as const) {
             const x = fine[0]! + (i * fine[2]!) / patchCells, y = fine[1]! + (j * fine[2]!) / patchCells;
-            if (x < coarse[0]! || y < coarse[1]! || x > coarse[0]! + coarse[2]! || y > coarse[1]! + coarse[2]!) continue;
+            if (
+              x < coarse[0]! || y < coarse[1]! || x > coarse[0]! + coarse[2]! || y > coarse[1]! + coarse[2]!
+            ) continue;
             const d = distance(x, y);
             assert.ok(d >= fine[4]! - 1e-3, "the finer one is in its parent's grid");
             assert.ok(d <= coarse[3]! + 1e-3, "the coarser one is in its own grid");

@@ -16,14 +16,18 @@ export interface ProfileData {
 }
 
 /** `at`: height of a place. At least two points, else null. */
-export function profileAlong(line: Places, at: (x: number, y: number) => number | null, count = 240): ProfileData | null {
+export function profileAlong(
+  line: Places, at: (x: number, y: number) => number | null, count = 240,
+): ProfileData | null {
   const ends: number[] = [0];
   for (let i = 1; i < line.length; ++i) {
     ends.push(ends[i - 1]! + Math.hypot(line[i]![0] - line[i - 1]![0], line[i]![1] - line[i - 1]![1]));
   }
   const length = ends[ends.length - 1]!;
   if (line.length < 2 || !(length > 0)) return null;
-  const data: ProfileData = { distance: [], height: [], places: [], length, min: Infinity, max: -Infinity, rise: 0, fall: 0 };
+  const data: ProfileData = {
+    distance: [], height: [], places: [], length, min: Infinity, max: -Infinity, rise: 0, fall: 0,
+  };
   let before: number | null = null, piece = 1;
   for (let k = 0; k < count; ++k) {
     const s = (length * k) / (count - 1);

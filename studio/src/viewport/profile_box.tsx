@@ -35,8 +35,12 @@ export class ProfileBox {
     }
     const host = this.host();
     if (this.box.parentElement !== host) host.append(this.box);
-    const width = Math.max(260, Math.min(620, host.clientWidth - 24)), height = Math.max(120, Math.min(180, 0.35 * host.clientHeight));
-    render(<Profile data={data} width={width} height={height} pointed={this.pointed} close={() => this.show(null)} />, this.box);
+    const width = Math.max(260, Math.min(620, host.clientWidth - 24));
+    const height = Math.max(120, Math.min(180, 0.35 * host.clientHeight));
+    render(
+      <Profile data={data} width={width} height={height} pointed={this.pointed} close={() => this.show(null)} />,
+      this.box,
+    );
   }
 
   dispose(): void {

@@ -5,7 +5,9 @@ import type { OverlayShape, Role } from "./types";
 type Members = { [key: string]: Json };
 type Point = readonly [number, number];
 
-const members = (value: Json | undefined): Members => (value !== null && typeof value === "object" && !Array.isArray(value) ? value : {});
+const members = (value: Json | undefined): Members => (
+  value !== null && typeof value === "object" && !Array.isArray(value) ? value : {}
+);
 const list = (value: Json | undefined): Json[] => (Array.isArray(value) ? value : []);
 
 function point(value: Json): Point | null {
@@ -18,7 +20,9 @@ function line(value: Json): Point[] {
 }
 
 /** Kinds of values that have shapes, and how they are drawn. */
-export const shapeRoles: { [kind: string]: Role } = { contours: "contour", drawing: "guide", tin: "guide", objects: "height" };
+export const shapeRoles: { [kind: string]: Role } = {
+  contours: "contour", drawing: "guide", tin: "guide", objects: "height",
+};
 
 /** Kinds with so many lines, all alike, that they are drawn as one. */
 const alike: readonly string[] = ["tin", "contours"];
@@ -53,5 +57,9 @@ export function shapesOf(answer: Json, kind: string): OverlayShape[] {
     return put(type, coordinates);
   });
   if (!alike.includes(kind)) return shapes;
-  return [lines(shapes.flatMap((shape) => (shape.shape === "line" ? [shape.points] : shape.shape === "lines" ? shape.lines : [])))];
+  return [
+    lines(
+      shapes.flatMap((shape) => (shape.shape === "line" ? [shape.points] : shape.shape === "lines" ? shape.lines : [])),
+    ),
+  ];
 }

@@ -10,7 +10,9 @@ function trace(ink: CanvasRenderingContext2D, run: Run): void {
   run.points.forEach(([x, y], i) => (i === 0 ? ink.moveTo(x, y) : ink.lineTo(x, y)));
 }
 
-function strokeRuns(ink: CanvasRenderingContext2D, pieces: Run[], colour: string, width: number, dash: number[] = []): void {
+function strokeRuns(
+  ink: CanvasRenderingContext2D, pieces: Run[], colour: string, width: number, dash: number[] = [],
+): void {
   ink.lineCap = ink.lineJoin = "round";
   ink.setLineDash(dash);
   for (const over of [false, true]) {
@@ -120,7 +122,9 @@ function area(ink: CanvasRenderingContext2D, shape: Extract<OverlayShape, { shap
   strokeRuns(ink, pieces, colour, 1.5);
 }
 
-export function text(ink: CanvasRenderingContext2D, words: string, x: number, y: number, colour = "#ffffff", halo = casing): void {
+export function text(
+  ink: CanvasRenderingContext2D, words: string, x: number, y: number, colour = "#ffffff", halo = casing,
+): void {
   ink.font = inkFont;
   ink.lineJoin = "round";
   ink.lineWidth = 3;
@@ -150,7 +154,9 @@ function dot(ink: CanvasRenderingContext2D, shape: Extract<OverlayShape, { shape
   ink.globalAlpha = 1;
 }
 
-function ring(ink: CanvasRenderingContext2D, x: number, y: number, radius: number, role: Role, by: Projector, dash: number[]): void {
+function ring(
+  ink: CanvasRenderingContext2D, x: number, y: number, radius: number, role: Role, by: Projector, dash: number[],
+): void {
   strokeRuns(ink, runs(circle(x, y, radius), true, by), roleColour(role), 1.5, dash);
 }
 
@@ -164,7 +170,9 @@ export function drawShapes(ink: CanvasRenderingContext2D, shapes: readonly Overl
     else if (shape.shape === "dots") dots(ink, shape, by);
     else {
       ring(ink, shape.at[0], shape.at[1], shape.radius_m, shape.role, by, []);
-      if (shape.inner_m !== undefined && shape.inner_m > 0) ring(ink, shape.at[0], shape.at[1], shape.inner_m, shape.role, by, [3, 3]);
+      if (shape.inner_m !== undefined && shape.inner_m > 0) ring(
+        ink, shape.at[0], shape.at[1], shape.inner_m, shape.role, by, [3, 3],
+      );
     }
   }
 }

@@ -34,7 +34,8 @@ export function sharedUniforms(noise: Texture): SharedUniforms {
   return {
     heights: { value: null }, surface: { value: null }, lit: { value: null },
     noise: { value: noise }, cell_m: { value: 1 }, ground_style: { value: 0 }, overlay: { value: null },
-    overlay_place: { value: [0, 0, 1, 1] }, overlay_strength: { value: 0 }, overlay_sharp: { value: 0 }, contour_m: { value: 0 },
+    overlay_place: { value: [0, 0, 1, 1] }, overlay_strength: { value: 0 }, overlay_sharp: { value: 0 },
+    contour_m: { value: 0 },
     contour_colour: { value: new Vector3(0.02, 0.015, 0.01) },
     detail_heights: { value: null }, detail_surface: { value: null }, detail_lit: { value: null }, detail_place: { value: [0, 0, 1, 1] },
     detail_fade: { value: [0, 0, 0, 0] }, detail_edge: { value: [0, 0, 0, 0] }, detail_strength: { value: 0 }, detail_cell_m: { value: 1 },

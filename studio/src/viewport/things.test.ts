@@ -7,7 +7,8 @@ const triangles = Buffer.from(new Float32Array([...corner, ...corner, ...corner]
 const answer = {
   models: [{ name: "palm", triangles }, { name: "fern", triangles }],
   instances: [
-    { model: "palm", x: 10, y: 0, z: 1, angle_deg: 90, scale: 2 }, { model: 1, x: 0, y: 500, z: 1, angle_deg: 0, scale: 1 },
+    { model: "palm", x: 10, y: 0, z: 1, angle_deg: 90, scale: 2 },
+    { model: 1, x: 0, y: 500, z: 1, angle_deg: 0, scale: 1 },
     { model: "palm", x: 100, y: 0, z: 1, angle_deg: 0, scale: 1 }, { model: "unknown", x: 0, y: 0, z: 0 },
   ],
 };

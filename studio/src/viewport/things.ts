@@ -40,7 +40,9 @@ function modelOf(value: Json): ThingModel {
   const { name, triangles } = members(value);
   const corners = floats(typeof triangles === "string" ? triangles : "");
   let radius = 0;
-  for (let i = 0; i + 8 < corners.length; i += 9) radius = Math.max(radius, Math.hypot(corners[i]!, corners[i + 1]!, corners[i + 2]!));
+  for (let i = 0; i + 8 < corners.length; i += 9) radius = Math.max(
+    radius, Math.hypot(corners[i]!, corners[i + 1]!, corners[i + 2]!),
+  );
   return { name: typeof name === "string" ? name : "", corners, radius };
 }
 
@@ -67,7 +69,8 @@ export interface ThingsView {
   budget: number;
 }
 
-/** For each model the indices of its instances that are seen and large enough; what is larger in the picture goes first. */
+/** For each model the indices of its instances that are seen and large enough; what is larger in the picture goes
+ * first. */
 export function chooseThings(things: Things, view: ThingsView): Uint32Array[] {
   const seen: { model: number; index: number; size: number }[] = [];
   things.models.forEach((model, m) => {

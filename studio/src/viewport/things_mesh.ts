@@ -1,6 +1,7 @@
 // The meshes of things on the ground: one for each model, drawn once for the instances that a picture needs.
 import {
-  BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, GLSL3, Group, InstancedBufferAttribute, InstancedBufferGeometry,
+  BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, GLSL3, Group, InstancedBufferAttribute,
+  InstancedBufferGeometry,
   InterleavedBuffer, InterleavedBufferAttribute, Mesh, RawShaderMaterial, Vector3, type IUniform,
 } from "three";
 import type { HeightField } from "./heights";
@@ -26,16 +27,21 @@ export class ThingsMesh {
   constructor(private readonly things: Things, field: HeightField, uniforms: { [name: string]: IUniform }) {
     this.origin = field.centre;
     const material = new RawShaderMaterial({
-      glslVersion: GLSL3, vertexShader: thingsVertex, fragmentShader: common + skyShader + thingsFragment, side: DoubleSide,
+      glslVersion: GLSL3, vertexShader: thingsVertex, fragmentShader: common + skyShader + thingsFragment,
+      side: DoubleSide,
       uniforms: { ...uniforms, origin_shift: this.shift },
     });
-    this.parts = things.models.map((model, m) => this.part(model.corners, things.instances[m]!.length / thingNumbers, material));
+    this.parts = things.models.map(
+      (model, m) => this.part(model.corners, things.instances[m]!.length / thingNumbers, material),
+    );
   }
 
   choose(field: HeightField, view: ThingsView): void {
     const [cx, cy] = field.centre;
     this.shift.value.set(this.origin[0] - cx, this.origin[1] - cy, 0);
-    chooseThings(this.things, view).forEach((indices, m) => this.fill(this.parts[m]!, this.things.instances[m]!, indices));
+    chooseThings(this.things, view).forEach(
+      (indices, m) => this.fill(this.parts[m]!, this.things.instances[m]!, indices),
+    );
   }
 
   dispose(): void {
@@ -52,7 +58,8 @@ export class ThingsMesh {
     geometry.setAttribute("position", new InterleavedBufferAttribute(buffer, 3, 0));
     geometry.setAttribute("normal", new InterleavedBufferAttribute(buffer, 3, 3));
     geometry.setAttribute("colour", new InterleavedBufferAttribute(buffer, 3, 6));
-    const places = new InstancedBufferAttribute(new Float32Array(4 * count), 4), angles = new InstancedBufferAttribute(new Float32Array(count), 1);
+    const places = new InstancedBufferAttribute(new Float32Array(4 * count), 4);
+    const angles = new InstancedBufferAttribute(new Float32Array(count), 1);
     for (const attribute of [places, angles] as BufferAttribute[]) attribute.setUsage(DynamicDrawUsage);
     geometry.setAttribute("thing", places);
     geometry.setAttribute("angle", angles);
@@ -69,7 +76,9 @@ export class ThingsMesh {
     part.mesh.visible = indices.length > 0;
     indices.forEach((index, k) => {
       const i = index * thingNumbers;
-      part.places.setXYZW(k, numbers[i]! - this.origin[0], numbers[i + 1]! - this.origin[1], numbers[i + 2]!, numbers[i + 4]!);
+      part.places.setXYZW(
+        k, numbers[i]! - this.origin[0], numbers[i + 1]! - this.origin[1], numbers[i + 2]!, numbers[i + 4]!,
+      );
       part.angles.setX(k, numbers[i + 3]!);
     });
     for (const attribute of [part.places, part.angles]) {

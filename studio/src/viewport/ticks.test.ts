@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { contourInterval, gridStep, heightText, lengthText, multiples, roundDownNice, roundUpNice, scaleBarLength } from "./ticks";
+import {
+  contourInterval, gridStep, heightText, lengthText, multiples, roundDownNice, roundUpNice, scaleBarLength,
+} from "./ticks";
 
 test("round numbers are 1, 2, 5 times a power of ten", () => {
   assert.equal(roundDownNice(7), 5);

@@ -7,11 +7,13 @@ export type Colour = readonly [number, number, number];
 type Stop = readonly [place: number, colour: Colour];
 
 const land: readonly Stop[] = [
-  [0, [233, 232, 206]], [0.05, [196, 208, 168]], [0.16, [178, 194, 150]], [0.3, [201, 205, 160]], [0.45, [222, 211, 168]],
+  [0, [233, 232, 206]], [0.05, [196, 208, 168]], [0.16, [178, 194, 150]], [0.3, [201, 205, 160]],
+  [0.45, [222, 211, 168]],
   [0.6, [214, 191, 150]], [0.75, [199, 173, 143]], [0.88, [214, 200, 184]], [1, [243, 240, 236]],
 ];
 const sea: readonly Stop[] = [
-  [0, [233, 232, 206]], [0.07, [196, 228, 214]], [0.2, [157, 214, 211]], [0.36, [115, 188, 204]], [0.54, [79, 154, 189]],
+  [0, [233, 232, 206]], [0.07, [196, 228, 214]], [0.2, [157, 214, 211]], [0.36, [115, 188, 204]],
+  [0.54, [79, 154, 189]],
   [0.72, [55, 118, 165]], [0.87, [40, 86, 135]], [1, [27, 58, 101]],
 ];
 /** Of scalar fields: dark is little. */
@@ -21,7 +23,9 @@ const field: readonly Stop[] = [
 ];
 
 /** Colours of mountain, beach, lagoon, reef and abyss: those of the theme. */
-export const labelColours: readonly Colour[] = [[140, 107, 79], [227, 207, 143], [95, 201, 196], [217, 112, 143], [39, 81, 138]];
+export const labelColours: readonly Colour[] = [
+  [140, 107, 79], [227, 207, 143], [95, 201, 196], [217, 112, 143], [39, 81, 138],
+];
 export const labelNames = ["mountain", "beach", "lagoon", "reef", "abyss"] as const;
 
 export const kneeDepth = 12;
@@ -65,7 +69,9 @@ export function tintScale(min: number, max: number): TintScale {
 
 /** Place of a height on the ramp. */
 export function tintPlace(scale: TintScale, height: number): number {
-  if (height < 0) return 0.5 - 0.5 * Math.min(1, Math.log1p(-height / kneeDepth) / Math.log1p(scale.deepest / kneeDepth));
+  if (height < 0) return 0.5 - 0.5 * Math.min(
+    1, Math.log1p(-height / kneeDepth) / Math.log1p(scale.deepest / kneeDepth),
+  );
   return 0.5 + 0.5 * Math.min(1, Math.max(0, (height - scale.base) / Math.max(1e-3, scale.top - scale.base)));
 }
 

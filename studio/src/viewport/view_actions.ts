@@ -18,24 +18,39 @@ export function viewActions(viewport: Viewport): Action[] {
     const now = options.peek().exaggeration, sorted = way > 0 ? steps : [...steps].reverse();
     return sorted.find((step) => (step - now) * way > 1e-6) ?? now;
   };
-  const toggle = (name: "water" | "wireframe" | "grid", title: string, words: string, icon: Action["icon"]): Action => ({
+  type Switch = "water" | "wireframe" | "grid";
+  const toggle = (name: Switch, title: string, words: string, icon: Action["icon"]): Action => ({
     id: `view.${name}`, title, group, words, ...(icon ? { icon } : {}),
     checked: () => options.value[name], run: () => change({ [name]: !options.peek()[name] }),
   });
   return [
-    { id: "view.frame_all", title: "Show the whole terrain", group, icon: Home, keys: ["Home"], words: "frame all reset camera", run: () => viewport.frameAll() },
-    { id: "view.frame", title: "Show what is selected", group, icon: Scan, keys: ["F"], words: "frame focus selection zoom", run: () => viewport.frameSelection() },
+    {
+      id: "view.frame_all", title: "Show the whole terrain", group, icon: Home, keys: ["Home"],
+      words: "frame all reset camera", run: () => viewport.frameAll(),
+    },
+    {
+      id: "view.frame", title: "Show what is selected", group, icon: Scan, keys: ["F"],
+      words: "frame focus selection zoom", run: () => viewport.frameSelection(),
+    },
     toggle("water", "Water", "sea show hide", Waves),
     toggle("wireframe", "Wireframe", "mesh triangles", Box),
     toggle("grid", "Grid lines on the map", "graticule kilometres", Grid3x3),
     ...styleNames.map(([style, name]): Action => ({
-      id: `view.style_${style}`, title: `Ground: ${name.toLowerCase()}`, group, icon: Mountain, words: "texture relief steepness height lines",
+      id: `view.style_${style}`, title: `Ground: ${name.toLowerCase()}`, group, icon: Mountain,
+      words: "texture relief steepness height lines",
       checked: () => options.value.ground === style, run: () => change({ ground: style }),
     })),
-    { id: "view.higher", title: "More exaggeration", group, words: "vertical height scale", run: () => change({ exaggeration: next(1) }) },
-    { id: "view.lower", title: "Less exaggeration", group, words: "vertical height scale", run: () => change({ exaggeration: next(-1) }) },
     {
-      id: "view.navigation", title: "Middle button pans, as in Gaea", group, words: "navigation preset blender orbit mouse",
+      id: "view.higher", title: "More exaggeration", group, words: "vertical height scale",
+      run: () => change({ exaggeration: next(1) }),
+    },
+    {
+      id: "view.lower", title: "Less exaggeration", group, words: "vertical height scale",
+      run: () => change({ exaggeration: next(-1) }),
+    },
+    {
+      id: "view.navigation", title: "Middle button pans, as in Gaea", group,
+      words: "navigation preset blender orbit mouse",
       checked: () => options.value.navigation === "gaea",
       run: () => change({ navigation: options.peek().navigation === "gaea" ? "blender" : "gaea" }),
     },

@@ -10,7 +10,11 @@ import type { Viewport } from "./viewport";
 
 const compass = ["N", "NE", "E", "SE", "S", "SW", "W", "NW"];
 
-function Slider(props: { name: string; low: number; high: number; step: number; value: number; words: string; set: (value: number) => void }) {
+function Slider(
+  props: {
+    name: string; low: number; high: number; step: number; value: number; words: string; set: (value: number) => void;
+  },
+) {
   return (
     <label class="view-slider">
       <span>{props.name}</span>
@@ -32,7 +36,9 @@ function Controls({ viewport }: { viewport: Viewport }) {
   useEffect(() => {
     if (!open.value) return undefined;
     const away = (event: Event): void => {
-      if (event instanceof KeyboardEvent ? event.key === "Escape" : !box.current?.contains(event.target as Node)) open.value = false;
+      if (
+        event instanceof KeyboardEvent ? event.key === "Escape" : !box.current?.contains(event.target as Node)
+      ) open.value = false;
     };
     document.addEventListener("pointerdown", away, true);
     document.addEventListener("keydown", away);
@@ -45,12 +51,23 @@ function Controls({ viewport }: { viewport: Viewport }) {
   const bearing = `${compass[Math.round(azimuth_deg / 45) % 8]} ${Math.round(azimuth_deg)}\u00b0`;
   return (
     <div class="view-controls" ref={box}>
-      <button type="button" class="icon" title="Show the whole terrain (Home)" aria-label="Show the whole terrain" onClick={() => viewport.frameAll()}>
+      <button
+        type="button"
+        class="icon"
+        title="Show the whole terrain (Home)"
+        aria-label="Show the whole terrain"
+        onClick={() => viewport.frameAll()}
+      >
         <Home aria-hidden />
       </button>
       <button
-        type="button" class="icon" title="How the ground is shown" aria-label="How the ground is shown"
-        aria-expanded={open.value} aria-haspopup="dialog" onClick={() => (open.value = !open.value)}
+        type="button"
+        class="icon"
+        title="How the ground is shown"
+        aria-label="How the ground is shown"
+        aria-expanded={open.value}
+        aria-haspopup="dialog"
+        onClick={() => (open.value = !open.value)}
       >
         <SlidersHorizontal aria-hidden />
       </button>
@@ -58,31 +75,65 @@ function Controls({ viewport }: { viewport: Viewport }) {
         <div class="view-options" role="dialog" aria-label="How the ground is shown">
           <div class="view-styles" role="radiogroup" aria-label="Ground">
             {styleNames.map(([style, name]) => (
-              <button key={style} type="button" role="radio" aria-checked={now.ground === style} onClick={() => change({ ground: style })}>{name}</button>
+              <button
+                key={style}
+                type="button"
+                role="radio"
+                aria-checked={now.ground === style}
+                onClick={() => change({ ground: style })}
+              >
+                {name}
+              </button>
             ))}
           </div>
           <Slider
-            name="Heights" low={0.5} high={6} step={0.1} value={now.exaggeration} words={`\u00d7 ${now.exaggeration.toFixed(1)}`}
+            name="Heights"
+            low={0.5}
+            high={6}
+            step={0.1}
+            value={now.exaggeration}
+            words={`\u00d7 ${now.exaggeration.toFixed(1)}`}
             set={(exaggeration) => change({ exaggeration })}
           />
           <Slider
-            name="Sun from" low={0} high={360} step={1} value={azimuth_deg} words={bearing}
+            name="Sun from"
+            low={0}
+            high={360}
+            step={1}
+            value={azimuth_deg}
+            words={bearing}
             set={(azimuth) => change({ sun: { azimuth_deg: azimuth, elevation_deg } })}
           />
           <Slider
-            name="Sun height" low={2} high={85} step={1} value={elevation_deg} words={`${Math.round(elevation_deg)}\u00b0`}
+            name="Sun height"
+            low={2}
+            high={85}
+            step={1}
+            value={elevation_deg}
+            words={`${Math.round(elevation_deg)}\u00b0`}
             set={(elevation) => change({ sun: { azimuth_deg, elevation_deg: elevation } })}
           />
           <div class="view-switches">
-            {([["water", "Water"], ["wireframe", "Wireframe"], ["grid", "Map grid"]] as const).map(([name, title]) => (
+            {(
+              [
+                ["water", "Water"],
+                ["wireframe", "Wireframe"],
+                ["grid", "Map grid"],
+              ] as const
+            ).map(([name, title]) => (
               <label key={name}>
-                <input type="checkbox" checked={now[name]} onChange={(event) => change({ [name]: event.currentTarget.checked })} />
+                <input
+                  type="checkbox"
+                  checked={now[name]}
+                  onChange={(event) => change({ [name]: event.currentTarget.checked })}
+                />
                 {title}
               </label>
             ))}
             <label>
               <input
-                type="checkbox" checked={lifeShown.value}
+                type="checkbox"
+                checked={lifeShown.value}
                 onChange={(event) => (lifeShown.value = event.currentTarget.checked)}
               />
               Life

@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { approach, axes, confined, direction, dot, fieldOfView, frame, orbit, pan, project, type Eye, type Vector } from "./world_camera";
+import {
+  approach, axes, confined, direction, dot, fieldOfView, frame, orbit, pan, project, type Eye, type Vector,
+} from "./world_camera";
 
 const lens = { width: 900, height: 600, fov: fieldOfView };
 const eye: Eye = { at: [100, -2000, 900], azimuth: 0.3, pitch: -0.4 };

@@ -1,6 +1,8 @@
 // Moves the eye of the 3D view: around, along and towards what is under the cursor, or flying.
 import type { Mover, Way } from "./gestures";
-import { add, approach, axes, between, direction, dot, fly, look, orbit, pan, type Eye, type Lens, type Vector } from "./world_camera";
+import {
+  add, approach, axes, between, direction, dot, fly, look, orbit, pan, type Eye, type Lens, type Vector,
+} from "./world_camera";
 
 export interface WorldPlace {
   eye(): Eye;

@@ -88,22 +88,50 @@ function Variables({ studio }: { studio: Studio }): JSX.Element {
       <h3 data-help={'Values by name: "$name" may stand wherever a parameter’s value does'}>Variables</h3>
       {Object.entries(variables).map(([variable, value]) => (
         <div class="param" key={variable}>
-          <span class="param-title" data-help={`Stands in ${counted(usesOf(recipe, variable), "place")}`}>${variable}</span>
-          <div class="param-control">{typeof value === "number"
-            ? <NumberField label={variable} value={value} unit=""
-              onChange={(next, gesture) => set(variable, next, gesture)} />
-            : <span class="muted ellipsis">{valueText(value)}</span>}</div>
-          <button type="button" class="plain icon small param-reset" aria-label={`Remove ${variable}`}
-            onClick={() => void studio.edit([{ do: "set", pointer: `/variables/${variable}` }],
-            `variable ${variable} removed`)}><X /></button>
+          <span class="param-title" data-help={`Stands in ${counted(usesOf(recipe, variable), "place")}`}>
+            ${variable}
+          </span>
+          <div class="param-control">
+            {typeof value === "number" ? (
+              <NumberField
+                label={variable}
+                value={value}
+                unit=""
+                onChange={(next, gesture) => set(variable, next, gesture)}
+              />
+            ) : (
+              <span class="muted ellipsis">{valueText(value)}</span>
+            )}
+          </div>
+          <button
+            type="button"
+            class="plain icon small param-reset"
+            aria-label={`Remove ${variable}`}
+            onClick={() =>
+              void studio.edit([{ do: "set", pointer: `/variables/${variable}` }], `variable ${variable} removed`)
+            }>
+            <X />
+          </button>
         </div>
       ))}
       <div class="param">
-        <input type="text" class="text" placeholder="New name" aria-label="Name of a new variable" value={name}
+        <input
+          type="text"
+          class="text"
+          placeholder="New name"
+          aria-label="Name of a new variable"
+          value={name}
           spellcheck={false}
           onInput={(event) => setName(event.currentTarget.value)}
-          onKeyDown={(event) => { if (event.key === "Enter") add(); event.stopPropagation(); }} />
-        <button type="button" class="plain compact" disabled={!sound} onClick={add}><Plus />Add</button>
+          onKeyDown={(event) => {
+            if (event.key === "Enter") add();
+            event.stopPropagation();
+          }}
+        />
+        <button type="button" class="plain compact" disabled={!sound} onClick={add}>
+          <Plus />
+          Add
+        </button>
       </div>
     </section>
   );

@@ -28,7 +28,9 @@ function ChooseFiles({ studio, label, multiple, onFiles, onProblem }: ChooseProp
       for (const file of files) names.push((await uploadFile(studio.api, file)).file);
       onFiles(names);
     } catch (problem) {
-      if (!(problem instanceof UploadCancelled)) onProblem(problem instanceof Error ? problem.message : String(problem));
+      if (!(problem instanceof UploadCancelled)) onProblem(
+        problem instanceof Error ? problem.message : String(problem),
+      );
     } finally {
       setBusy(false);
       if (input.current) input.current.value = "";
@@ -56,7 +58,9 @@ export function FileControl({ field }: ControlProps): JSX.Element {
     try {
       setField(field, (await uploadFile(studio.api, file)).file);
     } catch (problem) {
-      if (!(problem instanceof UploadCancelled)) onProblem(problem instanceof Error ? problem.message : String(problem));
+      if (!(problem instanceof UploadCancelled)) onProblem(
+        problem instanceof Error ? problem.message : String(problem),
+      );
     }
   };
   return (

@@ -113,7 +113,8 @@ function useSteps(props: NumberFieldProps, bounds: { min?: number; max?: number;
   };
 }
 
-/** The wheel steps a field that has the focus, any other with Ctrl only; the page does not zoom then, nor the panel scroll. */
+/** The wheel steps a field that has the focus, any other with Ctrl only; the page does not zoom then, nor the panel
+ * scroll. */
 function useWheel(element: { current: HTMLDivElement | null }, step: Step): void {
   const latest = useRef(step);
   latest.current = step;

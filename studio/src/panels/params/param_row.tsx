@@ -60,8 +60,8 @@ export function ParamRow({ field }: { field: Field }): JSX.Element {
   return (
     <div class={`param${wide ? " wide" : ""}${changed ? " changed" : ""}`} data-param={field.pointer}
       onPointerEnter={() => { hovered.field = field; }} onPointerLeave={() => { hovered.field = null; }}>
-      <span class="param-title" data-help={info.help || undefined}>{plainPreset ? "Preset" : title}
-        {mayBind && <BindVariable field={field} />}</span>
+      <span class="param-title" data-help={info.help || undefined}>{plainPreset ? "Preset" : title}</span>
+      {mayBind && <BindVariable field={field} />}
       <div class="param-control">{field.variable !== null
         ? <VariableControl field={field} /> : <Control field={field} />}</div>
       {changed ? (

@@ -11,16 +11,34 @@ import { bindEdits, bindNewEdits, fittingVariables, freshVariable } from "./vari
 export function VariableControl({ field }: { field: Field }): JSX.Element {
   const { info, value, scope, variable } = field;
   const set = (to: Json, gesture = newGesture()) => void scope.studio.edit(
-    [{ do: "set", pointer: `/variables/${variable}`, value: to }], `variable ${variable} → ${valueText(to, info)}`, gesture);
+    [{ do: "set", pointer: `/variables/${variable}`, value: to }], `variable ${variable} → ${valueText(to, info)}`,
+      gesture);
   return (
     <div class="variable">
-      <span class="tag" data-help={`The variable "${variable}" of the document: other parameters may have it, too`}>${variable}</span>
-      {typeof value === "number"
-        ? <NumberField label={`${titleOf(info.name)}, variable ${variable}`} value={value} unit={info.unit} min={info.min}
-          max={info.max} integer={info.kind === "integer"} onChange={(to, gesture) => set(to, gesture)} />
-        : <span class="ellipsis">{valueText(value, info)}</span>}
-      <button type="button" class="plain icon small" aria-label={`Give ${titleOf(info.name)} a value of its own`}
-        data-help="Give it a value of its own" onClick={() => setField(field, field.value)}><Unlink /></button>
+      <span class="tag" data-help={`The variable "${variable}" of the document: other parameters may have it, too`}>
+        ${variable}
+      </span>
+      {typeof value === "number" ? (
+        <NumberField
+          label={`${titleOf(info.name)}, variable ${variable}`}
+          value={value}
+          unit={info.unit}
+          min={info.min}
+          max={info.max}
+          integer={info.kind === "integer"}
+          onChange={(to, gesture) => set(to, gesture)}
+        />
+      ) : (
+        <span class="ellipsis">{valueText(value, info)}</span>
+      )}
+      <button
+        type="button"
+        class="plain icon small"
+        aria-label={`Give ${titleOf(info.name)} a value of its own`}
+        data-help="Give it a value of its own"
+        onClick={() => setField(field, field.value)}>
+        <Unlink />
+      </button>
     </div>
   );
 }
@@ -36,7 +54,9 @@ export function BindVariable({ field }: { field: Field }): JSX.Element | null {
   const fresh = freshVariable(info.name, variables);
   const choose = (name: string) => {
     const edits = name === kNew ? bindNewEdits(pointer, fresh, value) : bindEdits(pointer, name);
-    void scope.studio.edit(edits, `${scope.owner}: ${title.toLowerCase()} is the variable ${name === kNew ? fresh : name}`);
+    void scope.studio.edit(
+      edits, `${scope.owner}: ${title.toLowerCase()} is the variable ${name === kNew ? fresh : name}`,
+    );
   };
   return (
     <span class="bind">
@@ -48,7 +68,7 @@ export function BindVariable({ field }: { field: Field }): JSX.Element | null {
       }}>
         <option value="" disabled hidden>Variable…</option>
         {names.map((name) => <option key={name} value={name}>${name} = {valueText(variables[name], info)}</option>)}
-        {value !== null && value !== "" && <option value={kNew}>New variable ${fresh}</option>}
+        {value !== null && value !== "" && <option value={kNew}>New variable</option>}
       </select>
     </span>
   );

@@ -21,7 +21,8 @@ test("a new variable has the parameter's name and value, and the parameter has t
   assert.equal(freshVariable("peak_m", {}), "peak_m");
   assert.equal(freshVariable("peak_m", { peak_m: 1 }), "peak_m_2");
   assert.deepEqual(bindNewEdits("/steps/isle/params/peak_m", "top", 900), [
-    { do: "set", pointer: "/variables/top", value: 900 }, { do: "set", pointer: "/steps/isle/params/peak_m", value: "$top" },
+    { do: "set", pointer: "/variables/top", value: 900 },
+    { do: "set", pointer: "/steps/isle/params/peak_m", value: "$top" },
   ]);
 });
 

@@ -22,7 +22,9 @@ async function begin(studio: OpenedStudio, { width_m, cell_m, step, draw, hint }
     return;
   }
   if (!(await openDocument(studio, { blank: true, width_m, height_m: width_m, cell_m }))) return;
-  if (!(await studio.edit([{ do: "insert", list: "/steps", value: step as unknown as Json }], `${step.id}: added`))) return;
+  if (
+    !(await studio.edit([{ do: "insert", list: "/steps", value: step as unknown as Json }], `${step.id}: added`))
+  ) return;
   studio.selected.value = step.id;
   bigView.value = "map";
   askToDraw(studio, step.id, param);

@@ -17,7 +17,11 @@ export function ClassLegend() {
           <span class="muted">{count}</span>
         </div>
       ))}
-      {rest.length > 0 && <div class="class-row muted" role="listitem">and {counted(rest.length, "class", "classes")} more</div>}
+      {rest.length > 0 && (
+        <div class="class-row muted" role="listitem">
+          and {counted(rest.length, "class", "classes")} more
+        </div>
+      )}
     </div>
   );
 }

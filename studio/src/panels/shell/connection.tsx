@@ -29,8 +29,9 @@ export function ConnectionBar() {
     <div class="connection" role="alert">
       <Unplug aria-hidden />
       <p>
-        The studio does not answer. {studio.busy.value ? "Your latest changes wait in this window" : "Everything up to now is kept"};
-        {" "}this window connects again by itself.
+        The studio does not answer.{" "}
+        {studio.busy.value ? "Your latest changes wait in this window" : "Everything up to now is kept"}; this window
+        connects again by itself.
       </p>
       <button onClick={() => studio.retry()}>Try now</button>
     </div>

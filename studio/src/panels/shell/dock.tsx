@@ -10,7 +10,9 @@ import { useStudio } from "./shell";
 
 const TextPane = lazy(() => import("./text_pane").then((module) => module.TextPane));
 
-const kTitles: { [tab in DockTab]: string } = { graph: "Graph", text: "Recipe", history: "History", timeline: "Timeline" };
+const kTitles: { [tab in DockTab]: string } = {
+  graph: "Graph", text: "Recipe", history: "History", timeline: "Timeline",
+};
 
 export function Dock() {
   const studio = useStudio();
@@ -21,21 +23,37 @@ export function Dock() {
   return (
     <section class="dock" aria-label={kTitles[tab]} style={{ height: `${height}px` }}>
       <Divider
-        label="Height of the panel" upright={false} value={height} low={120} high={most} step={-16}
+        label="Height of the panel"
+        upright={false}
+        value={height}
+        low={120}
+        high={most}
+        step={-16}
         moved={(value) => (dockHeight.value = value)}
         dragged={(event) => (dockHeight.value = Math.min(most, Math.max(120, innerHeight - 24 - event.clientY)))}
       />
       <div class="dock-tabs" role="tablist" aria-label="Panels" onKeyDown={chooseByArrows}>
         {(Object.keys(kTitles) as DockTab[]).map((name) => (
           <button
-            key={name} role="tab" class="plain" aria-selected={name === tab} tabIndex={name === tab ? 0 : -1}
+            key={name}
+            role="tab"
+            class="plain"
+            aria-selected={name === tab}
+            tabIndex={name === tab ? 0 : -1}
             onClick={() => (dockTab.value = name)}
           >
             {kTitles[name]}
           </button>
         ))}
         <div class="bar-space" />
-        <button class="plain icon" aria-label="Close the panel" title="Close the panel" onClick={() => (dockOpen.value = false)}><X /></button>
+        <button
+          class="plain icon"
+          aria-label="Close the panel"
+          title="Close the panel"
+          onClick={() => (dockOpen.value = false)}
+        >
+          <X />
+        </button>
       </div>
       <div class="dock-content" role="tabpanel" aria-label={kTitles[tab]}>
         {tab === "graph" && <Graph studio={studio} />}

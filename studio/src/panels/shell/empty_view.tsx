@@ -24,17 +24,28 @@ export function EmptyView() {
     );
   }
   if (terrain === null) {
-    return <div class="empty-view"><h2>No ground here</h2><p class="muted">Neither this step nor any before or after it makes a terrain.</p></div>;
+    return (
+      <div class="empty-view">
+        <h2>No ground here</h2>
+        <p class="muted">Neither this step nor any before or after it makes a terrain.</p>
+      </div>
+    );
   }
   if (studio.values.value.has(terrain)) return null;
   const failed = standing && ["failed", "blocked", "incomplete"].includes(standing.standing);
   if (failed) {
-    const broken = studio.engine.value.steps.find((step) => step.standing === "failed" || step.standing === "incomplete");
+    const broken = studio.engine.value.steps.find(
+      (step) => step.standing === "failed" || step.standing === "incomplete",
+    );
     return (
       <div class="empty-view">
         <h2>{broken ? `${broken.id} could not be computed` : "Nothing could be computed"}</h2>
         <p class="muted">{broken?.message || "An input is still open."}</p>
-        {broken && <div class="bar-group"><button onClick={() => (studio.selected.value = broken.id)}>Show {broken.id}</button></div>}
+        {broken && (
+          <div class="bar-group">
+            <button onClick={() => (studio.selected.value = broken.id)}>Show {broken.id}</button>
+          </div>
+        )}
       </div>
     );
   }

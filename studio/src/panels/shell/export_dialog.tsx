@@ -20,7 +20,9 @@ export interface Choice {
 
 export type Choices = { [preset: string]: Choice };
 
-function useChoices(presets: readonly ExportPreset[]): { choice: (preset: ExportPreset) => Choice; choices: Signal<Choices> } {
+function useChoices(presets: readonly ExportPreset[]): {
+  choice: (preset: ExportPreset) => Choice; choices: Signal<Choices>;
+} {
   const studio = useStudio();
   const choices = useSignal<Choices>({});
   const choice = (preset: ExportPreset): Choice => {
@@ -59,7 +61,8 @@ export function ExportDialog() {
       if (keep.value) await keepOutputs(studio, outputs);
       job.value = (await studio.api.exportOutputs(studio.window, outputs, folder.value)).job;
     } catch (error) {
-      failure.value = error instanceof ApiError ? error.answer.diagnostics?.[0]?.message ?? error.message : (error as Error).message;
+      failure.value = error instanceof ApiError ? error.answer.diagnostics?.[0]?.message ?? error.message
+        : (error as Error).message;
     }
   };
   const foot = job.value !== null ? undefined : (
@@ -86,14 +89,19 @@ export function ExportDialog() {
               return (
                 <li key={preset.id} class={`export-row ${preset.id === at.value ? "current" : ""}`}>
                   <input
-                    type="checkbox" checked={on && from !== ""} disabled={from === ""} aria-label={`Write ${preset.title}`}
+                    type="checkbox"
+                    checked={on && from !== ""}
+                    disabled={from === ""}
+                    aria-label={`Write ${preset.title}`}
                     onChange={(event) => {
                       change(preset, { on: event.currentTarget.checked });
                       at.value = preset.id;
                     }}
                   />
                   <button
-                    class="plain" aria-current={preset.id === at.value} disabled={from === ""}
+                    class="plain"
+                    aria-current={preset.id === at.value}
+                    disabled={from === ""}
                     title={from === "" ? "No step makes what this is written from" : preset.about}
                     onClick={() => (at.value = preset.id)}
                   >

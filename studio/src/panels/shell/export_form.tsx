@@ -33,16 +33,30 @@ export function ExportForm({ preset, choice, folder, change }: ExportFormProps) 
       <label class="field">
         <span>From</span>
         <select value={choice.from} onChange={(event) => change({ from: event.currentTarget.value })}>
-          {sources.map((source) => <option key={source} value={source}>{source}</option>)}
+          {sources.map((source) => (
+            <option key={source} value={source}>
+              {source}
+            </option>
+          ))}
         </select>
       </label>
       <label class="field">
         <span>File</span>
-        <input type="text" value={choice.path} spellcheck={false} onChange={(event) => change({ path: event.currentTarget.value })} />
+        <input
+          type="text"
+          value={choice.path}
+          spellcheck={false}
+          onChange={(event) => change({ path: event.currentTarget.value })}
+        />
       </label>
       <label class="field">
         <span>Folder</span>
-        <input type="text" value={folder.value} spellcheck={false} onChange={(event) => (folder.value = event.currentTarget.value)} />
+        <input
+          type="text"
+          value={folder.value}
+          spellcheck={false}
+          onChange={(event) => (folder.value = event.currentTarget.value)}
+        />
       </label>
       {params.slice(0, kFirst).map(field)}
       {params.length > kFirst && (
@@ -78,7 +92,9 @@ function ParamField({ param, value, change }: ParamFieldProps) {
 function ParamInput({ param, value, change }: ParamFieldProps) {
   const current = value ?? param.default;
   if (param.kind === "switch") {
-    return <input type="checkbox" checked={current === true} onChange={(event) => change(event.currentTarget.checked)} />;
+    return (
+      <input type="checkbox" checked={current === true} onChange={(event) => change(event.currentTarget.checked)} />
+    );
   }
   if (param.kind === "choice") {
     return (
@@ -99,5 +115,11 @@ function ParamInput({ param, value, change }: ParamFieldProps) {
       />
     );
   }
-  return <input type="text" value={current === null ? "" : String(current)} onChange={(event) => change(event.currentTarget.value)} />;
+  return (
+    <input
+      type="text"
+      value={current === null ? "" : String(current)}
+      onChange={(event) => change(event.currentTarget.value)}
+    />
+  );
 }

@@ -11,7 +11,9 @@ const recipe = recipeFile as unknown as Recipe;
 test("every format of the schema can be chosen, those for engines first", () => {
   const presets = presetsOf(schema);
   assert.equal(presets[0]!.id, "unreal");
-  for (const format of schema.formats) assert.ok(presets.some((preset) => preset.format.name === format.name), format.name);
+  for (const format of schema.formats) assert.ok(
+    presets.some((preset) => preset.format.name === format.name), format.name,
+  );
 });
 
 test("an output states what differs from the default", () => {

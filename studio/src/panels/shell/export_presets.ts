@@ -17,9 +17,14 @@ const kKnown: readonly (Omit<ExportPreset, "format"> & { of: string })[] = [
   { id: "unity", of: "unity", title: "Unity", about: "16-bit RAW terrain", path: "unity.raw", named: true },
   { id: "godot", of: "godot", title: "Godot", about: "Terrain3D, HTerrain", path: "godot.exr", named: true },
   { id: "blender", of: "blender", title: "Blender", about: "EXR to displace with", path: "blender.exr", named: true },
-  { id: "geotiff", of: "raster", title: "GeoTIFF", about: "heights in metres, for GIS", path: "height.tif", named: false },
+  {
+    id: "geotiff", of: "raster", title: "GeoTIFF", about: "heights in metres, for GIS", path: "height.tif",
+    named: false,
+  },
   { id: "gltf", of: "mesh", title: "glTF mesh", about: "triangles with a texture", path: "terrain.glb", named: false },
-  { id: "picture", of: "perspective", title: "Picture", about: "with sun, sky and water", path: "view.png", named: true },
+  {
+    id: "picture", of: "perspective", title: "Picture", about: "with sun, sky and water", path: "view.png", named: true,
+  },
 ];
 
 /** Those for engines and programs first, then every other format by its own name. */
@@ -44,13 +49,17 @@ function titleOf(name: string): string {
 /** "step.port" of every output in the document that the format writes, the last steps first. */
 export function sourcesFor(recipe: Recipe, schema: Schema, format: FormatInfo): string[] {
   return [...recipe.steps].reverse().flatMap((step) => (
-    (operatorOf(schema, step.op)?.out ?? []).filter((port) => format.accepts.includes(port.kind)).map((port) => `${step.id}.${port.name}`)
+    (operatorOf(schema, step.op)?.out ?? []).filter(
+      (port) => format.accepts.includes(port.kind),
+    ).map((port) => `${step.id}.${port.name}`)
   ));
 }
 
 /** Parameters that a plain form can ask for; lists and groups are written in the recipe. */
 export function plainParams(format: FormatInfo): ParamInfo[] {
-  return format.params.filter((param) => ["number", "integer", "switch", "choice", "text", "colour"].includes(param.kind));
+  return format.params.filter(
+    (param) => ["number", "integer", "switch", "choice", "text", "colour"].includes(param.kind),
+  );
 }
 
 /** Only what differs from the default is stated. */

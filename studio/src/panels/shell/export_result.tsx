@@ -13,7 +13,8 @@ import { baseName, bytesText, durationText } from "./words";
 export function ExportResult({ job: id, back }: { job: string; back: () => void }) {
   const studio = useStudio();
   const job = studio.jobs.value.find((one) => one.job === id);
-  if (!job || job.state === "running") return <Running id={id} fraction={job?.fraction ?? 0} message={job?.message ?? ""} />;
+  if (!job || job.state === "running")
+    return <Running id={id} fraction={job?.fraction ?? 0} message={job?.message ?? ""} />;
   if (job.state === "done") return <Written job={job} back={back} />;
   return (
     <div class="export-result">
@@ -32,9 +33,14 @@ function Running({ id, fraction, message }: { id: string; fraction: number; mess
   const left = estimate.current.left_s(fraction, performance.now());
   return (
     <div class="export-result">
-      <p>{message || "Computing and writing"}{left !== null && <span class="muted">, {durationText(left)} left</span>}</p>
+      <p>
+        {message || "Computing and writing"}
+        {left !== null && <span class="muted">, {durationText(left)} left</span>}
+      </p>
       <progress max={1} value={fraction} aria-label="Export" />
-      <div class="bar-group"><button onClick={() => void studio.api.cancel(id).catch(() => undefined)}>Stop</button></div>
+      <div class="bar-group">
+        <button onClick={() => void studio.api.cancel(id).catch(() => undefined)}>Stop</button>
+      </div>
     </div>
   );
 }
@@ -51,20 +57,28 @@ function Written({ job, back }: { job: JobEvent; back: () => void }) {
   };
   return (
     <div class="export-result">
-      <p class="good"><Check aria-hidden />{job.files.length === 1 ? "1 file was written" : `${job.files.length} files were written`}</p>
+      <p class="good">
+        <Check aria-hidden />
+        {job.files.length === 1 ? "1 file was written" : `${job.files.length} files were written`}
+      </p>
       <ul class="file-list">
         {job.files.map(({ path, bytes }) => (
           <li key={path}>
             <span class="file-path">{path}</span>
             <span class="muted">{bytesText(bytes)}</span>
-            <button onClick={() => void download(path)}><Download aria-hidden />Download</button>
+            <button onClick={() => void download(path)}>
+              <Download aria-hidden />
+              Download
+            </button>
           </li>
         ))}
       </ul>
       <Numbers numbers={numbers} notes={job.notes} />
       <div class="bar-group">
         <button onClick={back}>Export more</button>
-        <button class="primary" onClick={closeDialog}>Done</button>
+        <button class="primary" onClick={closeDialog}>
+          Done
+        </button>
       </div>
     </div>
   );
@@ -100,16 +114,32 @@ function Numbers({ numbers, notes }: { numbers: readonly ImportNumbers[]; notes:
     <section class="notes" aria-label="What to type in">
       <header>
         <h3>{numbers.length > 0 ? "What to type in" : "Notes"}</h3>
-        <button class="plain" onClick={() => void copy()}><Copy aria-hidden />{copied.value ? "Copied" : "Copy"}</button>
+        <button class="plain" onClick={() => void copy()}>
+          <Copy aria-hidden />
+          {copied.value ? "Copied" : "Copy"}
+        </button>
       </header>
       {numbers.map(({ file, rows, note }) => (
         <div key={file} class="import-numbers">
           <h4>{file}</h4>
-          <dl>{rows.map(([name, value]) => <div key={name}><dt>{name}</dt><dd>{value}</dd></div>)}</dl>
+          <dl>
+            {rows.map(([name, value]) => (
+              <div key={name}>
+                <dt>{name}</dt>
+                <dd>{value}</dd>
+              </div>
+            ))}
+          </dl>
           {note && <p class="muted">{note}</p>}
         </div>
       ))}
-      {notes.length > 0 && <ul>{notes.map((note) => <li key={note}>{note}</li>)}</ul>}
+      {notes.length > 0 && (
+        <ul>
+          {notes.map((note) => (
+            <li key={note}>{note}</li>
+          ))}
+        </ul>
+      )}
     </section>
   );
 }

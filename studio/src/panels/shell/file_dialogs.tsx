@@ -34,9 +34,19 @@ export function OpenDialog() {
   );
   return (
     <Dialog title="Open a recipe" class="open" close={closeDialog} foot={foot}>
-      <input type="search" placeholder="Find" aria-label="Find a recipe" value={typed.value} autoFocus
-        onInput={(event) => (typed.value = event.currentTarget.value)} />
-      {problem.value && <p class="failure" role="alert">{problem.value}</p>}
+      <input
+        type="search"
+        placeholder="Find"
+        aria-label="Find a recipe"
+        value={typed.value}
+        autoFocus
+        onInput={(event) => (typed.value = event.currentTarget.value)}
+      />
+      {problem.value && (
+        <p class="failure" role="alert">
+          {problem.value}
+        </p>
+      )}
       <ul class="rows" aria-label={`Recipes in ${folder.value}`}>
         {found.map((file) => (
           <li key={file.path}>
@@ -49,14 +59,20 @@ export function OpenDialog() {
           </li>
         ))}
       </ul>
-      {files.value && found.length === 0 && <p class="empty">There is no recipe {typed.value ? "called so" : ""} in {folder.value}.</p>}
+      {files.value && found.length === 0 && (
+        <p class="empty">
+          There is no recipe {typed.value ? "called so" : ""} in {folder.value}.
+        </p>
+      )}
     </Dialog>
   );
 }
 
 function dateText(modified: string): string {
   const date = new Date(modified);
-  return Number.isNaN(date.getTime()) ? "" : date.toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" });
+  return Number.isNaN(date.getTime()) ? "" : date.toLocaleString(
+    undefined, { dateStyle: "medium", timeStyle: "short" },
+  );
 }
 
 export function SaveAsDialog() {
@@ -73,14 +89,22 @@ export function SaveAsDialog() {
         <label class="field stacked">
           <span>Name, below the studio's folder</span>
           <input
-            type="text" value={name.value} spellcheck={false} autoFocus onFocus={(event) => selectStem(event.currentTarget)}
+            type="text"
+            value={name.value}
+            spellcheck={false}
+            autoFocus
+            onFocus={(event) => selectStem(event.currentTarget)}
             onInput={(event) => (name.value = event.currentTarget.value)}
           />
         </label>
         <p class="muted">The file is a recipe: the command line runs it just as it is.</p>
         <div class="dialog-buttons">
-          <button type="button" onClick={closeDialog}>Cancel</button>
-          <button class="primary" type="submit" disabled={name.value.trim() === ""}>Save</button>
+          <button type="button" onClick={closeDialog}>
+            Cancel
+          </button>
+          <button class="primary" type="submit" disabled={name.value.trim() === ""}>
+            Save
+          </button>
         </div>
       </form>
     </Dialog>
@@ -107,21 +131,42 @@ export function BlankDialog() {
     <Dialog title="A blank terrain" class="small-dialog" close={closeDialog}>
       <form onSubmit={go}>
         <label class="field">
-          <span>Width <span class="muted">km</span></span>
-          <input type="number" min={0.01} step="any" value={width_km.value} autoFocus
-            onInput={(event) => (width_km.value = event.currentTarget.valueAsNumber || 0)} />
+          <span>
+            Width <span class="muted">km</span>
+          </span>
+          <input
+            type="number"
+            min={0.01}
+            step="any"
+            value={width_km.value}
+            autoFocus
+            onInput={(event) => (width_km.value = event.currentTarget.valueAsNumber || 0)}
+          />
         </label>
         <label class="field">
-          <span>Cell <span class="muted">m</span></span>
-          <input type="number" min={0.01} step="any" value={cell_m.value}
-            onInput={(event) => (cell_m.value = event.currentTarget.valueAsNumber || 0)} />
+          <span>
+            Cell <span class="muted">m</span>
+          </span>
+          <input
+            type="number"
+            min={0.01}
+            step="any"
+            value={cell_m.value}
+            onInput={(event) => (cell_m.value = event.currentTarget.valueAsNumber || 0)}
+          />
         </label>
         <p class={possible ? "muted" : "failure"}>
-          {possible ? `${cells} × ${cells} cells. Both can be changed later.` : "Between 8 and 16 384 cells a side are possible."}
+          {possible
+            ? `${cells} × ${cells} cells. Both can be changed later.`
+            : "Between 8 and 16 384 cells a side are possible."}
         </p>
         <div class="dialog-buttons">
-          <button type="button" onClick={closeDialog}>Cancel</button>
-          <button class="primary" type="submit" disabled={!possible}>Create</button>
+          <button type="button" onClick={closeDialog}>
+            Cancel
+          </button>
+          <button class="primary" type="submit" disabled={!possible}>
+            Create
+          </button>
         </div>
       </form>
     </Dialog>
@@ -145,13 +190,19 @@ export function UnsavedDialog() {
     if (await save(studio)) go();
   };
   return (
-    <Dialog title={file === "" ? "This terrain has no file yet" : `${file} lacks the latest changes`} class="small-dialog" close={close}>
+    <Dialog
+      title={file === "" ? "This terrain has no file yet" : `${file} lacks the latest changes`}
+      class="small-dialog"
+      close={close}
+    >
       <p>Save before another document takes its place?</p>
       <div class="dialog-buttons">
         <button onClick={leave}>Leave them</button>
         <div class="bar-space" />
         <button onClick={close}>Cancel</button>
-        <button class="primary" autoFocus onClick={() => void saveFirst()}>Save</button>
+        <button class="primary" autoFocus onClick={() => void saveFirst()}>
+          Save
+        </button>
       </div>
     </Dialog>
   );

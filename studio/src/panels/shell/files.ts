@@ -72,7 +72,9 @@ export async function importFiles(studio: OpenedStudio, files: readonly File[]):
       }
       const { recipe } = studio.document.value;
       const plan = importPlan(studio.schema, recipe, studio.selected.value, uploaded.file, uploaded.kind);
-      if (!plan) throw new Error(uploaded.info["problem"] ?? `nothing here begins with ${uploaded.kind || "such a file"}`);
+      if (!plan) throw new Error(
+        uploaded.info["problem"] ?? `nothing here begins with ${uploaded.kind || "such a file"}`,
+      );
       if (!(await studio.edit(plan.edits, plan.label))) return;
       studio.selected.value = plan.select;
       closeDialog();

@@ -17,26 +17,39 @@ export function FirstScreen() {
   const examples = useSignal<readonly ExampleInfo[]>([]);
   const problem = useSignal("");
   useEffect(() => {
-    studio.api.examples().then((found) => (examples.value = found), (error: unknown) => (problem.value = problemText(error)));
+    studio.api.examples().then(
+      (found) => (examples.value = found), (error: unknown) => (problem.value = problemText(error)),
+    );
   }, []);
   const groups = galleryOf(examples.value);
   return (
     <Dialog title="Begin" bare class="first-screen" close={closeDialog}>
       <div class="first-columns">
         <div class="first-begin">
-          <div class="first-brand"><Logo /><span>Seamount</span></div>
-          <p class="muted">Terrains by hand and by rule. What you draw stays a recipe that can be changed, and run again.</p>
+          <div class="first-brand">
+            <Logo />
+            <span>Seamount</span>
+          </div>
+          <p class="muted">
+            Terrains by hand and by rule. What you draw stays a recipe that can be changed, and run again.
+          </p>
           <Beginnings />
           <p class="first-drop muted">Or drop a file anywhere: elevation, a coast, contours, a recipe.</p>
         </div>
         <div class="first-gallery">
-          {problem.value && <p class="failure" role="alert">The examples could not be listed: {problem.value}</p>}
+          {problem.value && (
+            <p class="failure" role="alert">
+              The examples could not be listed: {problem.value}
+            </p>
+          )}
           {groups.map(({ title, examples: own }) => (
             <section key={title} aria-label={title}>
               <h3>{title}</h3>
               <ul class="cards">
                 {own.map((example) => (
-                  <li key={example.name}><ExampleCard example={example} /></li>
+                  <li key={example.name}>
+                    <ExampleCard example={example} />
+                  </li>
                 ))}
               </ul>
             </section>
@@ -55,17 +68,37 @@ function Beginnings() {
   };
   return (
     <ul class="beginnings">
-      <Beginning icon={PenLine} title="Draw a coast" about="and an island grows inside it"
-        run={() => unlessUnsaved(studio, () => void beginCoast(studio))} />
-      <Beginning icon={MountainStroke} title="Mountains from strokes" about="ridges and rivers become a range"
-        run={() => unlessUnsaved(studio, () => void beginStrokes(studio))} />
-      <Beginning icon={FileUp} title="From my elevation file" about="GeoTIFF, ASC, HGT, PNG, RAW…" run={() => void fromFile()} />
-      <Beginning icon={Square} title="Blank" about="a domain, and nothing in it" run={() => unlessUnsaved(studio, () => openDialog("blank"))} />
+      <Beginning
+        icon={PenLine}
+        title="Draw a coast"
+        about="and an island grows inside it"
+        run={() => unlessUnsaved(studio, () => void beginCoast(studio))}
+      />
+      <Beginning
+        icon={MountainStroke}
+        title="Mountains from strokes"
+        about="ridges and rivers become a range"
+        run={() => unlessUnsaved(studio, () => void beginStrokes(studio))}
+      />
+      <Beginning
+        icon={FileUp}
+        title="From my elevation file"
+        about="GeoTIFF, ASC, HGT, PNG, RAW…"
+        run={() => void fromFile()}
+      />
+      <Beginning
+        icon={Square}
+        title="Blank"
+        about="a domain, and nothing in it"
+        run={() => unlessUnsaved(studio, () => openDialog("blank"))}
+      />
     </ul>
   );
 }
 
-function Beginning({ icon: Icon, title, about, run }: { icon: IconType; title: string; about: string; run: () => void }) {
+function Beginning(
+  { icon: Icon, title, about, run }: { icon: IconType; title: string; about: string; run: () => void },
+) {
   return (
     <li>
       <button class="plain beginning" onClick={run}>
@@ -96,7 +129,9 @@ function ExampleCard({ example }: { example: ExampleInfo }) {
   const open = (): void => unlessUnsaved(studio, () => void openDocument(studio, { example: example.name }));
   return (
     <button class="plain card" onClick={open} title={example.about}>
-      <span class="card-picture">{picture.value ? <img src={picture.value} alt="" /> : <MountainStroke aria-hidden />}</span>
+      <span class="card-picture">
+        {picture.value ? <img src={picture.value} alt="" /> : <MountainStroke aria-hidden />}
+      </span>
       <span class="card-title">{example.title}</span>
       <span class="card-about muted">{example.about}</span>
     </button>

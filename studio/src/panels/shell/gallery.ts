@@ -7,12 +7,14 @@ export interface GalleryGroup {
 }
 
 const kFeatured = [
-  "kauai", "reef_stages", "contours/volcano", "erosion/alps", "ecosystem/coral_reef_island", "erosion/canyon", "contours/canyon",
+  "kauai", "reef_stages", "contours/volcano", "erosion/alps", "ecosystem/coral_reef_island", "erosion/canyon",
+  "contours/canyon",
   "archipelago", "sketches/strokes",
 ];
 const kFirst = 6;
 const kTitles: { [group: string]: string } = {
-  "": "Islands", contours: "From contours", ecosystem: "Life", erosion: "Worn by time", guide: "From the guide", hydrology: "Water",
+  "": "Islands", contours: "From contours", ecosystem: "Life", erosion: "Worn by time", guide: "From the guide",
+  hydrology: "Water",
   reef: "Reefs", sketches: "From sketches", pen: "By hand",
 };
 
@@ -23,7 +25,9 @@ function titleOf(group: string): string {
 /** Those with a picture first; the blank sheet is offered elsewhere. */
 export function galleryOf(examples: readonly ExampleInfo[]): GalleryGroup[] {
   const known = examples.filter((example) => example.name !== "blank");
-  const featured = kFeatured.flatMap((name) => known.filter((example) => example.name === name && example.picture !== false)).slice(0, kFirst);
+  const featured = kFeatured.flatMap(
+    (name) => known.filter((example) => example.name === name && example.picture !== false),
+  ).slice(0, kFirst);
   const others = known.filter((example) => !featured.includes(example));
   const names = [...new Set(others.map((example) => example.group))];
   const groups = names.map((name) => {

@@ -13,7 +13,9 @@ export interface ImportPlan {
 }
 
 /** The first input of the selected step that is open and takes the kind. */
-function openInput(schema: Schema, recipe: Recipe, selected: string | null, kind: string): { step: string; port: string } | null {
+function openInput(
+  schema: Schema, recipe: Recipe, selected: string | null, kind: string,
+): { step: string; port: string } | null {
   const step = selected === null ? undefined : stepOf(recipe, selected);
   if (!step) return null;
   const open = connectionsOf(recipe, schema, step).find(({ input, from }) => from === null && input.kind === kind);
@@ -21,7 +23,9 @@ function openInput(schema: Schema, recipe: Recipe, selected: string | null, kind
 }
 
 /** A step that begins with the file: at the top, where it changes nothing of what follows. */
-function beginning(recipe: Recipe, wanted: string, op: string, more: { [member: string]: Json }, file: string): ImportPlan {
+function beginning(
+  recipe: Recipe, wanted: string, op: string, more: { [member: string]: Json }, file: string,
+): ImportPlan {
   const id = freeId(wanted, recipe.steps.map((step) => step.id));
   return {
     edits: [{ do: "insert", list: "/steps", index: 0, value: { id, op, ...more } }],
@@ -32,7 +36,9 @@ function beginning(recipe: Recipe, wanted: string, op: string, more: { [member: 
 }
 
 /** Null: nothing in the studio begins with such a file. */
-export function importPlan(schema: Schema, recipe: Recipe, selected: string | null, file: string, kind: string): ImportPlan | null {
+export function importPlan(
+  schema: Schema, recipe: Recipe, selected: string | null, file: string, kind: string,
+): ImportPlan | null {
   const has = (op: string): boolean => operatorOf(schema, op) !== undefined;
   const input = kind === "terrain" ? null : openInput(schema, recipe, selected, kind);
   if (input) {
@@ -47,7 +53,9 @@ export function importPlan(schema: Schema, recipe: Recipe, selected: string | nu
   if (kind === "drawing" && recipe.steps.length === 0 && has("island.build")) {
     return beginning(recipe, "isle", "island.build", { params: { coast: file } }, file);
   }
-  if (kind === "labels" && has("island.build")) return beginning(recipe, wanted, "island.build", { in: { labels: { file } } }, file);
+  if (kind === "labels" && has("island.build")) return beginning(
+    recipe, wanted, "island.build", { in: { labels: { file } } }, file,
+  );
   if (has(`${kind}.import`)) return beginning(recipe, wanted, `${kind}.import`, { params: { file } }, file);
   const importer = schema.operators.find((operator) => (
     operator.name.endsWith(".import") && operator.out.some((port) => port.kind === kind)

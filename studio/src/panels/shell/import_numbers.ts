@@ -21,11 +21,18 @@ export function importNumbers(sidecar: Json): ImportNumbers | null {
   const rows = entries.filter(([name]) => name !== "note").map(([name, value]) => [name, String(value)] as const);
   if (rows.length === 0) return null;
   const note = sidecar["import"]["note"];
-  return { file: String(sidecar["file"] ?? ""), target: String(sidecar["target"] ?? ""), rows, note: typeof note === "string" ? note : "" };
+  return {
+    file: String(sidecar["file"] ?? ""), target: String(sidecar["target"] ?? ""), rows,
+    note: typeof note === "string" ? note : "",
+  };
 }
 
 /** For the clipboard: a line each. */
 export function numbersText(numbers: readonly ImportNumbers[], notes: readonly string[]): string {
-  const lines = numbers.flatMap(({ file, rows, note }) => [file, ...rows.map(([name, value]) => `  ${name}: ${value}`), ...(note ? [`  (${note})`] : [])]);
+  const lines = numbers.flatMap(
+    ({ file, rows, note }) => [
+      file, ...rows.map(([name, value]) => `  ${name}: ${value}`), ...(note ? [`  (${note})`] : []),
+    ],
+  );
   return [...lines, ...notes].join("\n");
 }

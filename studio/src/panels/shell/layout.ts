@@ -17,7 +17,8 @@ export const arrangement = computed<Arrangement>(() => (
 ));
 
 export const dockTab = remembered<DockTab>("dockTab", "graph", oneOf("graph", "text", "history", "timeline"));
-export const dockOpen = remembered<boolean>("dockOpen", false, (value) => (typeof value === "boolean" ? value : undefined));
+const asBoolean = (value: unknown): boolean | undefined => (typeof value === "boolean" ? value : undefined);
+export const dockOpen = remembered<boolean>("dockOpen", false, asBoolean);
 export const dockHeight = remembered("dockHeight", 260, numberWithin(120, 900));
 /** Share of the right panel that the step cards have. */
 export const stepsShare = remembered("stepsShare", 0.42, numberWithin(0.1, 0.9));

@@ -17,7 +17,8 @@ export function lazy(load: () => Promise<ComponentType>): ComponentType {
         () => (standing.value = "failed"),
       );
     }, []);
-    if (standing.value === "failed") return <p class="empty">This panel could not be loaded. Is the studio still running?</p>;
+    if (standing.value === "failed")
+      return <p class="empty">This panel could not be loaded. Is the studio still running?</p>;
     const Part = loaded;
     return Part && standing.value === "there" ? <Part /> : <p class="empty">Loading…</p>;
   };

@@ -51,7 +51,9 @@ export function Menu({ label, entries, children }: MenuProps) {
         {children ?? label}
         <ChevronDown class="small" aria-hidden />
       </button>
-      {open && <MenuList label={label} entries={entries} close={close} button={() => root.current?.querySelector("button")} />}
+      {open && (
+        <MenuList label={label} entries={entries} close={close} button={() => root.current?.querySelector("button")} />
+      )}
     </div>
   );
 }
@@ -66,7 +68,9 @@ interface MenuListProps {
 function MenuList({ label, entries, close, button }: MenuListProps) {
   const list = useRef<HTMLDivElement>(null);
   const at = useSignal(0);
-  const items = (): HTMLElement[] => [...list.current!.querySelectorAll<HTMLElement>("[role^=menuitem]:not(:disabled)")];
+  const items = (): HTMLElement[] => [
+    ...list.current!.querySelectorAll<HTMLElement>("[role^=menuitem]:not(:disabled)"),
+  ];
   useEffect(() => items()[0]?.focus(), []);
   const onKeyDown = (event: KeyboardEvent): void => {
     const all = items();

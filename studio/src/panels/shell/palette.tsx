@@ -21,7 +21,9 @@ interface Entry {
 
 function useEntries(): Entry[] {
   const studio = useStudio();
-  const actions = allActions.value.filter((action) => action.id !== "help.palette" && isPossible(action)).map((action) => ({
+  const actions = allActions.value.filter(
+    (action) => action.id !== "help.palette" && isPossible(action),
+  ).map((action) => ({
     id: action.id, title: action.title, about: action.group, words: `${action.words ?? ""} ${action.group}`,
     icon: action.icon, keys: action.keys?.[0], run: action.run,
   }));

@@ -33,7 +33,9 @@ export const pointed = computed<PointedPlace | null>(() => {
 });
 
 /** Metres of a pixel of the map; null: no map yet. */
-export const mapScale = computed<number | null>(() => (viewport.value?.drawn.value ? viewport.value.scale.value : null));
+export const mapScale = computed<number | null>(
+  () => (viewport.value?.drawn.value ? viewport.value.scale.value : null)
+);
 
 /** Draws into the two elements until it is ended. */
 export function startViews(map: HTMLElement, world: HTMLElement, studio: Studio): () => void {

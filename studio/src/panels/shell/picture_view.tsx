@@ -1,4 +1,5 @@
-// The picture that a step makes, in place of the ground while the step is selected; a button goes to the ground and back.
+// The picture that a step makes, in place of the ground while the step is selected; a button goes to the ground and
+// back.
 import { Image, Mountain } from "lucide-preact";
 import { useEffect, useState } from "preact/hooks";
 import { useStudio } from "./shell";

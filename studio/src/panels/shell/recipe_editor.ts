@@ -75,7 +75,8 @@ export class RecipeEditor {
     const state = EditorState.create({
       doc: text,
       extensions: [
-        lineNumbers(), foldGutter(), history(), drawSelection(), indentOnInput(), bracketMatching(), highlightActiveLine(),
+        lineNumbers(), foldGutter(), history(), drawSelection(), indentOnInput(), bracketMatching(),
+        highlightActiveLine(),
         json(), syntaxHighlighting(kColours), kLook,
         EditorView.contentAttributes.of({ "aria-label": "Recipe", spellcheck: "false" }),
         keymap.of([...defaultKeymap, ...historyKeymap, ...foldKeymap, ...lintKeymap, indentWithTab]),

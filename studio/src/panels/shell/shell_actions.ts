@@ -1,6 +1,7 @@
 // What the shell can do, for menus, palette and keys.
 import {
-  ArrowLeftRight, CircleQuestionMark, CircleStop, ClockArrowUp, Columns2, Expand, FileBraces, FileOutput, FilePlus, FileUp, FolderOpen,
+  ArrowLeftRight, CircleQuestionMark, CircleStop, ClockArrowUp, Columns2, Expand, FileBraces, FileOutput, FilePlus,
+  FileUp, FolderOpen,
   Images, ListVideo, Maximize, PictureInPicture2, Redo2, Scan, Save, SaveAll, Search, Square, SunMoon, Undo2, Workflow,
 } from "lucide-preact";
 import type { Action } from "../../actions/registry";
@@ -36,16 +37,27 @@ function fileActions(studio: OpenedStudio): Action[] {
   const open = (name: "blank" | "open") => () => unlessUnsaved(studio, () => openDialog(name));
   return [
     { id: "file.new", title: "New…", group, icon: FilePlus, words: "blank create", run: open("blank") },
-    { id: "file.examples", title: "Examples…", group, icon: Images, words: "gallery begin start", run: () => openDialog("examples") },
-    { id: "file.open", title: "Open…", group, icon: FolderOpen, keys: ["Ctrl+O"], words: "load recipe", run: () => openDialog("open") },
     {
-      id: "file.import", title: "Import…", group, icon: FileUp, keys: ["Ctrl+I"], words: "elevation dem coast picture heightmap",
+      id: "file.examples", title: "Examples…", group, icon: Images, words: "gallery begin start",
+      run: () => openDialog("examples"),
+    },
+    {
+      id: "file.open", title: "Open…", group, icon: FolderOpen, keys: ["Ctrl+O"], words: "load recipe",
+      run: () => openDialog("open"),
+    },
+    {
+      id: "file.import", title: "Import…", group, icon: FileUp, keys: ["Ctrl+I"],
+      words: "elevation dem coast picture heightmap",
       run: () => void pickFiles("", true).then((files) => importFiles(studio, files)),
     },
     { id: "file.save", title: "Save", group, icon: Save, keys: ["Ctrl+S"], run: () => void save(studio) },
-    { id: "file.save_as", title: "Save as…", group, icon: SaveAll, keys: ["Ctrl+Shift+S"], run: () => openDialog("save_as") },
     {
-      id: "file.export", title: "Export…", group, icon: FileOutput, keys: ["Ctrl+E"], words: "unreal unity godot blender geotiff gltf mesh",
+      id: "file.save_as", title: "Save as…", group, icon: SaveAll, keys: ["Ctrl+Shift+S"],
+      run: () => openDialog("save_as"),
+    },
+    {
+      id: "file.export", title: "Export…", group, icon: FileOutput, keys: ["Ctrl+E"],
+      words: "unreal unity godot blender geotiff gltf mesh",
       when: () => studio.document.value.recipe.steps.length > 0, run: () => openDialog("export"),
     },
   ];
@@ -60,7 +72,8 @@ function editActions(studio: OpenedStudio): Action[] {
     },
     {
       id: "edit.redo", title: "Redo", group, icon: Redo2, keys: ["Ctrl+Shift+Z", "Ctrl+Y"],
-      when: () => studio.document.value.done < studio.document.value.history.length || studio.busy.value, run: () => void studio.redo(),
+      when: () => studio.document.value.done < studio.document.value.history.length || studio.busy.value,
+      run: () => void studio.redo(),
     },
   ];
 }
@@ -75,7 +88,10 @@ function arrange(to: Arrangement, title: string, icon: Action["icon"], words: st
 function viewActions(): Action[] {
   const group = "View";
   return [
-    { id: "view.swap", title: "Swap the views", group, icon: ArrowLeftRight, keys: ["V"], words: "map 3d", run: swapViews },
+    {
+      id: "view.swap", title: "Swap the views", group, icon: ArrowLeftRight, keys: ["V"], words: "map 3d",
+      run: swapViews,
+    },
     arrange("inset", "One view in the other's corner", PictureInPicture2, "layout inset"),
     arrange("split", "Views side by side", Columns2, "layout split"),
     arrange("single", "One view alone", Square, "layout single"),
@@ -87,17 +103,28 @@ function viewActions(): Action[] {
       id: "view.theme", title: "Light or dark", group, icon: SunMoon, words: "theme",
       run: () => (themeChoice.value = theme.value === "dark" ? "light" : "dark"),
     },
-    { id: "view.theme_system", title: "Light or dark as the system", group, icon: SunMoon, words: "theme", run: () => (themeChoice.value = "system") },
     {
-      id: "view.frame", title: "Frame what is drawn, or all", group, icon: Scan, keys: ["F"], words: "zoom fit", when: () => viewport.value !== null,
+      id: "view.theme_system", title: "Light or dark as the system", group, icon: SunMoon, words: "theme",
+      run: () => (themeChoice.value = "system"),
+    },
+    {
+      id: "view.frame", title: "Frame what is drawn, or all", group, icon: Scan, keys: ["F"], words: "zoom fit",
+      when: () => viewport.value !== null,
       run: () => viewport.value?.frameSelection(),
     },
     {
-      id: "view.frame_all", title: "Frame all", group, icon: Maximize, keys: ["Home"], words: "zoom fit reset", when: () => viewport.value !== null,
+      id: "view.frame_all", title: "Frame all", group, icon: Maximize, keys: ["Home"], words: "zoom fit reset",
+      when: () => viewport.value !== null,
       run: () => viewport.value?.frameAll(),
     },
-    { id: "view.next_region", title: "Next part of the window", group, keys: ["F6"], typing: true, run: () => goToRegion(1) },
-    { id: "view.previous_region", title: "Part before", group, keys: ["Shift+F6"], typing: true, run: () => goToRegion(-1) },
+    {
+      id: "view.next_region", title: "Next part of the window", group, keys: ["F6"], typing: true,
+      run: () => goToRegion(1),
+    },
+    {
+      id: "view.previous_region", title: "Part before", group, keys: ["Shift+F6"], typing: true,
+      run: () => goToRegion(-1),
+    },
   ];
 }
 
@@ -119,7 +146,13 @@ export function shellActions(studio: OpenedStudio): Action[] {
     dockAction("text", "Recipe text", FileBraces, "Alt+2", "json code"),
     dockAction("history", "History", ClockArrowUp, "Alt+3", "undo list"),
     dockAction("timeline", "Timeline", ListVideo, "Alt+4", "events play"),
-    { id: "help.palette", title: "Find anything", group: "Help", icon: Search, keys: ["Ctrl+K"], typing: true, run: () => openDialog("palette") },
-    { id: "help.shortcuts", title: "Keyboard and mouse", group: "Help", icon: CircleQuestionMark, keys: ["?"], run: () => openDialog("shortcuts") },
+    {
+      id: "help.palette", title: "Find anything", group: "Help", icon: Search, keys: ["Ctrl+K"], typing: true,
+      run: () => openDialog("palette"),
+    },
+    {
+      id: "help.shortcuts", title: "Keyboard and mouse", group: "Help", icon: CircleQuestionMark, keys: ["?"],
+      run: () => openDialog("shortcuts"),
+    },
   ];
 }

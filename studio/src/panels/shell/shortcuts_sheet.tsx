@@ -12,12 +12,13 @@ const kGestures = [
   { title: "Fly", keys: ["Right button", "W A S D"] },
   { title: "Brush: the opposite", keys: ["Ctrl+Draw"] },
   { title: "Brush: smooth", keys: ["Shift+Draw"] },
+  { title: "Height under the pen", keys: ["Alt+Wheel"] },
 ];
 const kFields = [
   { title: "Change a number", keys: ["Drag"] },
   { title: "Finer", keys: ["Shift+Drag"] },
   { title: "In round steps", keys: ["Ctrl+Drag"] },
-  { title: "One step", keys: ["Ctrl+Wheel"] },
+  { title: "One step", keys: ["Wheel on the focus", "Ctrl+Wheel"] },
   { title: "Default again", keys: ["Backspace"] },
 ];
 
@@ -39,7 +40,9 @@ export function groupsOf(actions: readonly Action[]): [string, Row[]][] {
 }
 
 export function ShortcutsSheet() {
-  const groups: [string, Row[]][] = [...groupsOf(allActions.value), ["In the views", kGestures], ["Number fields", kFields]];
+  const groups: [string, Row[]][] = [
+    ...groupsOf(allActions.value), ["In the views", kGestures], ["Number fields", kFields],
+  ];
   return (
     <Dialog title="Keyboard and mouse" class="sheet" close={closeDialog}>
       <div class="sheet-columns">

@@ -67,7 +67,11 @@ function Jobs() {
         <div key={job.job} class="status-job">
           <span>{job.what}</span>
           <progress max={1} value={job.fraction} aria-label={job.what} />
-          <button class="plain icon" aria-label={`Stop ${job.what}`} onClick={() => void studio.api.cancel(job.job).catch(() => undefined)}>
+          <button
+            class="plain icon"
+            aria-label={`Stop ${job.what}`}
+            onClick={() => void studio.api.cancel(job.job).catch(() => undefined)}
+          >
             <X />
           </button>
         </div>

@@ -3,7 +3,15 @@ import type { ComponentChildren } from "preact";
 
 function Drawing({ children }: { children: ComponentChildren }) {
   return (
-    <svg class="lucide" viewBox="0 0 24 24" fill="none" stroke="currentColor" stroke-linecap="round" stroke-linejoin="round" aria-hidden>
+    <svg
+      class="lucide"
+      viewBox="0 0 24 24"
+      fill="none"
+      stroke="currentColor"
+      stroke-linecap="round"
+      stroke-linejoin="round"
+      aria-hidden
+    >
       {children}
     </svg>
   );

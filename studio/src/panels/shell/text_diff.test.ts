@@ -4,7 +4,8 @@ import { differences } from "./text_diff";
 
 function applied(text: string, after: string): string {
   let result = text;
-  for (const { from, to, insert } of differences(text, after).reverse()) result = result.slice(0, from) + insert + result.slice(to);
+  for (const { from, to, insert } of differences(text, after).reverse()) result = result.slice(0, from) + insert
+    + result.slice(to);
   return result;
 }
 

@@ -16,7 +16,9 @@ class PlainEditor {
   /** As the real one, where changes do not meet. */
   merge(before: string, after: string): void {
     const typed = differences(before, this.text);
-    const shift = (at: number): number => typed.reduce((sum, { from, to, insert }) => (to <= at ? sum + insert.length - (to - from) : sum), at);
+    const shift = (at: number): number => typed.reduce(
+      (sum, { from, to, insert }) => (to <= at ? sum + insert.length - (to - from) : sum), at,
+    );
     for (const { from, to, insert } of differences(before, after).reverse()) {
       this.text = this.text.slice(0, shift(from)) + insert + this.text.slice(shift(to));
     }
@@ -28,7 +30,15 @@ async function until(holds: () => boolean): Promise<void> {
   assert.ok(holds(), "it did not come to hold within two seconds");
 }
 
-async function started(): Promise<{ server: FakeServer; studio: OpenedStudio; editor: PlainEditor; sync: TextSync; end: () => void }> {
+interface Started {
+  server: FakeServer;
+  studio: OpenedStudio;
+  editor: PlainEditor;
+  sync: TextSync;
+  end: () => void;
+}
+
+async function started(): Promise<Started> {
   const server = new FakeServer();
   const studio = await openStudio(server, "me");
   await until(() => studio.connected.value);

@@ -132,7 +132,9 @@ export class TextSync {
       try {
         return await api.text(window, revision, text);
       } catch (error) {
-        if (error instanceof ApiError && error.status === 422 && !this.ended) this.settle(error.answer.diagnostics ?? []);
+        if (
+          error instanceof ApiError && error.status === 422 && !this.ended
+        ) this.settle(error.answer.diagnostics ?? []);
         throw error;
       }
     });

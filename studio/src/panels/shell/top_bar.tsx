@@ -54,7 +54,8 @@ function DocumentName() {
     offline: "The studio's server does not answer. What you do now waits in this window.",
     busy: "The last change is on its way to the disk.",
     saved: `${name} has every change.`,
-    kept: `Every change is on disk at once and comes back after a crash. Save (Ctrl+S) writes them into ${file === "" ? "a file" : name}.`,
+    kept: "Every change is on disk at once and comes back after a crash. "
+      + `Save (Ctrl+S) writes them into ${file === "" ? "a file" : name}.`,
   };
   return (
     <div class="document-name">

@@ -15,8 +15,18 @@ export function UploadCard() {
           <span class="ellipsis">Taking in {upload.name}</span>
           <progress max={100} value={percent} aria-label={`Sending ${upload.name}`} />
         </div>
-        <span class="muted">{percent} % of {bytesText(upload.bytes)}</span>
-        <button type="button" class="plain icon" aria-label="Cancel the upload" title="Cancel the upload" onClick={upload.cancel}><X /></button>
+        <span class="muted">
+          {percent} % of {bytesText(upload.bytes)}
+        </span>
+        <button
+          type="button"
+          class="plain icon"
+          aria-label="Cancel the upload"
+          title="Cancel the upload"
+          onClick={upload.cancel}
+        >
+          <X />
+        </button>
       </div>
     </div>
   );

@@ -29,7 +29,12 @@ export function Views() {
       <section class={`view ${placeOf("world")}`} aria-label="3D view" ref={world} />
       {split && (
         <Divider
-          label="Width of the 3D view" upright value={splitShare.value} low={0.15} high={0.85} step={0.02}
+          label="Width of the 3D view"
+          upright
+          value={splitShare.value}
+          low={0.15}
+          high={0.85}
+          step={0.02}
           moved={(value) => (splitShare.value = value)}
           dragged={(event) => {
             const box = area.current!.getBoundingClientRect();
@@ -37,11 +42,18 @@ export function Views() {
           }}
         />
       )}
-      <section class={`view ${placeOf("map")}`} aria-label="Map" ref={map}><ClassLegend /></section>
+      <section class={`view ${placeOf("map")}`} aria-label="Map" ref={map}>
+        <ClassLegend />
+      </section>
       <EmptyView />
       <PictureView />
       {arrangement.value === "inset" && (
-        <button class="inset-swap icon" aria-label={`Make the ${small} big`} title={`Make the ${small} big (V)`} onClick={swapViews}>
+        <button
+          class="inset-swap icon"
+          aria-label={`Make the ${small} big`}
+          title={`Make the ${small} big (V)`}
+          onClick={swapViews}
+        >
           <ArrowLeftRight aria-hidden />
         </button>
       )}

@@ -18,9 +18,8 @@ export function stepActions(studio: Studio): Action[] {
   const onSelected = (run: (id: string) => void) => () => { const id = selected(); if (id !== null) run(id); };
   const any = () => selected() !== null;
   return [
-    { id: "step.add", title: "Add step…", group, icon: ListPlus, keys: ["Shift+A"], words: "operator node new insert",
-      run: add },
-    { id: "step.add_here", title: "Add step… (over the views)", group, keys: ["Tab"], when: overViews, run: add },
+    { id: "step.add", title: "Add step…", group, icon: ListPlus, keys: ["Shift+A", "Tab"],
+      keysWhen: (keys) => keys !== "Tab" || overViews(), words: "operator node new insert", run: add },
     { id: "step.bypass", title: "Leave the step out", group, icon: CircleSlash, keys: ["Ctrl+B"],
       words: "bypass mute disable", when: any,
       checked: () => studio.step(selected() ?? "")?.bypass === true,

@@ -72,7 +72,10 @@ export class EraserPen implements Pen {
     const reach = this.desk.reach();
     const circle = { shape: "circle" as const, at: pointOf(at), radius_m: reach, role: "erase" as const };
     const swept = simplified(this.way, reach / 8);
-    const ink = swept.length > 1 ? [{ shape: "line" as const, points: swept, role: "erase" as const, width_m: 2 * reach }] : [];
+    const ink = swept.length > 1 ? [
+      { shape: "line" as const, points: swept, role: "erase" as const, width_m: 2 * reach },
+    ]
+      : [];
     this.desk.draw([...ink, circle]);
   }
 }

@@ -11,7 +11,9 @@ import type { Slot } from "../slots";
 /** Further than this, in pixels, a press is a stroke and no click. */
 export const kClick_px = 4;
 
-const kInverse: { [tool: string]: string } = { raise: "lower", lower: "raise", brush: "erase", region: "erase", sink: "erase" };
+const kInverse: { [tool: string]: string } = {
+  raise: "lower", lower: "raise", brush: "erase", region: "erase", sink: "erase",
+};
 
 /** A click alone is a thing already: a dab, an object at a place. */
 function aloneIsEnough(desk: Desk, slot: Slot): boolean {
@@ -56,7 +58,9 @@ export class LinePen implements Pen {
   private takesPressure(): boolean {
     const params = this.desk.studio.operator(this.slot.op)?.params ?? [];
     const list = params.find((param) => param.name === this.slot.list?.[0]);
-    return list?.tools?.find((tool) => tool.name === this.slot.tool)?.params.some((p) => p.name === "pressure") ?? false;
+    return list?.tools?.find(
+      (tool) => tool.name === this.slot.tool,
+    )?.params.some((p) => p.name === "pressure") ?? false;
   }
 
   private fitted: Sample[] = [];
@@ -212,5 +216,6 @@ export class LinePen implements Pen {
 }
 
 export function formatLength(metres: number): string {
-  return metres >= 10000 ? `${(metres / 1000).toFixed(1)} km` : metres >= 1000 ? `${(metres / 1000).toFixed(2)} km` : `${Math.round(metres)} m`;
+  return metres >= 10000 ? `${(metres / 1000).toFixed(1)} km` : metres >= 1000 ? `${(metres / 1000).toFixed(2)} km`
+    : `${Math.round(metres)} m`;
 }

@@ -73,7 +73,8 @@ export class MeasurePen implements Pen {
     const first = this.heights[0];
     const rise = typeof first === "number" && height !== null ? Math.round(height - first) : null;
     const along = lengthOf(points);
-    const slope = rise === null || along < 1 ? "" : `, ${rise >= 0 ? "+" : "−"}${Math.abs(rise)} m, ${Math.round(Math.abs((100 * rise) / along))} %`;
+    const slope = rise === null || along < 1 ? ""
+      : `, ${rise >= 0 ? "+" : "−"}${Math.abs(rise)} m, ${Math.round(Math.abs((100 * rise) / along))} %`;
     this.desk.say(points.length > 1 ? `${length}${slope}` : "");
     if (this.side && points.length > 1) this.desk.profile(points);
   }
@@ -89,7 +90,9 @@ export class MeasurePen implements Pen {
   }
 
   hover(at: GroundPointer | null): void {
-    if (at && !this.done && !this.start && this.corners.length > 0) this.show([...this.corners, pointOf(at)], at.height);
+    if (
+      at && !this.done && !this.start && this.corners.length > 0
+    ) this.show([...this.corners, pointOf(at)], at.height);
   }
 
   double(): void {

@@ -46,12 +46,15 @@ export class PlacePen implements Pen {
 
   /** A height that nobody chose is the ground's. */
   private members(at: GroundPointer): { [name: string]: Json } {
-    const members = { ...withIteration(this.desk, this.slot, this.desk.members(this.slot)), ...objectMembers(this.object) };
+    const members = {
+      ...withIteration(this.desk, this.slot, this.desk.members(this.slot)), ...objectMembers(this.object),
+    };
     const height = heightMember(this.slot);
     if (height && this.lifted !== null) return { ...members, [height.name]: this.lifted };
     if (height?.name !== "height_m" || at.height === null || members["height_m"]) return members;
     const rounded = Math.round(at.height);
-    return rounded < (height.min ?? -Infinity) || rounded > (height.max ?? Infinity) ? members : { ...members, height_m: rounded };
+    return rounded < (height.min ?? -Infinity) || rounded > (height.max ?? Infinity) ? members
+      : { ...members, height_m: rounded };
   }
 
   down(at: GroundPointer): void {

@@ -9,14 +9,18 @@ import { distance, roundingStep, type Point } from "../geometry";
 import { isPoint } from "../features";
 import { lookOf } from "../names";
 import { paramPlace } from "../place";
-import { coastOf, dragOutline, nearestOutline, readOutlines, ringOf, roleOfOutline, writeOutlines, type Radii } from "../polar";
+import {
+  coastOf, dragOutline, nearestOutline, readOutlines, ringOf, roleOfOutline, writeOutlines, type Radii,
+} from "../polar";
 import { formatLength } from "./line_pen";
 
 /** What an island's outlines and their centre are, as a step says. */
 export function outlinesOf(desk: Pick<Desk, "recipe">, step: string, path: readonly (string | number)[]) {
   const found = paramPlace(desk.recipe(), step, path);
   const centre = paramPlace(desk.recipe(), step, [...path.slice(0, -1), "centre"]).value;
-  return { pointer: found.pointer, outlines: readOutlines(found.value), centre: (isPoint(centre) ? centre : [0, 0]) as Point };
+  return {
+    pointer: found.pointer, outlines: readOutlines(found.value), centre: (isPoint(centre) ? centre : [0, 0]) as Point,
+  };
 }
 
 export class PolarPen implements Pen {
@@ -50,7 +54,9 @@ export class PolarPen implements Pen {
 
   private shapes(): OverlayShape[] {
     if (!this.coast || this.read().outlines.length > 0) return [];
-    return [{ shape: "line", points: ringOf(this.coast, this.read().centre), closed: true, role: "guide", width_px: 1.5 }];
+    return [
+      { shape: "line", points: ringOf(this.coast, this.read().centre), closed: true, role: "guide", width_px: 1.5 },
+    ];
   }
 
   down(at: GroundPointer): void {
@@ -68,7 +74,9 @@ export class PolarPen implements Pen {
     const at = path[path.length - 1];
     if (!this.gesture || !this.from || !at) return;
     const step = roundingStep(tolerance(this.desk.fitting(at)));
-    const drag = { outline: this.outline, to: pointOf(at), centre: this.centre, radius_m: this.desk.reach(), smooth: at.shift, step };
+    const drag = {
+      outline: this.outline, to: pointOf(at), centre: this.centre, radius_m: this.desk.reach(), smooth: at.shift, step,
+    };
     // Smoothing goes on from where it is, dragging from where the hand took hold.
     const base = at.shift ? this.outlines : this.before;
     const from = at.shift ? pointOf(at) : pointOf(this.from);
@@ -118,7 +126,8 @@ export class PolarPen implements Pen {
   private brush(at: GroundPointer): OverlayShape[] {
     const { outlines, centre } = this.read();
     const count = outlines.length || 1;
-    const index = this.gesture ? this.outline : nearestOutline(outlines.length > 0 ? outlines : [this.coast ?? [0]], pointOf(at), centre);
+    const index = this.gesture ? this.outline
+      : nearestOutline(outlines.length > 0 ? outlines : [this.coast ?? [0]], pointOf(at), centre);
     return [
       { shape: "circle", at: pointOf(at), radius_m: this.desk.reach(), role: roleOfOutline(index, count) },
       { shape: "line", points: [centre, pointOf(at)], role: "guide", width_px: 1 },

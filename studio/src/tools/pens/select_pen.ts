@@ -23,7 +23,9 @@ interface Held {
   wasSelected: boolean;
 }
 
-const kArrows: { [key: string]: Point } = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+const kArrows: { [key: string]: Point } = {
+  ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
+};
 
 export class SelectPen implements Pen {
   cursor: Pen["cursor"] = "default";
@@ -72,7 +74,9 @@ export class SelectPen implements Pen {
     const held = this.held!;
     held.gesture = gesture;
     // From here on the new point is what the hand holds; edits are those of the line without it.
-    const moving = (now: GroundPointer): Edit[] => insertPoint(feature, segment, share, roundedPoint(pointOf(now), step));
+    const moving = (now: GroundPointer): Edit[] => insertPoint(
+      feature, segment, share, roundedPoint(pointOf(now), step),
+    );
     this.inserting = moving;
     gesture.live(() => moving(at));
     this.desk.select([feature.key], [`${feature.key} ${segment + 1}`]);
@@ -121,13 +125,20 @@ export class SelectPen implements Pen {
     const chosen = points.get(feature.key);
     if (!chosen) return [];
     if (feature.geometry === "vector" && chosen.has(0)) return moveFeature(feature, dx, dy, step);
-    return setPoints(feature, feature.points.map(([x, y], i) => (chosen.has(i) ? roundedPoint([x + dx, y + dy], step) : [x, y])));
+    return setPoints(
+      feature, feature.points.map(([x, y], i) => (chosen.has(i) ? roundedPoint([x + dx, y + dy], step) : [x, y])),
+    );
   }
 
   private box(from: GroundPointer, at: GroundPointer): void {
     const [a, b] = [pointOf(from), pointOf(at)];
     const corners: Point[] = [a, [b[0], a[1]], b, [a[0], b[1]]];
-    this.desk.draw([{ shape: "area", points: corners, role: "guide" }, { shape: "line", points: corners, role: "guide", closed: true, width_px: 1 }]);
+    this.desk.draw(
+      [
+        { shape: "area", points: corners, role: "guide" },
+        { shape: "line", points: corners, role: "guide", closed: true, width_px: 1 },
+      ],
+    );
   }
 
   up(at: GroundPointer): void {
@@ -147,7 +158,9 @@ export class SelectPen implements Pen {
     }
     if (moved || !held.wasSelected) return;
     const { feature } = held.hit;
-    if (at.shift && held.hit.part !== "point") this.desk.select([...this.desk.selected()].filter((key) => key !== feature.key));
+    if (at.shift && held.hit.part !== "point") this.desk.select(
+      [...this.desk.selected()].filter((key) => key !== feature.key),
+    );
     else if (!at.shift && held.hit.part !== "point") this.desk.select([feature.key]);
   }
 
@@ -182,9 +195,13 @@ export class SelectPen implements Pen {
     this.cursor = !hit ? "default" : hit.part === "point" || hit.part === "middle" ? "pointer" : "move";
     const over: OverlayShape[] = [];
     if (hit && hit.part !== "inside" && hit.feature.points.length > 1 && !this.desk.selected().has(hit.feature.key)) {
-      over.push({ shape: "line", points: hit.feature.points, role: "selected", width_px: 2, closed: isClosed(hit.feature) });
+      over.push(
+        { shape: "line", points: hit.feature.points, role: "selected", width_px: 2, closed: isClosed(hit.feature) },
+      );
     }
-    if (hit?.part === "point") over.push({ shape: "dot", at: hit.feature.points[hit.index]!, role: "selected", handle: true });
+    if (hit?.part === "point") over.push(
+      { shape: "dot", at: hit.feature.points[hit.index]!, role: "selected", handle: true },
+    );
     if (hit?.part === "middle" || hit?.part === "segment") {
       if (this.desk.selected().has(hit.feature.key)) over.push({ shape: "dot", at: hit.at, role: "handle" });
     }
@@ -240,7 +257,8 @@ export class SelectPen implements Pen {
     const points = this.desk.selectedPoints();
     const single = features.filter((feature) => feature.points.some((_, i) => points.has(`${feature.key} ${i}`)));
     const what = single.length > 0 && single.some((f) => f.points.length > 1) ? "point deleted" : "deleted";
-    const edits = single.length > 0 ? removePoints(single, (f, i) => points.has(`${f.key} ${i}`)) : removeFeatures(features);
+    const edits = single.length > 0 ? removePoints(single, (f, i) => points.has(`${f.key} ${i}`))
+      : removeFeatures(features);
     this.desk.select(what === "point deleted" ? features.map((f) => f.key) : []);
     return this.once(what, edits);
   }
@@ -249,8 +267,12 @@ export class SelectPen implements Pen {
     const by = Math.max(this.pixel_m || this.desk.domain().cell_m, 1e-3) * times;
     const step = roundingStep(by);
     const points = this.desk.selectedPoints();
-    const chosen = new Map(features.map((f) => [f.key, new Set([...f.points.keys()].filter((i) => points.has(`${f.key} ${i}`)))]));
+    const chosen = new Map(
+      features.map((f) => [f.key, new Set([...f.points.keys()].filter((i) => points.has(`${f.key} ${i}`)))]),
+    );
     const some = [...chosen.values()].some((set) => set.size > 0);
-    return this.once("nudged", features.flatMap((f) => this.movedEdits(f, some ? chosen : null, x * by, y * by, step)), true);
+    return this.once(
+      "nudged", features.flatMap((f) => this.movedEdits(f, some ? chosen : null, x * by, y * by, step)), true,
+    );
   }
 }

@@ -46,7 +46,13 @@ export class VectorPen implements Pen {
       const { feature, end, from, gesture } = this.held;
       const step = roundingStep(tolerance(this.desk.fitting(at)));
       const to = this.rounded(at);
-      gesture.live(() => (end ? setPoints(feature, [feature.points[0]!, to]) : moveFeature(feature, at.x - from[0], at.y - from[1], step)));
+      gesture.live(
+        () => (
+          end ? setPoints(feature, [feature.points[0]!, to]) : moveFeature(
+            feature, at.x - from[0], at.y - from[1], step,
+          )
+        ),
+      );
       return;
     }
     if (!this.from || (!this.drawing && distance(this.from, pointOf(at)) <= kClick_px * at.pixel_m)) return;
@@ -55,7 +61,12 @@ export class VectorPen implements Pen {
     const to = this.rounded(at);
     this.drawing.live([this.from, to], this.members());
     const moved = objectInk(this.object);
-    this.desk.draw([...moved, { shape: "line", points: [this.from, to], role: "selected", width_px: 2 }, { shape: "dot", at: to, role: "handle" }]);
+    this.desk.draw(
+      [
+        ...moved, { shape: "line", points: [this.from, to], role: "selected", width_px: 2 },
+        { shape: "dot", at: to, role: "handle" },
+      ],
+    );
     this.desk.say(formatLength(distance(this.from, to)));
   }
 

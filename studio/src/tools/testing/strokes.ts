@@ -1,5 +1,5 @@
-// Strokes as hands and pens make them: uneven in time, trembling, slow at the ends and in bends. Metres at 20 m a pixel;
-// made from fixed numbers, so that every run has the same ones.
+// Strokes as hands and pens make them: uneven in time, trembling, slow at the ends and in bends. Metres at 20 m a
+// pixel; made from fixed numbers, so that every run has the same ones.
 import type { Sample } from "../fit";
 
 function noise(seed: number): () => number {
@@ -11,7 +11,9 @@ function noise(seed: number): () => number {
 }
 
 /** A curve drawn by a trembling hand: `tremble_m` of jitter, pauses where it bends. */
-function drawn(seed: number, count: number, tremble_m: number, curve: (t: number) => readonly [number, number]): Sample[] {
+function drawn(
+  seed: number, count: number, tremble_m: number, curve: (t: number) => readonly [number, number],
+): Sample[] {
   const random = noise(seed);
   let t = 0;
   const samples: Sample[] = [];
