@@ -152,4 +152,36 @@ test("the 3D view has all cells near the eye, none far away", async () => {
   await until("none is any more", async () => (await detailOf("3D view")) === null);
 });
 
+test("detail is there again after the graphics processor has lost what it held", async () => {
+  await desk.page.addInitScript(() => {
+    const before = OffscreenCanvas.prototype.getContext as (...all: unknown[]) => RenderingContext | null;
+    OffscreenCanvas.prototype.getContext = function (this: OffscreenCanvas, ...all: unknown[]) {
+      const context = before.apply(this, all);
+      if (String(all[0]).startsWith("webgl")) (window as unknown as { drawing: unknown }).drawing = context;
+      return context;
+    } as typeof OffscreenCanvas.prototype.getContext;
+  });
+  await desk.page.reload();
+  await desk.page.locator("[data-key]").first().waitFor();
+  await desk.page.keyboard.press("v");
+  await desk.rest();
+  await zoomIn(7, await desk.place(0.45, 0.45));
+  await until("detail is drawn", async () => (await detailOf("Map")) === String(cell_m));
+  await desk.rest();
+  const first = await look();
+  await desk.page.evaluate(async () => {
+    const lost = (window as unknown as { drawing: WebGL2RenderingContext }).drawing.getExtension("WEBGL_lose_context")!;
+    lost.loseContext();
+    await new Promise((done) => setTimeout(done, 300));
+    lost.restoreContext();
+  });
+  await desk.rest();
+  await pan(1);
+  await desk.rest();
+  const again = await look();
+  assert.equal(await detailOf("Map"), String(cell_m));
+  assert.ok(Math.abs(again.contrast - first.contrast) < 0.1 * first.contrast);
+  assert.ok(Math.max(...again.colours.map((c, i) => Math.abs(c - first.colours[i]!))) < 6);
+});
+
 test("nothing went wrong on the page", () => assert.deepEqual(desk.errors, []));
