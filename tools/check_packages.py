@@ -22,13 +22,14 @@ CLONING = ["git", "ca-certificates"]
 SYSTEM = ("/usr/", "/lib", "/bin/", "/opt/")
 PATH = "/usr/bin:/bin:/usr/sbin:/sbin"
 # What is built, with which preset, for which purpose. `run` is part of each.
-TARGETS = [("dev", "apps/seamount/seamount", "run"), ("dev", "all", "test"), ("sanitize", "all", "test")]
+TARGETS = [("dev", "apps/seamount/seamount", "run"), ("dev", "seamount_python", "python"), ("dev", "all", "test"), ("sanitize", "all", "test")]
 LINKED = [("dev", "apps/seamount/seamount", "run"), ("dev", "recipe_tests", "test"), ("dev", "bench/seamount_bench", "test"),
           ("sanitize", "tests/fuzz/recipe_fuzz", "test")]
 SCRIPTS = {
     "run": ["run", "tools/setup.sh"],
+    "python": ["apps/python/seamount/*.py", "apps/python/wheel/*.py"],
     "studio": ["tools/page.sh"],
-    "test": ["test", ".ci/run", "tools/*.sh", "tools/*.py", "tests/*.py", "tests/cli/*", "README.md", "docs/guide/*.md"],
+    "test": ["test", ".ci/run", "tools/*.sh", "tools/*.py", "tests/*.py", "tests/cli/*", "tests/python/*.py", "examples/python/*.py", "README.md", "docs/guide/*.md"],
 }
 BEFORE = r"then|do|else|if|while|until|exec|command|sudo|env|xargs|nice"  # a command follows them
 COMMAND = re.compile(rf"(?:^|[|;&({{])(?:\s*(?:!|{BEFORE}|-\w+(?: (?:\d+|\$\(\w+\)))?|\w+=\S*)\s)*"
@@ -178,8 +179,9 @@ def main():
         return 0
     debian = Debian()
     allowed = {"run": debian.base | debian.closure(listed("run"))}
+    allowed["python"] = allowed["run"] | debian.closure(listed("python"))
     allowed["studio"] = allowed["run"] | debian.closure(listed("studio"))
-    allowed["test"] = allowed["studio"] | debian.closure(listed("test"))
+    allowed["test"] = allowed["python"] | allowed["studio"] | debian.closure(listed("test"))
     problems, seen = set(), set()
     for file, by, purpose in used():
         if not file.startswith(SYSTEM) or file.startswith("/usr/local/"):

@@ -18,7 +18,10 @@
 #include "seamount/train/island_task.h"
 #include "seamount/train/sketch_measures.h"
 #include "seamount/train/sketch_task.h"
+#include "seamount/train/stored_islands.h"
+#include "seamount/train/stored_sketches.h"
 #include "seamount/train/training.h"
+#include "set_manifest.h"
 #include "train_command.h"
 
 namespace seamount::app {
@@ -27,7 +30,7 @@ namespace {
 using recipe::Json;
 
 struct TrainFlags : RunFlags {
-  std::string out, from, dem;
+  std::string out, from, dem, set;
   int pairs = 400, size = 192;
   std::map<std::string, std::string> params;
 };
@@ -73,6 +76,10 @@ Command add_kind(Command train, const std::shared_ptr<TrainFlags>& flags, const 
         .kind(info.kind);
   }
   return kind;
+}
+
+void add_set(Command kind, const std::shared_ptr<TrainFlags>& flags, const std::string& sort) {
+  kind.add("--set", &flags->set, "learn from a set on disk (seamount dataset " + sort + ") instead");
 }
 
 struct MeasureFlags : RunFlags {
@@ -179,16 +186,32 @@ void add_measure(Command train) {
 void add_train_networks(Command command) {
   const auto flags = std::make_shared<TrainFlags>();
   Command sketch = add_kind(command, flags, "sketch", "Ridges, rivers, heights and known ground to terrain");
-  sketch.add("--dem", &flags->dem, "folder of elevation models (GeoTIFF)").required();
+  sketch.add("--dem", &flags->dem, "folder of elevation models (GeoTIFF)");
+  add_set(sketch, flags, "sketches");
   sketch.does([flags] {
     const Session session(*flags);
+    if (flags->dem.empty() && flags->set.empty())
+      throw InvalidArgument("--dem", "is missing: the ground to learn from, here or in a set of sketches (--set)");
+    if (!flags->dem.empty() && !flags->set.empty())
+      throw InvalidArgument("--set", "has its own ground: --dem is for samples that are drawn on the fly");
+    if (!flags->set.empty()) {
+      StoredSketches set = read_stored_sketches(flags->set);
+      const Seed seed{flags->seed.value_or(0)};
+      return train_on(train::StoredSketchTask(flags->set, set.size, std::move(set.examples), seed), *flags, session);
+    }
     const train::SketchTask task(flags->dem, 256, Seed{flags->seed.value_or(0)}, session.run());
     train_on(task, *flags, session);
   });
   add_measure(command);
   Command island = add_kind(command, flags, "island", "Maps of regions to islands, learned from the island generator");
+  add_set(island, flags, "islands");
   island.does([flags] {
     const Session session(*flags);
+    if (!flags->set.empty()) {
+      const StoredIslands set = read_stored_islands(flags->set);
+      const Seed seed{flags->seed.value_or(0)};
+      return train_on(train::StoredIslandTask(flags->set, set.params, set.count, seed), *flags, session);
+    }
     const train::IslandTask task(Seed{flags->seed.value_or(0)});
     train_on(task, *flags, session);
   });

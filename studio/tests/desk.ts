@@ -1,15 +1,18 @@
 // What a person does in a window of the studio, for tests: choosing steps and tools, drawing on the map.
 import assert from "node:assert/strict";
 import type { Browser, Page } from "playwright-core";
-import type { Json, Recipe } from "../src/api/types";
+import type { DocumentAnswer, Json, Recipe } from "../src/api/types";
 import { openPage, Server, until } from "./harness";
 
 /** A window of the studio on a server of its own, used as a person would. */
 export class Desk {
   constructor(readonly server: Server, readonly page: Page, readonly errors: string[]) {}
 
-  static async open(browser: Browser, document: Recipe | null, size: { width?: number; height?: number } = {}): Promise<Desk> {
-    const server = await Server.start(document);
+  static async open(
+    browser: Browser, document: Recipe | null, size: { width?: number; height?: number } = {},
+    files: { [name: string]: string } = {},
+  ): Promise<Desk> {
+    const server = await Server.start(document, files);
     const { page, errors } = await openPage(browser, server.address, size);
     const desk = new Desk(server, page, errors);
     await page.locator("[data-key]").first().waitFor();
@@ -54,18 +57,24 @@ export class Desk {
     await mouse.up();
   }
 
-  /** Does something that changes the document and the terrain, and takes it back. */
-  async changes(what: string, act: () => Promise<void>): Promise<Recipe> {
+  /** Does something that changes the document and the terrain (unless it is what lies over it), and takes it back. */
+  async changes(what: string, act: () => Promise<void>, terrain = true): Promise<Recipe> {
     const before = await this.server.document(), key = await this.key();
     await act();
     const after = await until(`${what}: the recipe changes`, async () => {
       const now = await this.server.document();
       return now.revision > before.revision && now;
     });
-    await until(`${what}: another terrain is seen`, async () => (await this.key()) !== key);
+    if (terrain) {
+      const other = until(`${what}: another terrain is seen`, async () => (await this.key()) !== key);
+      await other.catch(async (error: unknown) => {
+        if (process.env["LOOKS"]) await this.page.screenshot({ path: `${process.env["LOOKS"]}/failed.png` });
+        throw error;
+      });
+    }
     await until(`${what}: and it is a full one`, async () => (await this.page.locator("[data-key]").first().getAttribute("data-coarse")) === "false");
     assert.equal(after.done, before.done + 1, `${what} is one entry of the history`);
-    const settled = (await this.server.document()).recipe;
+    const settled = (await this.sent()).recipe;
     await this.page.keyboard.press("Control+z");
     await until(`${what}: undo`, async () => (await this.server.document()).done === before.done);
     assert.deepEqual((await this.server.document()).recipe, before.recipe, `${what}: undone`);
@@ -73,6 +82,18 @@ export class Desk {
     await until(`${what}: redo`, async () => (await this.server.document()).done === before.done + 1);
     assert.deepEqual((await this.server.document()).recipe, settled, `${what}: made again`);
     return settled;
+  }
+
+  /** The document once no more edits come. */
+  async sent(): Promise<DocumentAnswer> {
+    let last = await this.server.document();
+    await until("no more edits come", async () => {
+      await this.page.waitForTimeout(300);
+      const before = last.revision;
+      last = await this.server.document();
+      return last.revision === before;
+    });
+    return last;
   }
 
   /** Adds a step behind the selected one, by its operator's name: its id. */
@@ -97,9 +118,23 @@ export class Desk {
     await this.page.keyboard.press("Enter");
   }
 
+  /** A picture of the window to look at, where LOOKS names a folder. */
+  async look(name: string): Promise<void> {
+    const folder = process.env["LOOKS"];
+    if (!folder) return;
+    await this.rest();
+    await this.page.screenshot({ path: `${folder}/${name}.png` });
+  }
+
   /** Waits until all that is wanted is computed and drawn. */
   async rest(): Promise<void> {
-    await until("nothing is computed any more", () => this.page.locator(".progress").count().then((count) => count === 0), 120);
-    await this.page.waitForTimeout(2500);
+    let quiet = 0;
+    await until("nothing is computed any more", async () => {
+      const coarse = await this.page.locator("[data-coarse=true]").count();
+      const working = coarse + (await this.page.locator(".engine-progress").count());
+      quiet = working === 0 ? quiet + 1 : 0;
+      return quiet > 60;
+    }, 180);
+    await this.page.waitForTimeout(1200);
   }
 }

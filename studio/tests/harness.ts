@@ -1,7 +1,7 @@
 // The real server and a real browser for tests: starts the program on a recipe in a folder of its own and opens its page
 // in Chromium, whose errors are the test's.
 import { spawn, type ChildProcess } from "node:child_process";
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -30,9 +30,11 @@ export class Server {
   address = "";
   private process: ChildProcess | null = null;
 
-  static async start(recipe: Recipe | null): Promise<Server> {
+  /** `files`: what lies beside the document, by name: copies of files of the repository. */
+  static async start(recipe: Recipe | null, files: { [name: string]: string } = {}): Promise<Server> {
     const server = new Server();
     mkdirSync(join(server.folder, "work"));
+    for (const [name, of] of Object.entries(files)) copyFileSync(join(root, of), join(server.folder, "work", name));
     if (recipe) writeFileSync(join(server.folder, "work/test.json"), JSON.stringify(recipe, null, 2));
     await server.run(recipe !== null);
     return server;
@@ -79,6 +81,16 @@ export class Server {
   async document(): Promise<DocumentAnswer> {
     return (await this.request("GET", "/api/document")).json() as Promise<DocumentAnswer>;
   }
+}
+
+/** A recipe of the repository, and the files that it names, to be put beside it. */
+export function repositoryRecipe(name: string): { recipe: Recipe; files: { [name: string]: string } } {
+  const files: { [name: string]: string } = {};
+  const text = readFileSync(join(root, "recipes", name), "utf8").replace(/"[./]*(data\/(?:[^"]*\/)?)([^"/]+)"/g, (_all, folder, file) => {
+    files[file] = `${folder}${file}`;
+    return `"${file}"`;
+  });
+  return { recipe: JSON.parse(text) as Recipe, files };
 }
 
 /** Without a graphics processor: the terrain is drawn by SwiftShader, the page around it by the browser's own painter. */

@@ -168,6 +168,25 @@ class ServeTest(unittest.TestCase):
                 except OSError:
                     pass
 
+    def test_endless_headers_are_cut_off(self):
+        studio = Studio(self.folder.name)
+        memory = studio.memory_kb()
+        for piece in (b"X-More: " + b"y" * 4000 + b"\r\n", b"z" * 4000):  # lines without end, and one such line
+            with socket.create_connection(("127.0.0.1", studio.port)) as client:
+                client.settimeout(10)
+                client.sendall(f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{studio.port}\r\n".encode())
+                sent = 0
+                try:
+                    while sent < 100_000_000:
+                        client.sendall(piece)
+                        sent += len(piece)
+                except OSError:
+                    pass
+                self.assertLess(sent, 20_000_000, "the connection is closed")
+        self.assertLess(studio.memory_kb() - memory, 20000)
+        self.assertEqual(studio.request("GET", "/api/document")[0], 200)
+        self.assertEqual(studio.end()[0], 0)
+
     def test_clients_that_vanish(self):
         studio = Studio(self.folder.name)
         head = (f"POST /api/upload?name=a.tif HTTP/1.1\r\nHost: 127.0.0.1:{studio.port}\r\nAuthorization: Bearer "

@@ -1,5 +1,7 @@
 #include "seamount/io/find_model.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -26,6 +28,13 @@ std::string beside_program() {
   return (program.parent_path().parent_path() / "share/seamount/models").string();
 }
 
+/// share/models beside the shared library that this code is in, as in the Python package; empty in a program.
+std::string beside_library() {
+  Dl_info library = {};
+  if (dladdr(reinterpret_cast<void*>(&beside_program), &library) == 0 || library.dli_fname == nullptr) return "";
+  return (fs::path(library.dli_fname).parent_path() / "share/models").string();
+}
+
 bool is_file(const std::string& path) {
   std::error_code error;
   return fs::is_regular_file(path, error);
@@ -44,6 +53,7 @@ std::vector<std::string> model_folders() {
     }
   }
   add(folders, beside_program());
+  add(folders, beside_library());
   add(folders, SEAMOUNT_SOURCE_MODELS);
   add(folders, SEAMOUNT_INSTALLED_MODELS);
   return folders;

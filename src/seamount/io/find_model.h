@@ -7,8 +7,9 @@
 namespace seamount::io {
 
 /// The folders in which models are looked for, the first first: those that the environment variable SEAMOUNT_MODELS
-/// names (separated by colons), share/seamount/models of where this program is installed, models/ of the sources that
-/// it was built from, and share/seamount/models where an installation was meant to go. Not all of them need exist.
+/// names (separated by colons), share/seamount/models of where this program is installed, share/models beside the
+/// shared library that this is part of (the Python package), models/ of the sources that it was built from, and
+/// share/seamount/models where an installation was meant to go. Not all of them need exist.
 std::vector<std::string> model_folders();
 
 /// The file of a model. `name` is that of a file where it has a slash or ends with ".safetensors", else "NAME" stands

@@ -8,6 +8,7 @@
 
 #include "seamount/base/printable.h"
 #include "seamount/server/access.h"
+#include "seamount/server/limited_server.h"
 #include "seamount/server/page.h"
 
 namespace seamount::server {
@@ -204,7 +205,7 @@ class HttpServer::Work {
   const std::string host_;
   int port_ = 0;
   std::unique_ptr<Access> access_;
-  httplib::Server server_;
+  LimitedServer server_;
 };
 
 HttpServer::HttpServer(Studio& studio, const std::string& page_folder, const HttpOptions& options)

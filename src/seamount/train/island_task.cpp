@@ -62,6 +62,19 @@ Image painted(const LabelMap& labels, double subsidence, Rng& rng) {
 
 }  // namespace
 
+Sample island_sample(const learned::IslandMap& map, const LabelMap& labels, const HeightField& heights, Seed noise) {
+  const learned::IslandPlanes planes(map, noise, alone());
+  Sample sample;
+  sample.size = heights.width();
+  sample.planes.resize(heights.size() * learned::kIslandPlanes);
+  planes.planes().fill(0, sample.size, sample.planes);
+  sample.base.assign(heights.size(), 0.0F);
+  for (const Region region : labels.cells())
+    sample.weight.push_back(region == Region::abyss && !map.floor_m ? kAbyssWeight : 1.0F);
+  for (const float z : heights.cells()) sample.target.push_back(learned::island_code(z, 1));
+  return sample;
+}
+
 learned::Architecture IslandTask::architecture() const { return {.planes = learned::kIslandPlanes}; }
 
 std::shared_ptr<const IslandTask::Made> IslandTask::island(uint64_t group, Seed seed) const {
@@ -121,16 +134,7 @@ Sample IslandTask::sample(uint64_t n, Seed seed) const {
   const auto [low, high] = std::minmax_element(made->pair.terrain.cells().begin(), made->pair.terrain.cells().end());
   if (rng.chance(0.7) && *high > 0) map.peak_m = *high;
   if (rng.chance(0.7)) map.floor_m = *low;
-  const learned::IslandPlanes planes(map, seed.derive("noise", n), alone());
-  Sample sample;
-  sample.size = size;
-  sample.planes.resize(heights.size() * learned::kIslandPlanes);
-  planes.planes().fill(0, size, sample.planes);
-  sample.base.assign(heights.size(), 0.0F);
-  for (const Region region : labels.cells())
-    sample.weight.push_back(region == Region::abyss && !map.floor_m ? kAbyssWeight : 1.0F);
-  for (const float z : heights.cells()) sample.target.push_back(learned::island_code(z, 1));
-  return sample;
+  return island_sample(map, labels, heights, seed.derive("noise", n));
 }
 
 }  // namespace seamount::train

@@ -13,10 +13,14 @@
 #include <vector>
 
 #include "seamount/base/rng.h"
+#include "seamount/ops/learned/island_planes.h"
 #include "seamount/train/island_samples.h"
 #include "seamount/train/sample.h"
 
 namespace seamount::train {
+
+/// What the network sees of a map, and the heights that it should make of it; `labels` say what is deep sea floor.
+Sample island_sample(const learned::IslandMap& map, const LabelMap& labels, const HeightField& heights, Seed noise);
 
 class IslandTask : public Task {
  public:

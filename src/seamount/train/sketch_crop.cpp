@@ -239,11 +239,16 @@ std::optional<Crop> find_crop(const HeightField& tile, int size, double known, R
   return std::nullopt;
 }
 
-Sample sketch_sample(const Crop& crop, const DrawnTile& drawn, Seed seed) {
-  Rng rng(seed);
+learned::SketchMap scaled_map(const Crop& crop, Rng& rng) {
   learned::SketchMap map;
   map.frame = crop.heights.frame();
   draw_scale(crop, rng, map);
+  return map;
+}
+
+Sample sketch_sample(const Crop& crop, const DrawnTile& drawn, Seed seed) {
+  Rng rng(seed);
+  learned::SketchMap map = scaled_map(crop, rng);
   const Mix mix = draw_mix(rng);
   const Shake shake(rng);
   if (mix.river) map.river = draw_lines(drawn.rivers, crop, mix, shake, rng);
@@ -251,8 +256,11 @@ Sample sketch_sample(const Crop& crop, const DrawnTile& drawn, Seed seed) {
   if (mix.cue) draw_cues(drawn, crop, mix, shake, rng, map);
   if (mix.level) draw_level(crop, rng, map);
   if (mix.known != Mix::none) draw_known(crop, mix, rng, map);
+  return sample_of(map, crop, seed.derive("noise"));
+}
 
-  const learned::SketchPlanes planes(map, seed.derive("noise"), alone());
+Sample sample_of(const learned::SketchMap& map, const Crop& crop, Seed noise) {
+  const learned::SketchPlanes planes(map, noise, alone());
   Sample sample;
   sample.size = map.frame.width;
   const size_t cells = crop.heights.size();

@@ -5,6 +5,7 @@
 
 #include "seamount/base/rng.h"
 #include "seamount/model/grid.h"
+#include "seamount/ops/learned/sketch_planes.h"
 #include "seamount/train/sample.h"
 #include "seamount/train/sketch_task.h"
 
@@ -27,5 +28,11 @@ std::optional<Crop> find_crop(const HeightField& tile, int size, double known, R
 
 /// Draws of the kinds present, strokes, their shift, levelset, and known ground at random.
 Sample sketch_sample(const Crop& crop, const DrawnTile& drawn, Seed seed);
+
+/// A map without strokes whose low ground and relief are stated about right.
+learned::SketchMap scaled_map(const Crop& crop, Rng& rng);
+
+/// What the network sees of a map, and the crop that it should make of it.
+Sample sample_of(const learned::SketchMap& map, const Crop& crop, Seed noise);
 
 }  // namespace seamount::train

@@ -43,6 +43,13 @@ export interface Uploaded {
   info: { [name: string]: string };
 }
 
+export interface UploadHow {
+  /** What of it is sent, 0 to 1. */
+  progress?(share: number): void;
+  /** Calls it back. */
+  signal?: AbortSignal;
+}
+
 export type OpenRequest = { example: string } | { path: string } | { blank: true; width_m: number; height_m: number; cell_m: number };
 
 /** What a step's value can be fetched as, besides rasters. */
@@ -69,7 +76,7 @@ export interface Api {
   open(request: OpenRequest): Promise<DocumentAnswer>;
   /** Without a path: to the file that it came from. */
   save(window: string, base: number, path?: string): Promise<DocumentEvent>;
-  upload(name: string, content: Blob): Promise<Uploaded>;
+  upload(name: string, content: Blob, how?: UploadHow): Promise<Uploaded>;
   download(path: string): Promise<Blob>;
   exportOutputs(window: string, outputs: Output[], folder: string): Promise<{ job: string }>;
   cancel(job?: string): Promise<void>;

@@ -1,6 +1,6 @@
 // The server as it is reached from the page: requests with the token, and the stream of events.
 import { ApiError, Disconnected } from "./api";
-import type { Api, RasterData, RasterPart } from "./api";
+import type { Api, RasterData, RasterPart, Uploaded, UploadHow } from "./api";
 import { splitLines } from "./lines";
 import type { ErrorAnswer, Json, StudioEvent } from "./types";
 
@@ -41,6 +41,23 @@ export function readRaster(header: string | null, bytes: ArrayBuffer): RasterDat
   const size = { columns: Number(columns), rows: Number(rows) };
   if (!(size.columns > 0) || !(size.rows > 0)) throw new Error("A raster came without its size");
   return { ...size, values: type === "u8" ? new Uint8Array(bytes) : new Float32Array(bytes) };
+}
+
+/** Sends bytes by the one way that tells how many are sent. */
+function send(path: string, token: string, content: Blob, how: UploadHow): Promise<{ status: number; text: string }> {
+  return new Promise((done, fail) => {
+    const request = new XMLHttpRequest();
+    request.open("POST", path);
+    request.setRequestHeader("Authorization", `Bearer ${token}`);
+    request.setRequestHeader("Content-Type", "application/octet-stream");
+    request.upload.onprogress = (event) => {
+      if (event.lengthComputable && event.total > 0) how.progress?.(event.loaded / event.total);
+    };
+    request.onload = () => done({ status: request.status, text: request.responseText });
+    request.onerror = request.onabort = () => fail(new Disconnected());
+    how.signal?.addEventListener("abort", () => request.abort());
+    request.send(content);
+  });
 }
 
 export function createClient(token: string, origin = ""): Api {
@@ -95,9 +112,12 @@ export function createClient(token: string, origin = ""): Api {
     files: () => get("/api/files"),
     open: (body) => post("/api/open", body),
     save: (window, base, path) => post("/api/save", { window, base, ...(path === undefined ? {} : { path }) }),
-    upload: async (name, content) => {
-      const init = { method: "POST", headers: { "Content-Type": "application/octet-stream" }, body: content };
-      return (await request(`/api/upload?name=${encodeURIComponent(name)}`, init)).json();
+    upload: async (name, content, how) => {
+      const path = `${origin}/api/upload?name=${encodeURIComponent(name)}`;
+      const { status, text } = await send(path, token, content, how ?? {});
+      const answer = new Response(text, { status });
+      if (!answer.ok) throw await refusal(answer);
+      return answer.json() as Promise<Uploaded>;
     },
     download: async (path) => (await request(`/api/download?path=${encodeURIComponent(path)}`)).blob(),
     exportOutputs: (window, outputs, folder) => post("/api/export", { window, outputs, folder }),

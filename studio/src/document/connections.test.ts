@@ -42,6 +42,18 @@ test("operators that need nothing begin anew; rows of inputs", () => {
   assert.equal(rows["terrain_2"], "two.terrain");
 });
 
+test("an operator that needs one of its inputs takes the first that the step before has", () => {
+  const port = (name: string, kind: string) => ({ name, kind, help: "", required: false });
+  const op = (name: string, input: ReturnType<typeof port>[], out: ReturnType<typeof port>[]) =>
+    ({ name, summary: "", source: "", stochastic: false, params: [], in: input, out, needs_one: input.length > 0 });
+  const terrain = port("terrain", "terrain"), tin = port("tin", "tin");
+  const own: Schema = { ...schema, operators: [op("make", [], [terrain, tin]), op("extract", [tin, terrain], [port("contours", "contours")])] };
+  const step: Step = { id: "lines", op: "extract" };
+  const recipe: Recipe = { seamount: 1, steps: [{ id: "high", op: "make" }, step] };
+  const found = connectionsOf(recipe, own, step).map(({ from }) => from);
+  assert.deepEqual(found, [{ step: "high", port: "tin" }, null]);
+});
+
 test("a parameter's value: stated, by a variable, by a preset, by default", () => {
   const step: Step = { id: "isle", op: "island.build", params: { preset: "old", peak_m: "$top", massif: 0.25 } };
   const recipe: Recipe = { seamount: 1, variables: { top: 1234 }, steps: [step] };

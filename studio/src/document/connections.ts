@@ -73,6 +73,16 @@ class Reader {
     return new Map(input ? [[input.name, from]] : []);
   }
 
+  /** Without "in" an operator that needs an input takes the step before; one that needs any of them takes the first. */
+  before(id: string): Map<string, Connection["from"]> {
+    const { needs_one = false } = this.consumer;
+    if (!needs_one && !this.consumer.in.some((port) => port.required)) return new Map();
+    const found = this.whole(id, "");
+    if (!needs_one) return found;
+    const first = this.consumer.in.find((port) => found.has(port.name));
+    return new Map(first ? [[first.name, found.get(first.name)!]] : []);
+  }
+
   all(step: Step): Map<string, Connection["from"]> {
     const inputs = step.in as Json | undefined;
     if (isObject(inputs)) {
@@ -84,7 +94,7 @@ class Reader {
       return new Map(rows.flatMap((row) => [...row]));
     }
     const before = this.recipe.steps[this.recipe.steps.indexOf(step) - 1];
-    return before && this.consumer.in.some((port) => port.required) ? this.whole(before.id, "") : new Map();
+    return before ? this.before(before.id) : new Map();
   }
 }
 

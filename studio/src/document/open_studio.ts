@@ -48,7 +48,7 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
   const jobs = signal<readonly JobEvent[]>([]);
   const selected = signal<string | null>(null);
   const pinned = signal<string | null>(null);
-  let shownBefore: Shown = { terrain: null, overlay: null };
+  let shownBefore: Shown = { terrain: null, overlay: null, objects: null, things: null };
   const shown = computed(() => {  // the same object as long as the same is shown
     const next = shownOf(store.state.value.recipe, schema, selected.value, pinned.value);
     if (!equalJson({ ...next }, { ...shownBefore })) shownBefore = next;
@@ -113,8 +113,8 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
   }
   const effects = [
     effect(() => {
-      const { terrain, overlay } = shown.value;
-      results.want("shown", [terrain, overlay].filter((source): source is string => source !== null));
+      const { terrain, overlay, objects, things } = shown.value;
+      results.want("shown", [terrain, overlay, objects, things].filter((source): source is string => source !== null));
     }),
     effect(() => {  // a step that is gone is not selected any more
       const { recipe } = store.state.value;

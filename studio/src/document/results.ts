@@ -54,6 +54,13 @@ class PromiseCache<T> {
   }
 }
 
+const kRasters: readonly string[] = ["terrain", "labels", "field", "current"];
+
+/** Whether results of a kind are rasters; contours and networks have a frame and are none. */
+export function isRaster(kind: string): boolean {
+  return kRasters.includes(kind);
+}
+
 /** The engine's progress is shown so often; what settles is shown at once. */
 const kStateEvery_ms = 120;
 
@@ -108,7 +115,7 @@ export class Results {
   async raster(source: string, level = 0): Promise<Raster | null> {
     const value = this.values.value.get(source);
     const frame = value?.frame;
-    if (!value || !frame) return null;
+    if (!value || !frame || !isRaster(value.kind)) return null;
     try {
       return await this.rasters.get(`${value.key}/${level}`, async () => {
         const { columns, rows, values } = await this.api.raster(value.key, level === 0 ? {} : { level });

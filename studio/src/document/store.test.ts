@@ -124,10 +124,10 @@ test("undo is not for what another window has just done", async () => {
 
 test("results of what is shown come, also as every second cell", async () => {
   const { studio } = await started();
-  assert.deepEqual(studio.shown.value, { terrain: "rougher.terrain", overlay: null });
+  assert.deepEqual(studio.shown.value, { terrain: "rougher.terrain", overlay: null, objects: null, things: null });
   await until(() => studio.values.value.has("rougher.terrain"));
   studio.selected.value = "heights";
-  assert.deepEqual(studio.shown.value, { terrain: "reef.terrain", overlay: "heights.mask" });
+  assert.deepEqual(studio.shown.value, { terrain: "reef.terrain", overlay: "heights.mask", objects: null, things: null });
   await until(() => studio.values.value.has("heights.mask"));
   const whole = await studio.raster("reef.terrain"), half = await studio.raster("reef.terrain", 1);
   assert.equal(whole!.values.length, 256 * 256);

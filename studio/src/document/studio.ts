@@ -70,6 +70,9 @@ export interface Studio {
 export interface Shown {
   terrain: string | null;
   overlay: string | null;
+  /** Objects that come with the terrain, and the step that says what they look like, where there are any. */
+  objects: string | null;
+  things: string | null;
 }
 
 export type { Output };

@@ -65,10 +65,16 @@ const kStarts: { [place: string]: Json } = {
   "ecosystem.grow timeline:storm end": 10,
 };
 
+/** The iteration after which an edit of a scene is done. */
+function isIteration(member: ParamInfo): boolean {
+  return member.name === "after" && member.kind === "integer";
+}
+
 /** What a member of a new thing is before anybody has chosen. */
 export function startValue(slot: Slot, member: ParamInfo, domain: Domain): Json {
   const start = kStarts[`${slot.op} ${slot.id} ${member.name}`];
   if (start !== undefined) return start;
+  if (isIteration(member)) return null;  // of what was chosen: else as late as it may be, or at once
   const reaches = isReach(member) && slot.geometry !== "ring" && typeof member.default === "number";
   return reaches ? suitableReach(member.default as number, domain) : member.default;
 }
@@ -91,7 +97,7 @@ export function chosenMembers(slot: Slot, domain: Domain): { [name: string]: Jso
   const result: { [name: string]: Json } = {};
   for (const member of slot.members) {
     const value = chosenValue(slot, member, domain);
-    const seen = isReach(member) || /^(strength(_m)?|height_m|depth_m|region|value|change_m)$/.test(member.name);
+    const seen = isReach(member) || isIteration(member) || /^(strength(_m)?|height_m|depth_m|region|value|change_m)$/.test(member.name);
     if (value === null || value === "" || (!seen && value === member.default)) continue;
     result[member.name] = value;
   }

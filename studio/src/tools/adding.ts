@@ -120,11 +120,13 @@ function keptOutputs(recipe: Recipe): Edit[] {
     output.from !== undefined || !last ? [] : [{ do: "set", pointer: `/outputs/${i}/from`, value: last.id }]);
 }
 
+/** What is painted for an input is where nobody has painted: nothing is known, or all is alike. */
+const kUnpainted: { [input: string]: { [name: string]: Json } } = { levelset: { unknown: true }, probability: { base: 0.5 } };
+
 /** Edits that add the step with these parameters. */
 export function addStep(recipe: Recipe, schema: Schema, adds: Addition, id: string, params: { [name: string]: Json }): Edit[] {
-  // A levelset says nothing where nobody has painted.
-  const unknown = adds.op === "terrain.paint" && adds.input === "levelset" ? { unknown: true } : {};
-  const step: Step = { id, op: adds.op, params: { ...unknown, ...params } };
+  const ground = adds.op === "terrain.paint" ? kUnpainted[adds.input ?? ""] ?? {} : {};
+  const step: Step = { id, op: adds.op, params: { ...ground, ...params } };
   const at = adds.at === undefined ? undefined : stepOf(recipe, adds.at);
   if (!at || adds.where === "alone") return [...keptOutputs(recipe), { do: "insert", list: "/steps", value: step as unknown as Json }];
   return adds.where === "behind" ? behind(recipe, schema, at, step) : before(recipe, schema, at, adds.input!, step);

@@ -22,6 +22,8 @@ export interface PenKey {
 export interface Pen extends PenTarget {
   /** True: the key was meant for it. */
   key?(pressed: PenKey): boolean;
+  /** The wheel was turned with Alt or Shift, by notches up. True: it was meant for the pen. */
+  wheel?(notches: number): boolean;
   /** Another tool is taken: what is half drawn ends. */
   leave?(): void;
 }

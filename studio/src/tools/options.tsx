@@ -1,10 +1,12 @@
 // The bar over the map: the active tool's values for what is drawn next; and those of what is selected.
+import { classColour, type CatalogueClass } from "../document/catalogue";
 import type { Studio } from "../document/studio";
 import type { Json, ParamInfo } from "../api/types";
 import { choose, chosenValue, ownReach, practical, reach, readout, selection, startValue } from "./active";
 import { itemMembers, type Feature } from "./features";
 import { Field } from "./field";
 import { ToolIcon } from "./icons";
+import { classesFor, firstClass } from "./objects";
 import { kRegions, lookOf, nounOf } from "./names";
 import { domainOf, type Domain } from "./place";
 import type { Slot } from "./slots";
@@ -26,6 +28,26 @@ function RegionChoice({ value, change }: { value: Json; change(region: string): 
         </button>
       ))}
     </span>
+  );
+}
+
+interface ClassChoiceProps {
+  classes: readonly CatalogueClass[];
+  value: Json;
+  change(name: string): void;
+}
+
+/** A class of the scene's catalogue, with what it is. */
+function ClassChoice({ classes, value, change }: ClassChoiceProps) {
+  const about = classes.find((one) => one.name === value)?.about;
+  return (
+    <label class="tool-field" title={about || "of the catalogue"}>
+      <span class="muted">Class</span>
+      <span class="class-mark" style={{ background: classColour(classes, String(value)) }} />
+      <select value={String(value)} onChange={(event) => change(event.currentTarget.value)}>
+        {classes.map(({ name }) => <option key={name} value={name}>{name.replace(/_/g, " ")}</option>)}
+      </select>
+    </label>
   );
 }
 
@@ -59,6 +81,7 @@ interface MembersProps {
 }
 
 function Members({ tools, slot, domain, features, next }: MembersProps) {
+  const classes = classesFor(tools.studio, tools.studio.selected.value, slot);
   return (
     <>
       {shownMembers(slot).map((member) => {
@@ -70,6 +93,10 @@ function Members({ tools, slot, domain, features, next }: MembersProps) {
         };
         if (member.name === "region") {
           return <RegionChoice key={member.name} value={value} change={(to) => change(to, `option-region-${Date.now()}`)} />;
+        }
+        if (member.name === "class" && classes.length > 0) {
+          return <ClassChoice key={member.name} classes={classes} value={value === "" || value === null ? firstClass(classes) : value}
+            change={(to) => change(to, `option-class-${Date.now()}`)} />;
         }
         const usual = startValue(slot, member, domain);
         return <Field key={member.name} member={practical(member, domain)} value={value} usual={typeof usual === "number" ? usual : null} change={change} />;
@@ -89,7 +116,7 @@ function hintOf(slot: Slot | undefined, id: string): string {
   if (slot.geometry === "line") return "Drag, or click from point to point; Enter ends";
   if (slot.geometry === "ring") return slot.click ? "Draw around, or click a contour" : "Draw around, or click corners; Ctrl makes a hole";
   if (slot.geometry === "polar") return "Drag the coast; Shift smooths";
-  return slot.members.some((member) => member.name === "height_m") ? "Click sets, drag moves, digits give the height" : "Click sets, drag moves";
+  return slot.members.some((member) => member.name === "height_m") ? "Click sets, drag moves, digits or Alt+wheel give the height" : "Click sets, drag moves";
 }
 
 export function ToolOptions({ studio }: { studio: Studio }) {

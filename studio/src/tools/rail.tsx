@@ -105,8 +105,22 @@ function MoreTools({ offers, tools }: { offers: readonly Offer[]; tools: ToolBox
   );
 }
 
+/** The wheel with Alt or Shift over a view is the pen's, where it holds something that can be turned. */
+function listenToWheel(tools: ToolBox): () => void {
+  const listen = (event: WheelEvent): void => {
+    if ((!event.altKey && !event.shiftKey) || !(event.target as Element).closest?.("[data-ground-view]")) return;
+    const by = event.deltaY || event.deltaX;
+    if (by === 0 || !tools.wheel(by < 0 ? 1 : -1)) return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  document.addEventListener("wheel", listen, { capture: true, passive: false });
+  return () => document.removeEventListener("wheel", listen, { capture: true });
+}
+
 export function ToolRail({ studio, viewport }: Props) {
   const tools = toolsOf(studio);
+  useEffect(() => listenToWheel(tools), [tools]);
   const hint = useSignal<Hint | null>(null);
   useEffect(() => (viewport ? tools.attach(viewport) : undefined), [tools, viewport]);
   const { rail, more } = tools.offers.value;

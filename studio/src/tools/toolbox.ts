@@ -20,6 +20,7 @@ import { PolarPen, outlinesOf } from "./pens/polar_pen";
 import { RingPen } from "./pens/ring_pen";
 import { SelectPen } from "./pens/select_pen";
 import { VectorPen } from "./pens/vector_pen";
+import { classesFor, firstClass } from "./objects";
 import { domainOf } from "./place";
 import { featureShapes, outlineShapes } from "./shapes";
 import { slotsOf, type Slot } from "./slots";
@@ -184,7 +185,11 @@ export class ToolBox {
       },
       selected: () => selection.peek(),
       selectedPoints: () => selectedPoints.peek(),
-      members: (slot) => chosenMembers(slot, domain()),
+      members: (slot) => {
+        const members = chosenMembers(slot, domain());
+        const first = firstClass(untracked(() => classesFor(studio, own, slot)));
+        return first === "" || slot.tool !== "add" ? members : { class: first, ...members };
+      },
       reach: () => untracked(() => ownReach(offer.slot?.geometry, domain())),
       profile: (line) => {
         for (const viewport of this.viewports) viewport.showProfile?.(line);
@@ -230,6 +235,11 @@ export class ToolBox {
       return true;
     }
     return false;
+  }
+
+  /** True: the turn of the wheel was meant for the pen. */
+  wheel(notches: number): boolean {
+    return this.pen?.wheel?.(notches) ?? false;
   }
 
   /** Values of members of the selected things, if all of them belong to one slot. */

@@ -2,6 +2,7 @@
 import { effect } from "@preact/signals";
 import type { ValueEvent } from "../api/types";
 import type { Shown, Studio } from "../document/studio";
+import { isRaster } from "../document/results";
 import type { Raster } from "./types";
 
 /** Rasters are fetched so coarsely that they have at most so many cells a side. */
@@ -45,6 +46,13 @@ export class Follower {
     });
   }
 
+  /** Something that is no raster is laid there: what was there before is not any more. */
+  private none(value: ValueEvent): void {
+    if (this.gotKey === "" || this.which(this.studio.shown.peek()) !== value.source) return;
+    this.gotKey = "";
+    this.got(null, null);
+  }
+
   dispose(): void {
     this.gone = true;
     this.stop();
@@ -56,7 +64,10 @@ export class Follower {
     while (this.wanted !== null && !this.gone) {
       const value = this.wanted;
       this.wanted = null;
-      if (value.frame === undefined) continue;
+      if (value.frame === undefined || !isRaster(value.kind)) {
+        this.none(value);
+        continue;
+      }
       try {
         const raster = await this.studio.raster(value.source, levelFor(value.frame.columns, value.frame.rows, this.most));
         if (raster === null || this.gone || this.which(this.studio.shown.peek()) !== value.source) continue;

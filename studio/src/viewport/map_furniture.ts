@@ -17,8 +17,6 @@ export interface FurnitureOptions {
   grid: boolean;
   /** The page is light. */
   light: boolean;
-  /** Of the ground: the marks count from its lower left corner unless the document has a system of its own. */
-  origin: readonly [number, number];
 }
 
 /** Small views have only a scale bar. */
@@ -29,13 +27,13 @@ export function drawFurniture(ink: CanvasRenderingContext2D, eye: MapEye, size: 
   if (size.width > 420) northArrow(ink, size, palette);
 }
 
+/** Places as the document has them, the same that the status line says. */
 function edgeMarks(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, options: FurnitureOptions, palette: Palette): void {
   const step = gridStep(eye.pixel_m);
   const [west, north] = toGround(eye, size, 0, 0), [east, south] = toGround(eye, size, size.width, size.height);
-  const [x0, y0] = options.origin;
   ink.lineWidth = 1;
   const marks = (vertical: boolean, at: number): void => {
-    const p = vertical ? toScreen(eye, size, at + x0, 0)[0] : toScreen(eye, size, 0, at + y0)[1];
+    const p = vertical ? toScreen(eye, size, at, 0)[0] : toScreen(eye, size, 0, at)[1];
     const q = Math.round(p) + 0.5;
     const segment = (from: number, to: number, colour: string): void => {
       ink.strokeStyle = colour;
@@ -50,8 +48,8 @@ function edgeMarks(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, optio
     ink.textAlign = vertical ? "center" : "left";
     text(ink, at === 0 ? "0" : lengthText(at), vertical ? q : 9, vertical ? 8 : q, palette.text, palette.halo);
   };
-  for (const x of multiples(west - x0, east - x0, step)) if ((x + x0 - west) / eye.pixel_m > 60 && (east - x - x0) / eye.pixel_m > 48) marks(true, x);
-  for (const y of multiples(south - y0, north - y0, step)) if ((north - y - y0) / eye.pixel_m > 34 && (y + y0 - south) / eye.pixel_m > 44) marks(false, y);
+  for (const x of multiples(west, east, step)) if ((x - west) / eye.pixel_m > 60 && (east - x) / eye.pixel_m > 48) marks(true, x);
+  for (const y of multiples(south, north, step)) if ((north - y) / eye.pixel_m > 34 && (y - south) / eye.pixel_m > 44) marks(false, y);
 }
 
 function scaleBar(ink: CanvasRenderingContext2D, eye: MapEye, size: Size, palette: Palette): void {

@@ -1,4 +1,5 @@
 // The map: what part of the ground it shows and what is drawn over it.
+import { ContentInk } from "./content_ink";
 import { drawCurrent } from "./current_ink";
 import type { Projector } from "./drape";
 import { heightAt, type DetailGround } from "./detail_ground";
@@ -28,6 +29,7 @@ export class MapView {
   cell_m = 1;
   private eye: MapEye = { x: 0, y: 0, pixel_m: 1 };
   private framed = true;
+  private readonly contentInk = new ContentInk();
 
   constructor(element: HTMLElement, software: boolean, private readonly changed: () => void, private readonly scaled: (pixel_m: number) => void) {
     this.surface = new ViewSurface(element, "Map of the terrain", software, () => {
@@ -107,11 +109,9 @@ export class MapView {
     if (!this.surface.shown) return;
     const ink = this.surface.beginInk();
     if (this.field === null) return;
-    const { frame, height_m } = this.field;
     drawFurniture(ink, this.eye, this.surface, {
       grid: options.grid,
       light: paperOf(this.surface.element)[1] > 0.3,
-      origin: frame.crs === "" ? [frame.west, frame.north - height_m] : [0, 0],
     });
     const by: Projector = {
       project: (x, y) => toScreen(this.eye, this.surface, x, y),
@@ -120,8 +120,15 @@ export class MapView {
       flat: true,
     };
     if (this.current !== null) drawCurrent(ink, this.current, this.eye, this.surface);
-    drawShapes(ink, this.content, by);
+    this.drawContent(ink, this.field.rectangle, by);
     drawShapes(ink, this.shapes, by);
+  }
+
+  /** Not beyond the ground. */
+  private drawContent(ink: CanvasRenderingContext2D, ground: Rectangle, by: Projector): void {
+    const [left, top] = by.project(ground.west, ground.north)!, [right, bottom] = by.project(ground.east, ground.south)!;
+    const state = [this.eye, ground.west, ground.north, ground.east, ground.south];
+    this.contentInk.draw(ink, this.content, by, state, [left, top, right, bottom]);
   }
 
   dispose(): void {

@@ -8,8 +8,8 @@ export class PenStrokes {
   private target: PenTarget | null = null;
   private stroke = false;
 
-  /** `ended`: a stroke is drawn, or taken back. */
-  constructor(private readonly pointer: Signal<GroundPointer | null>, private readonly ended: () => void) {}
+  /** `ended`: a stroke is drawn, or taken back. `aimed`: the pen is elsewhere, where it may look otherwise. */
+  constructor(private readonly pointer: Signal<GroundPointer | null>, private readonly ended: () => void, private readonly aimed: () => void) {}
 
   get pen(): PenTarget | null {
     return this.target;
@@ -39,6 +39,7 @@ export class PenStrokes {
         this.pointer.value = last;
         this.stroke = true;
         this.target.down(last);
+        this.aimed();
         return true;
       },
       move: (events) => {
@@ -61,6 +62,7 @@ export class PenStrokes {
       hover: (event) => {
         this.pointer.value = event === null ? null : at(event);
         this.target?.hover?.(this.pointer.value);
+        this.aimed();
       },
       double: (event) => {
         const place = at(event);

@@ -20,31 +20,38 @@ function line(value: Json): Point[] {
 /** Kinds of values that have shapes, and how they are drawn. */
 export const shapeRoles: { [kind: string]: Role } = { contours: "contour", drawing: "guide", tin: "guide", objects: "height" };
 
+/** Kinds with so many lines, all alike, that they are drawn as one. */
+const alike: readonly string[] = ["tin", "contours"];
+
+type Lines = Extract<OverlayShape, { shape: "lines" }>["lines"];
+
 /** Shapes of a FeatureCollection; lines that have nothing to say of their own are thin. */
 export function shapesOf(answer: Json, kind: string): OverlayShape[] {
   const role = shapeRoles[kind] ?? "guide", width_px = kind === "tin" ? 0.75 : 1.25;
   const solid: Role = role === "guide" ? "ink" : role;
-  const put = (type: Json | undefined, at: Json | undefined, words: string): OverlayShape[] => {
+  const lines = (parts: Lines): OverlayShape => ({ shape: "lines", lines: parts, role: solid, width_px });
+  const put = (type: Json | undefined, at: Json | undefined): OverlayShape[] => {
     switch (type) {
       case "Point": {
         const place = point(at ?? null);
-        return place === null ? [] : [{ shape: "dot", at: place, role: solid, ...(words === "" ? {} : { label: words }) }];
+        return place === null ? [] : [{ shape: "dot", at: place, role: solid }];
       }
       case "LineString":
         return [{ shape: "line", points: line(at ?? null), role: solid, width_px }];
       case "MultiLineString":
-        return list(at).map((part) => ({ shape: "line", points: line(part), role: solid, width_px }));
+        return [lines(list(at).map(line))];
       case "Polygon":
         return list(at).map((ring) => ({ shape: "line", points: line(ring), role: solid, width_px, closed: true }));
       case "MultiPolygon":
-        return list(at).flatMap((part) => put("Polygon", part, words));
+        return list(at).flatMap((part) => put("Polygon", part));
       default:
         return [];
     }
   };
-  return list(members(answer)["features"]).flatMap((feature) => {
-    const { geometry, properties } = members(feature), { type, coordinates } = members(geometry);
-    const name = members(properties)["class"];
-    return put(type, coordinates, typeof name === "string" ? name : "");
+  const shapes = list(members(answer)["features"]).flatMap((feature) => {
+    const { type, coordinates } = members(members(feature)["geometry"]);
+    return put(type, coordinates);
   });
+  if (!alike.includes(kind)) return shapes;
+  return [lines(shapes.flatMap((shape) => (shape.shape === "line" ? [shape.points] : shape.shape === "lines" ? shape.lines : [])))];
 }

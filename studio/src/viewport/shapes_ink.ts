@@ -42,7 +42,69 @@ function line(ink: CanvasRenderingContext2D, shape: Extract<OverlayShape, { shap
     }
     ink.globalAlpha = 1;
   }
-  strokeRuns(ink, pieces, roleColour(shape.role), width, shape.role === "guide" ? [5, 4] : []);
+  strokeRuns(ink, pieces, shape.colour ?? roleColour(shape.role), width, shape.role === "guide" ? [5, 4] : []);
+}
+
+/** In the 3D view so many points at most are looked at: of a finer network nothing could be told apart there. */
+const mostPoints = 24000;
+/** Long paths take much longer than the same in pieces. */
+const pieceLength = 400;
+
+/** The pieces of many lines that are alike; those behind the ground are left out. */
+function piecesOf(shape: Extract<OverlayShape, { shape: "lines" }>, by: Projector, every: number): Path2D[] {
+  const pieces: Path2D[] = [];
+  let path = new Path2D(), length = 0;
+  for (const part of shape.lines) {
+    let on = false;
+    for (let i = 0; i < part.length; i += i + every < part.length ? every : Math.max(1, part.length - 1 - i)) {
+      const [x, y] = part[i]!, at = by.project(x, y);
+      const seen = at !== null && !by.hidden(x, y);
+      if (seen && on) path.lineTo(at[0], at[1]);
+      else if (seen) path.moveTo(at[0], at[1]);
+      on = seen;
+      ++length;
+    }
+    if (length < pieceLength) continue;
+    pieces.push(path);
+    [path, length] = [new Path2D(), 0];
+  }
+  return [...pieces, path];
+}
+
+function lines(ink: CanvasRenderingContext2D, shape: Extract<OverlayShape, { shape: "lines" }>, by: Projector): void {
+  const points = shape.lines.reduce((sum, part) => sum + part.length, 0);
+  const every = by.flat ? 1 : Math.max(1, Math.ceil(points / mostPoints));
+  if (every > 1 && points < 3 * shape.lines.length) return;  // single edges, of which none can be left out
+  const pieces = piecesOf(shape, by, every), thin = shape.width_px < 1;
+  ink.lineCap = "butt";
+  ink.lineJoin = "bevel";
+  ink.globalAlpha = thin ? 0.55 : 1;
+  for (const over of thin || !by.flat ? [true] : [false, true]) {
+    ink.strokeStyle = over ? roleColour(shape.role) : casing;
+    ink.lineWidth = over ? shape.width_px : shape.width_px + 1.5;
+    for (const path of pieces) ink.stroke(path);
+  }
+  ink.globalAlpha = 1;
+}
+
+/** The 3D view looks for the ground before each mark: of very many it shows an even choice. */
+const mostRaised = 600;
+
+/** Small marks, many at once: one path for all of them. */
+function dots(ink: CanvasRenderingContext2D, shape: Extract<OverlayShape, { shape: "dots" }>, by: Projector): void {
+  const { places } = shape, every = by.flat ? 1 : Math.max(1, Math.ceil(places.length / mostRaised));
+  const across = !by.flat || places.length > 3000 ? 2.5 : places.length > 400 ? 3.5 : 5;
+  const marks = new Path2D(), edges = new Path2D();
+  for (let i = 0; i < places.length; i += every) {
+    const [x, y] = places[i]!, at = by.project(x, y);
+    if (at === null || by.hidden(x, y)) continue;
+    edges.rect(at[0] - across / 2 - 1, at[1] - across / 2 - 1, across + 2, across + 2);
+    marks.rect(at[0] - across / 2, at[1] - across / 2, across, across);
+  }
+  ink.fillStyle = casing;
+  ink.fill(edges);
+  ink.fillStyle = shape.colour;
+  ink.fill(marks);
 }
 
 function area(ink: CanvasRenderingContext2D, shape: Extract<OverlayShape, { shape: "area" }>, by: Projector): void {
@@ -94,9 +156,12 @@ function ring(ink: CanvasRenderingContext2D, x: number, y: number, radius: numbe
 
 export function drawShapes(ink: CanvasRenderingContext2D, shapes: readonly OverlayShape[], by: Projector): void {
   for (const shape of shapes) {
+    if (shape.only === "map" && !by.flat) continue;
     if (shape.shape === "line") line(ink, shape, by);
     else if (shape.shape === "area") area(ink, shape, by);
     else if (shape.shape === "dot") dot(ink, shape, by);
+    else if (shape.shape === "lines") lines(ink, shape, by);
+    else if (shape.shape === "dots") dots(ink, shape, by);
     else {
       ring(ink, shape.at[0], shape.at[1], shape.radius_m, shape.role, by, []);
       if (shape.inner_m !== undefined && shape.inner_m > 0) ring(ink, shape.at[0], shape.at[1], shape.inner_m, shape.role, by, [3, 3]);

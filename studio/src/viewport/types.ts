@@ -40,12 +40,18 @@ export interface PenTarget {
   double?(at: GroundPointer): void;
 }
 
-/** Drawn over the ground in both views. */
-export type OverlayShape =
-  | { shape: "line"; points: readonly (readonly [number, number])[]; role: Role; closed?: boolean; width_m?: number; width_px?: number }
+/** Drawn over the ground in both views, or on the map alone. */
+export type OverlayShape = (
+  | {
+    shape: "line"; points: readonly (readonly [number, number])[]; role: Role; closed?: boolean; width_m?: number;
+    width_px?: number; colour?: string;
+  }
+  | { shape: "lines"; lines: readonly (readonly (readonly [number, number])[])[]; role: Role; width_px: number }
   | { shape: "area"; points: readonly (readonly [number, number])[]; role: Role; colour?: string }
   | { shape: "dot"; at: readonly [number, number]; role: Role; label?: string; handle?: boolean }
-  | { shape: "circle"; at: readonly [number, number]; radius_m: number; role: Role; inner_m?: number };
+  | { shape: "dots"; places: readonly (readonly [number, number])[]; colour: string }
+  | { shape: "circle"; at: readonly [number, number]; radius_m: number; role: Role; inner_m?: number }
+) & { only?: "map" };
 
 /** Roles have colours in the theme; "mountain" ... are the label colours. */
 export type Role =

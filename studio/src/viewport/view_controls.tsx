@@ -3,6 +3,7 @@ import { signal } from "@preact/signals";
 import { Home, SlidersHorizontal } from "lucide-preact";
 import { render } from "preact";
 import { useEffect, useRef } from "preact/hooks";
+import { lifeShown } from "./content";
 import type { ViewOptions } from "./options";
 import { styleNames } from "./view_actions";
 import type { Viewport } from "./viewport";
@@ -79,6 +80,13 @@ function Controls({ viewport }: { viewport: Viewport }) {
                 {title}
               </label>
             ))}
+            <label>
+              <input
+                type="checkbox" checked={lifeShown.value}
+                onChange={(event) => (lifeShown.value = event.currentTarget.checked)}
+              />
+              Life
+            </label>
           </div>
         </div>
       )}

@@ -37,6 +37,7 @@ export interface ViewportStats {
 }
 
 const restAfter_ms = 160;
+const otherAfter_ms = 250;
 
 type View = MapView | WorldView;
 
@@ -60,7 +61,7 @@ export class Viewport {
   private readonly details: DetailKeeper[];
   private readonly stops: (() => void)[] = [];
   private field: HeightField | null = null;
-  private readonly strokes = new PenStrokes(this.pointer, () => this.restTimer === 0 && this.seekDetail());
+  private readonly strokes = new PenStrokes(this.pointer, () => this.restTimer === 0 && this.seekDetail(), () => this.showCursor());
   private overlay: GroundOverlay = { overlay: "none" };
   private shownOverlay: GroundOverlay = { overlay: "none" };
   private things: Things | null = null;
@@ -77,7 +78,9 @@ export class Viewport {
   private request = 0;
   private restTimer = 0;
   private upload_ms = 0;
+  /** When the last result was there; 0 in the first once it is seen. */
   private arrived = 0;
+  private came = 0;
 
   constructor(mapElement: HTMLElement, worldElement: HTMLElement, studio: Studio) {
     this.renderer = new PictureRenderer(() => this.restore());
@@ -124,8 +127,15 @@ export class Viewport {
     if (target === this.strokes.pen) return;
     for (const gestures of this.gestures) gestures.cancel();
     this.strokes.pen = target;
-    const cursor = target?.cursor ?? "default";
-    for (const view of [this.map, this.world]) view.surface.element.style.cursor = cursor;
+    this.showCursor();
+  }
+
+  /** What the pen is to look like may depend on where it is. */
+  private showCursor(): void {
+    const cursor = this.strokes.pen?.cursor ?? "default";
+    for (const { surface } of [this.map, this.world]) {
+      if (surface.element.style.cursor !== cursor) surface.element.style.cursor = cursor;
+    }
   }
 
   setOverlayShapes(shapes: readonly OverlayShape[]): void {
@@ -191,7 +201,7 @@ export class Viewport {
 
   private terrain(raster: Raster | null, value: ValueEvent | null): void {
     if (raster === null) return;
-    this.arrived = performance.now();
+    this.arrived = this.came = performance.now();
     const before = this.field, field = HeightField.of(raster);
     this.field = field;
     this.map.field = this.world.field = field;
@@ -292,12 +302,20 @@ export class Viewport {
   private restSoon(): void {
     clearTimeout(this.restTimer);
     this.restTimer = window.setTimeout(() => {
-      if (this.gestures.some((gestures) => gestures.navigating)) return this.restSoon();
+      if (this.gestures.some((gestures) => gestures.navigating) || this.fullFollows(1500)) {
+        this.wake();
+        return this.restSoon();
+      }
       this.restTimer = 0;
       this.dirty(...this.drawnQuickly);
       this.drawnQuickly.clear();
       this.seekDetail();
     }, Math.max(restAfter_ms, Math.min(1200, 2 * this.renderer.pace.quickMs)));
+  }
+
+  /** A coarse result was there within so many milliseconds: the processor is left to what computes the full one. */
+  private fullFollows(within_ms: number): boolean {
+    return this.renderer.software && this.field?.coarse === true && performance.now() - this.came < within_ms;
   }
 
   private dirty(...views: View[]): void {
@@ -339,7 +357,9 @@ export class Viewport {
   /** Whether there is more to draw. */
   private draw(field: HeightField, moving: boolean): boolean {
     const { renderer } = this, { pace } = renderer, options = this.options.peek();
-    const stale = this.inTurn().filter((view) => view.surface.shown && view.surface.samples < this.wanted(view, moving));
+    const shown = this.inTurn(), alone = this.fullFollows(otherAfter_ms) && shown.includes(this.ahead);
+    const inTurn = alone ? [this.ahead] : shown;
+    const stale = inTurn.filter((view) => view.surface.samples < this.wanted(view, moving));
     if (stale.length === 0) return false;
     // The processor draws one view after the other, so that the first one is seen soon.
     const now = renderer.software ? stale.slice(0, 1) : stale;
@@ -356,10 +376,10 @@ export class Viewport {
     return true;
   }
 
-  /** That of the pointer first, the other one before it is drawn again. */
-  private inTurn(): (View)[] {
+  /** What is shown: that of the pointer first, the other one before it is drawn again. */
+  private inTurn(): View[] {
     const views = this.ahead === this.map ? [this.map, this.world] : [this.world, this.map];
-    return views.sort((a, b) => a.surface.samples - b.surface.samples);
+    return views.filter(({ surface }) => surface.shown).sort((a, b) => a.surface.samples - b.surface.samples);
   }
 
   private wanted(view: View, moving: boolean): number {

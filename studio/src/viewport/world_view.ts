@@ -1,4 +1,5 @@
 // The 3D view: where its eye is, what ground is under a pixel, and what is drawn over it.
+import { ContentInk } from "./content_ink";
 import type { Projector } from "./drape";
 import { heightAt, hiddenBehind, pickGround, type DetailGround } from "./detail_ground";
 import { windowOfWorld, type Seen, type Source, type Window } from "./detail_window";
@@ -34,6 +35,7 @@ export class WorldView {
   private known: DetailGround | null = null;
   private eye: Eye = { at: [0, -1000, 1000], azimuth: 0, pitch: -0.7 };
   private framed = true;
+  private readonly contentInk = new ContentInk();
 
   constructor(element: HTMLElement, software: boolean, private readonly changed: () => void, private readonly options: () => ViewOptions) {
     this.surface = new ViewSurface(element, "3D view of the terrain", software, () => {
@@ -157,7 +159,10 @@ export class WorldView {
       hidden: (x, y) => hiddenBehind(field, this.known, [x, y, height(x, y) + above], seen),
       flat: false,
     };
-    if (!moving) drawShapes(ink, this.content, by);
+    const { west, east, south, north } = field.rectangle;
+    const inside = (x: number, y: number): boolean => x >= west && x <= east && y >= south && y <= north;
+    const onGround: Projector = { ...by, project: (x, y) => (inside(x, y) ? by.project(x, y) : null) };
+    if (!moving) this.contentInk.draw(ink, this.content, onGround, [this.eye, field, raise, options.water]);
     drawShapes(ink, this.shapes, by);
   }
 

@@ -9,7 +9,8 @@ import { NumberField } from "./number_field";
 import { ParamList } from "./param_row";
 import { newGesture, scopeOf } from "./scope";
 import { SeedRow } from "./seed_row";
-import { bytesText, valueText } from "./words";
+import { usesOf } from "./variables";
+import { bytesText, counted, valueText } from "./words";
 
 /** Cells of the document's domain and the memory of one float raster. */
 export function cellsOf(domain: { readonly [member: string]: Json | undefined },
@@ -71,7 +72,7 @@ export function AboutText({ studio, pointer, owner, text = "", placeholder }: Ab
 }
 
 function Variables({ studio }: { studio: Studio }): JSX.Element {
-  const variables = studio.document.value.recipe.variables ?? {};
+  const { recipe } = studio.document.value, variables = recipe.variables ?? {};
   const [name, setName] = useState("");
   const sound = /^[A-Za-z_][A-Za-z0-9_]*$/.test(name) && !(name in variables);
   const add = () => {
@@ -87,7 +88,7 @@ function Variables({ studio }: { studio: Studio }): JSX.Element {
       <h3 data-help={'Values by name: "$name" may stand wherever a parameter’s value does'}>Variables</h3>
       {Object.entries(variables).map(([variable, value]) => (
         <div class="param" key={variable}>
-          <span class="param-title">${variable}</span>
+          <span class="param-title" data-help={`Stands in ${counted(usesOf(recipe, variable), "place")}`}>${variable}</span>
           <div class="param-control">{typeof value === "number"
             ? <NumberField label={variable} value={value} unit=""
               onChange={(next, gesture) => set(variable, next, gesture)} />

@@ -4,6 +4,7 @@ import { useRef, useState } from "preact/hooks";
 import { Upload, X } from "lucide-preact";
 import { type ControlProps, TextControl } from "./controls";
 import type { Studio } from "../../document/studio";
+import { UploadCancelled, uploadFile } from "../../document/uploads";
 import { setField } from "./scope";
 import { titleOf } from "./words";
 
@@ -24,10 +25,10 @@ function ChooseFiles({ studio, label, multiple, onFiles, onProblem }: ChooseProp
     setBusy(true);
     try {
       const names: string[] = [];
-      for (const file of files) names.push((await studio.api.upload(file.name, file)).file);
+      for (const file of files) names.push((await uploadFile(studio.api, file)).file);
       onFiles(names);
     } catch (problem) {
-      onProblem(problem instanceof Error ? problem.message : String(problem));
+      if (!(problem instanceof UploadCancelled)) onProblem(problem instanceof Error ? problem.message : String(problem));
     } finally {
       setBusy(false);
       if (input.current) input.current.value = "";
@@ -53,9 +54,9 @@ export function FileControl({ field }: ControlProps): JSX.Element {
     event.preventDefault();
     event.stopPropagation();
     try {
-      setField(field, (await studio.api.upload(file.name, file)).file);
+      setField(field, (await uploadFile(studio.api, file)).file);
     } catch (problem) {
-      onProblem(problem instanceof Error ? problem.message : String(problem));
+      if (!(problem instanceof UploadCancelled)) onProblem(problem instanceof Error ? problem.message : String(problem));
     }
   };
   return (

@@ -4,6 +4,7 @@ import { useState } from "preact/hooks";
 import { ChevronRight, CircleDashed, X } from "lucide-preact";
 import type { OperatorInfo, PortInfo, Step } from "../../api/types";
 import type { Studio } from "../../document/studio";
+import { UploadCancelled, uploadFile } from "../../document/uploads";
 import { type Connections, type Origin, connectingEdits, connectionsOf, offersFor } from "../graph/connections";
 import { KindMark } from "../graph/kind_mark";
 import { titleOf } from "./words";
@@ -65,9 +66,10 @@ function takeFile(studio: Studio, step: string, input: PortInfo, endings: readon
     const file = chooser.files?.[0];
     if (!file) return;
     try {
-      const taken = await studio.api.upload(file.name, file);
+      const taken = await uploadFile(studio.api, file);
       await connect(studio, step, input.name, { file: taken.file });
     } catch (problem) {
+      if (problem instanceof UploadCancelled) return;
       studio.message.value = { kind: "error", text: problem instanceof Error ? problem.message : String(problem),
         step };
     }

@@ -1,5 +1,6 @@
 // A field for one number: drag to change it (Ctrl in whole steps, Shift fine), double click or Enter to type, arrows
-// and Ctrl+wheel to step, Backspace to reset. The filled part shows where in its range it lies.
+// and the wheel (with Ctrl where it has not the focus) to step, Backspace to reset. The filled part shows where in its
+// range it lies.
 import type { JSX } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { newGesture } from "./scope";
@@ -112,7 +113,7 @@ function useSteps(props: NumberFieldProps, bounds: { min?: number; max?: number;
   };
 }
 
-/** The wheel steps with Ctrl only, and then the page does not zoom. */
+/** The wheel steps a field that has the focus, any other with Ctrl only; the page does not zoom then, nor the panel scroll. */
 function useWheel(element: { current: HTMLDivElement | null }, step: Step): void {
   const latest = useRef(step);
   latest.current = step;
@@ -120,7 +121,7 @@ function useWheel(element: { current: HTMLDivElement | null }, step: Step): void
     const field = element.current;
     if (!field) return;
     const onWheel = (event: WheelEvent) => {
-      if (!event.ctrlKey) return;
+      if (!event.ctrlKey && document.activeElement !== field) return;
       event.preventDefault();
       latest.current(event.deltaY < 0 ? 1 : -1, event.shiftKey ? "fine" : "plain");
     };

@@ -1,9 +1,11 @@
 // A parameter as a row of the panel: title with help, control, and what takes it back to its default.
 import type { JSX } from "preact";
-import { RotateCcw, Unlink } from "lucide-preact";
+import { RotateCcw } from "lucide-preact";
 import type { ParamInfo } from "../../api/types";
 import { CurveControl } from "../curves/curve_control";
 import { HistogramEditor } from "../curves/histogram_editor";
+import { namesClass } from "../../document/catalogue";
+import { ClassControl, ClassesControl } from "./class_control";
 import { ChoiceControl, ColourControl, NumberControl, NumbersControl, PointControl, PresetControl, SwitchControl,
   TextControl,
          TextsControl } from "./controls";
@@ -11,7 +13,9 @@ import { DrawButton, DrawnControl } from "./drawn_control";
 import { FileControl, FilesControl } from "./file_control";
 import { Group } from "./group";
 import { ItemList } from "./item_list";
-import { type Field, type Scope, fieldOf, isChanged, matchesSearch, resetField, setField } from "./scope";
+import { type Field, type Scope, fieldOf, isChanged, matchesSearch, resetField } from "./scope";
+import { BindVariable, VariableControl } from "./variable_control";
+import { isBindable } from "./variables";
 import { titleOf, valueText } from "./words";
 
 const WIDE = new Set<ParamInfo["kind"]>(["preset", "curve", "numbers", "integers", "files"]);
@@ -28,8 +32,8 @@ export function Control({ field }: { field: Field }): JSX.Element {
     case "switch": return <SwitchControl field={field} />;
     case "choice": return <ChoiceControl field={field} />;
     case "preset": return <PresetControl field={field} />;
-    case "text": return <TextControl field={field} />;
-    case "texts": return <TextsControl field={field} />;
+    case "text": return namesClass(info) ? <ClassControl field={field} /> : <TextControl field={field} />;
+    case "texts": return namesClass(info) ? <ClassesControl field={field} /> : <TextsControl field={field} />;
     case "file": case "model": return <FileControl field={field} />;
     case "files": return <FilesControl field={field} />;
     case "colour": return <ColourControl field={field} />;
@@ -43,17 +47,6 @@ export function Control({ field }: { field: Field }): JSX.Element {
   }
 }
 
-/** A value that comes from a variable is changed there; here it can be made a number of its own. */
-function Variable({ field }: { field: Field }): JSX.Element {
-  return (
-    <div class="variable"><span class="tag"
-      data-help={`The variable "${field.variable}" of the document`}>${field.variable}</span>
-      <span class="ellipsis">{valueText(field.value, field.info)}</span>
-      <button type="button" class="plain icon small" aria-label={`Give ${titleOf(field.info.name)} a value of its own`}
-        data-help="Give it a value of its own" onClick={() => setField(field, field.value)}><Unlink /></button></div>
-  );
-}
-
 /** The one that Backspace resets while the pointer is over it. */
 export const hovered: { field: Field | null } = { field: null };
 
@@ -62,13 +55,15 @@ export function ParamRow({ field }: { field: Field }): JSX.Element {
   const changed = isChanged(field);
   const title = titleOf(info.name);
   const wide = WIDE.has(info.kind);
+  const mayBind = field.variable === null && field.scope.step !== "" && isBindable(info);
   const plainPreset = info.kind === "preset" && info.name === "preset";
   return (
     <div class={`param${wide ? " wide" : ""}${changed ? " changed" : ""}`} data-param={field.pointer}
       onPointerEnter={() => { hovered.field = field; }} onPointerLeave={() => { hovered.field = null; }}>
-      <span class="param-title" data-help={info.help || undefined}>{plainPreset ? "Preset" : title}</span>
+      <span class="param-title" data-help={info.help || undefined}>{plainPreset ? "Preset" : title}
+        {mayBind && <BindVariable field={field} />}</span>
       <div class="param-control">{field.variable !== null
-        ? <Variable field={field} /> : <Control field={field} />}</div>
+        ? <VariableControl field={field} /> : <Control field={field} />}</div>
       {changed ? (
         <button type="button" class="plain icon small param-reset" aria-label={`Reset ${title}`}
           data-help={`Back to ${field.fallback === null ? "auto" : valueText(field.fallback, info)} (Backspace)`}

@@ -13,7 +13,7 @@ import { followLabels } from "./label_under";
 import { viewsAlone } from "./layout";
 import { Palette } from "./palette";
 import { ToolOptions, ToolRail } from "./parts";
-import { dialog, openDialog, StudioContext } from "./shell";
+import { dialog, openDialog, StudioContext, anyDialog } from "./shell";
 import { shellActions } from "./shell_actions";
 import { toolEntries } from "./tool_entries";
 import { ShortcutsSheet } from "./shortcuts_sheet";
@@ -60,7 +60,7 @@ export function App({ studio }: { studio: OpenedStudio }) {
   }, [file]);
   return (
     <StudioContext.Provider value={studio}>
-      <div class={`app ${viewsAlone.value ? "alone" : ""}`}>
+      <div class={`app ${viewsAlone.value ? "alone" : ""}`} inert={anyDialog.value}>
         <TopBar />
         <div class="rail-place"><ToolRail studio={studio} /></div>
         <main class="main">

@@ -3,6 +3,7 @@ import { X } from "lucide-preact";
 import type { ComponentChildren } from "preact";
 import { useId, useLayoutEffect, useRef } from "preact/hooks";
 import { ToastList } from "./toasts";
+import { UploadCard } from "./upload_card";
 
 interface DialogProps {
   title: string;
@@ -44,6 +45,7 @@ export function Dialog(props: DialogProps) {
         </header>
         <div class="dialog-content">{props.children}</div>
         <ToastList />
+        <UploadCard />
         {props.foot && <footer class="dialog-foot">{props.foot}</footer>}
       </div>
     </dialog>

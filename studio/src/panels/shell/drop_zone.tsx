@@ -2,8 +2,10 @@
 import { useSignal } from "@preact/signals";
 import { FileUp } from "lucide-preact";
 import { useEffect } from "preact/hooks";
-import { importFiles, uploading } from "./files";
-import { useStudio } from "./shell";
+import { uploading } from "../../document/uploads";
+import { importFiles } from "./files";
+import { anyDialog, useStudio } from "./shell";
+import { UploadCard } from "./upload_card";
 
 function carriesFiles(event: DragEvent): boolean {
   return event.dataTransfer?.types.includes("Files") ?? false;
@@ -41,9 +43,7 @@ export function DropZone() {
       for (const [name, listener] of listeners) removeEventListener(name, listener);
     };
   }, [studio]);
-  if (uploading.value !== null) {
-    return <div class="drop-zone quiet" role="status"><div class="drop-card"><FileUp aria-hidden />Taking in {uploading.value}…</div></div>;
-  }
+  if (uploading.value !== null) return anyDialog.value ? null : <UploadCard />;
   if (!over.value) return null;
   return (
     <div class="drop-zone">

@@ -24,7 +24,7 @@ export function EmptyView() {
     );
   }
   if (terrain === null) {
-    return <div class="empty-view"><h2>No ground here</h2><p class="muted">Neither this step nor one above it makes a terrain.</p></div>;
+    return <div class="empty-view"><h2>No ground here</h2><p class="muted">Neither this step nor any before or after it makes a terrain.</p></div>;
   }
   if (studio.values.value.has(terrain)) return null;
   const failed = standing && ["failed", "blocked", "incomplete"].includes(standing.standing);

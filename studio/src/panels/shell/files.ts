@@ -1,15 +1,12 @@
 // Opening, saving and importing: what the menus, the first screen and a dropped file do.
-import { signal } from "@preact/signals";
 import { ApiError } from "../../api/api";
 import type { OpenRequest, Uploaded } from "../../api/api";
 import type { OpenedStudio } from "../../document/open_studio";
+import { UploadCancelled, uploadFile } from "../../document/uploads";
 import { importPlan } from "./import_edits";
 import { afterUnsaved, closeDialog, openDialog } from "./shell";
 import { showToast } from "./toasts";
-import { baseName, bytesText } from "./words";
-
-/** What is on its way to the server: a line for the drop zone. */
-export const uploading = signal<string | null>(null);
+import { baseName } from "./words";
 
 export function problemText(error: unknown): string {
   if (error instanceof ApiError) return error.answer.diagnostics?.[0]?.message ?? error.message;
@@ -21,6 +18,7 @@ async function trying(what: string, work: () => Promise<void>): Promise<boolean>
     await work();
     return true;
   } catch (error) {
+    if (error instanceof UploadCancelled) return false;
     showToast({ kind: "error", text: `${what}: ${problemText(error)}` });
     return false;
   }
@@ -66,9 +64,8 @@ function folderOf(path: string): string {
 /** Sends the files and does with each what its kind and the document suggest. */
 export async function importFiles(studio: OpenedStudio, files: readonly File[]): Promise<void> {
   for (const file of files) {
-    uploading.value = `${file.name}, ${bytesText(file.size)}`;
     await trying(`${file.name} could not be taken in`, async () => {
-      const uploaded = await studio.api.upload(file.name, file);
+      const uploaded = await uploadFile(studio.api, file);
       if (isRecipe(file, uploaded)) {
         const path = folderOf(studio.document.value.file) + uploaded.file;
         return unlessUnsaved(studio, () => void openDocument(studio, { path }));
@@ -81,7 +78,6 @@ export async function importFiles(studio: OpenedStudio, files: readonly File[]):
       closeDialog();
       showToast({ kind: "note", text: plan.told });
     });
-    uploading.value = null;
   }
 }
 

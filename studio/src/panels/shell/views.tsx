@@ -1,9 +1,11 @@
 // The 3D view and the map: side by side, one in the other's corner, or one alone.
 import { ArrowLeftRight } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
+import { ClassLegend } from "./class_legend";
 import { Divider } from "./divider";
 import { arrangement, bigView, splitShare, swapViews } from "./layout";
 import { EmptyView } from "./empty_view";
+import { PictureView } from "./picture_view";
 import { startViews } from "./parts";
 import { useStudio } from "./shell";
 
@@ -35,8 +37,9 @@ export function Views() {
           }}
         />
       )}
-      <section class={`view ${placeOf("map")}`} aria-label="Map" ref={map} />
+      <section class={`view ${placeOf("map")}`} aria-label="Map" ref={map}><ClassLegend /></section>
       <EmptyView />
+      <PictureView />
       {arrangement.value === "inset" && (
         <button class="inset-swap icon" aria-label={`Make the ${small} big`} title={`Make the ${small} big (V)`} onClick={swapViews}>
           <ArrowLeftRight aria-hidden />

@@ -5,6 +5,7 @@ import { Drawing, pointOf, siblingSlot, withIteration, type Desk, type Pen, type
 import { fitLine, fitStroke, tolerance, type Sample } from "../fit";
 import { distance, lengthOf, roundedPoint, roundingStep, type Point } from "../geometry";
 import { lookOf } from "../names";
+import { classesFor, skeletonOf } from "../objects";
 import type { Slot } from "../slots";
 
 /** Further than this, in pixels, a press is a stroke and no click. */
@@ -13,8 +14,9 @@ export const kClick_px = 4;
 const kInverse: { [tool: string]: string } = { raise: "lower", lower: "raise", brush: "erase", region: "erase", sink: "erase" };
 
 /** A click alone is a thing already: a dab, an object at a place. */
-function aloneIsEnough(slot: Slot): boolean {
-  return slot.brush || slot.tool === "add" || slot.tool === "slope";
+function aloneIsEnough(desk: Desk, slot: Slot): boolean {
+  if (slot.tool !== "add") return slot.brush || slot.tool === "slope";
+  return skeletonOf(classesFor(desk.studio, desk.step(), slot), desk.members(slot)["class"]) === "point";
 }
 
 export class LinePen implements Pen {
@@ -118,7 +120,7 @@ export class LinePen implements Pen {
     const end = this.clicked[this.clicked.length - 1];
     if (end && distance(end, place) < kClick_px * at.pixel_m) return this.complete(at);
     this.clicked.push(place);
-    if (aloneIsEnough(this.slot) && this.clicked.length === 1) return this.complete(at);
+    if (aloneIsEnough(this.desk, this.slot) && this.clicked.length === 1) return this.complete(at);
     this.preview(at);
     this.desk.say("click on, Enter ends, Backspace takes a point back");
   }
@@ -126,7 +128,7 @@ export class LinePen implements Pen {
   private complete(at: GroundPointer | null): void {
     const points = at ? this.points(at) : this.lastPoints;
     const members = this.members();
-    const enough = points.length > (aloneIsEnough(this.slot) ? 0 : 1);
+    const enough = points.length > (aloneIsEnough(this.desk, this.slot) ? 0 : 1);
     const drawing = enough ? this.begin() : this.drawing;
     this.reset();  // before the end, which may take this pen away
     if (enough) void drawing!.finish(points, members);

@@ -1,4 +1,5 @@
 // Moves and bends objects of a scene: pressed where the object is, dragged to where it goes.
+import type { SceneObject } from "../../viewport/objects_content";
 import type { GroundPointer } from "../../viewport/types";
 import { moveFeature, setPoints } from "../changes";
 import { Drawing, pointOf, withIteration, type Desk, type Pen, type PenKey } from "../desk";
@@ -8,12 +9,15 @@ import type { Gesture } from "../gesture";
 import { distance, roundedPoint, roundingStep, type Point } from "../geometry";
 import { kReach_px } from "../hit";
 import { lookOf } from "../names";
+import { objectInk, objectMembers, objectUnder } from "../objects";
 import { formatLength, kClick_px } from "./line_pen";
 
 export class VectorPen implements Pen {
   readonly cursor = "move" as const;
   private from: Point | null = null;
   private drawing: Drawing | null = null;
+  /** What was under the pen where it went down. */
+  private object: SceneObject | null = null;
   private held: { feature: Feature; end: boolean; from: Point; gesture: Gesture } | null = null;
 
   constructor(private readonly desk: Desk) {}
@@ -32,6 +36,7 @@ export class VectorPen implements Pen {
       return this.desk.select([feature.key]);
     }
     this.from = this.rounded(at);
+    this.object = objectUnder(this.desk.offer.slot!, pointOf(at), at.pixel_m);
   }
 
   move(path: GroundPointer[]): void {
@@ -49,13 +54,14 @@ export class VectorPen implements Pen {
     this.drawing ??= new Drawing(this.desk, slot, slot.parts[0]!, lookOf(slot).done);
     const to = this.rounded(at);
     this.drawing.live([this.from, to], this.members());
-    this.desk.draw([{ shape: "line", points: [this.from, to], role: "selected", width_px: 2 }, { shape: "dot", at: to, role: "handle" }]);
+    const moved = objectInk(this.object);
+    this.desk.draw([...moved, { shape: "line", points: [this.from, to], role: "selected", width_px: 2 }, { shape: "dot", at: to, role: "handle" }]);
     this.desk.say(formatLength(distance(this.from, to)));
   }
 
   private members() {
     const { slot } = this.desk.offer;
-    return withIteration(this.desk, slot!, this.desk.members(slot!));
+    return { ...withIteration(this.desk, slot!, this.desk.members(slot!)), ...objectMembers(this.object) };
   }
 
   up(at: GroundPointer): void {
@@ -95,7 +101,10 @@ export class VectorPen implements Pen {
   }
 
   hover(at: GroundPointer | null): void {
-    const radius = this.desk.members(this.desk.offer.slot!)["radius_m"];
-    this.desk.draw(at && typeof radius === "number" ? [{ shape: "circle", at: pointOf(at), radius_m: radius, role: "handle" }] : []);
+    if (!at) return this.desk.draw([]);
+    const slot = this.desk.offer.slot!, radius = this.desk.members(slot)["radius_m"];
+    const meant = objectInk(objectUnder(slot, pointOf(at), at.pixel_m));
+    const circle = { shape: "circle" as const, at: pointOf(at), role: "handle" as const };
+    this.desk.draw(typeof radius === "number" ? [...meant, { ...circle, radius_m: radius }] : meant);
   }
 }

@@ -1,0 +1,44 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Recipe, Schema } from "../api/types";
+import { catalogueFile, classColour, classesOf, fromFolder } from "./catalogue";
+
+const port = (name: string, kind: string, required = false) => ({ name, kind, help: "", required });
+const grow = {
+  name: "ecosystem.grow", summary: "", source: "", stochastic: true, params: [],
+  in: [port("terrain", "terrain", true), port("catalogue", "catalogue"), port("objects", "objects")],
+  out: [port("objects", "objects"), port("terrain", "terrain")],
+};
+const schema: Schema = { version: "", formats: [], kinds: [], domain: [], operators: [grow] };
+
+test("classes have names, skeletons and colours", () => {
+  const classes = classesOf({ classes: [
+    { name: "reef", skeleton: "curve", colour: "#ff8800", about: "lime" }, { name: "palm" }, { colour: "#000000" }, 3,
+  ] });
+  assert.deepEqual(classes, [
+    { name: "reef", about: "lime", skeleton: "curve", colour: "#ff8800" },
+    { name: "palm", about: "", skeleton: "point", colour: "" },
+  ]);
+  assert.equal(classColour(classes, "reef"), "#ff8800");
+  assert.match(classColour(classes, "palm"), /^#[0-9a-f]{6}$/);
+  assert.notEqual(classColour(classes, "palm"), classColour(classes, "other"));
+  assert.deepEqual(classesOf([1, 2]), []);
+});
+
+test("a scene that goes on has the catalogue of the one before", () => {
+  const recipe: Recipe = { seamount: 1, steps: [
+    { id: "life", op: "ecosystem.grow", in: { terrain: "floor.terrain", catalogue: { file: "c.json" } } },
+    { id: "close", op: "ecosystem.grow", in: { terrain: "floor.terrain", objects: "life.objects" } },
+    { id: "loop", op: "ecosystem.grow", in: { objects: "loop.objects" } },
+  ] };
+  assert.equal(catalogueFile(recipe, schema, "close"), "c.json");
+  assert.equal(catalogueFile(recipe, schema, "loop"), null);
+  assert.equal(catalogueFile(recipe, schema, "none"), null);
+});
+
+test("files are named from the document's place, and never from above the folder", () => {
+  assert.equal(fromFolder({ file: "ecosystem/a.json" }, "../data/c.json"), "data/c.json");
+  assert.equal(fromFolder({ file: "" }, "./example-data/c.json"), "example-data/c.json");
+  assert.equal(fromFolder({ file: "a.json" }, "../c.json"), null);
+  assert.equal(fromFolder({ file: "a.json" }, "/etc/c.json"), null);
+});
