@@ -14,6 +14,7 @@ MAY_INCLUDE = {
     "recipe": "base model geom ops io",
     "train": "base model geom ops io",
     "server": "base model geom ops io recipe",
+    "tiles": "base model geom ops io recipe",
 }
 # Libraries that only some folders may know, by the beginning of their headers' names.
 ONLY_IN = {

@@ -17,9 +17,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 DRAWING = ROOT / "docs/includes.svg"
 INCLUDE = re.compile(r'^\s*#\s*include\s*"seamount/([^"]+)"', re.MULTILINE)
 # Modules from the top down, a row each; beside each other where neither includes the other.
-ROWS = [["apps"], ["server", "recipe", "train"], ["ops", "io"], ["geom"], ["model"], ["base"]]
+ROWS = [["apps"], ["server", "tiles"], ["recipe", "train"], ["ops", "io"], ["geom"], ["model"], ["base"]]
 HOUSES = [house for house in check_layers.ROOMS if "/" in house]  # families with rooms of their own, drawn below
-COLOURS = {"apps": "#7b5ea7", "server": "#a8577e", "recipe": "#a8577e", "train": "#a8577e", "ops": "#2f7d6d", "io": "#b07a2a",
+COLOURS = {"apps": "#7b5ea7", "server": "#a8577e", "tiles": "#a8577e", "recipe": "#a8577e", "train": "#a8577e", "ops": "#2f7d6d", "io": "#b07a2a",
            "geom": "#2c6e9e", "model": "#4a5d73", "base": "#59636e"}
 MARGIN, GAP = 30, 26
 BOX_WIDTH, BOX_HEIGHT, BOX_GAP, TITLE, ROW_GAP = 118, 46, 18, 40, 74

@@ -20,6 +20,8 @@ struct RunFlags {
   bool json = false;
   bool no_cache = false;
   std::optional<uint64_t> seed;
+  int tiles = 0;                    ///< cells along a tile; 0: all at once
+  std::optional<double> memory_gb;  ///< of what looks at everything in tiles; half of the machine's if left out
 };
 
 void add_run_flags(Command command, RunFlags& flags);

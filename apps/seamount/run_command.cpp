@@ -88,11 +88,20 @@ void add_run_command(Command program, const recipe::Registry& registry) {
               "steps.worn.params.years=0:100000:11 (FROM:TO:COUNT), seed=1,2,3; several: all combinations");
   command.add_switch("--sheet", flags->sheet, "write the pictures of a sweep side by side too, as sheet.png in --out");
   command.add("--size", &flags->size, "cells along the longer side: a quick preview, or more detail").between(1, 65536);
+  command.add("--tiles", &flags->tiles, "run in tiles of so many cells along a side: worlds larger than memory")
+      .between(1, 65536);
+  command
+      .add("--memory", &flags->memory_gb,
+           "gigabytes that a step which looks at everything may take with --tiles; half of the machine's if left out")
+      .finite();
   add_run_flags(command, *flags);
   command.does([flags, &registry] {
+    if (flags->memory_gb && flags->tiles == 0) throw InvalidArgument("--memory", "is for a run with --tiles");
+    if (flags->memory_gb && !(*flags->memory_gb > 0)) throw InvalidArgument("--memory", "is not above 0");
     const auto read = [&](const std::vector<std::string>& sets) {
-      return recipe::read_recipe(flags->file, {.sets = sets, .seed = flags->seed, .size = flags->size}, registry,
-                                 {.cancelled = &cancel_flag()});
+      return recipe::read_recipe(flags->file,
+                                 {.sets = sets, .seed = flags->seed, .size = flags->size, .tiled = flags->tiles > 0},
+                                 registry, {.cancelled = &cancel_flag()});
     };
     if (!flags->sweeps.empty()) return run_sweep(*flags, read);
     if (flags->sheet) throw InvalidArgument("--sheet", "is for the pictures of a --sweep");

@@ -10,6 +10,7 @@
 
 #include "app.h"
 #include "seamount/base/printable.h"
+#include "seamount/tiles/run.h"
 
 namespace seamount::app {
 namespace {
@@ -152,10 +153,14 @@ void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder,
   const auto start = Clock::now();
   recipe::ExecuteOptions options{.out_folder = out_folder};
   if (flags.no_cache) options.cache_folder.clear();
+  constexpr double kGigabyte = 1e9;
+  const tiles::TileOptions tiled{out_folder, options.cache_folder, flags.tiles,
+                                 static_cast<uint64_t>(flags.memory_gb.value_or(0.0) * kGigabyte)};
   recipe::ExecuteReport report;
   {
     const Session session(flags);
-    report = recipe::execute(recipe, options, session.run());
+    report = flags.tiles > 0 ? tiles::execute(recipe, tiled, session.run())
+                             : recipe::execute(recipe, options, session.run());
   }
   for (const recipe::StepReport& step : report.steps) {
     print_message(

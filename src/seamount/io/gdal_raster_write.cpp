@@ -9,6 +9,7 @@
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/gdal_call.h"
+#include "seamount/io/geotiff_tags.h"
 #include "seamount/io/raster_files.h"
 
 namespace seamount::io {
@@ -28,19 +29,7 @@ DatasetPtr view_of(void* cells, GDALDataType type, const GridFrame& frame, const
   GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
   DatasetPtr dataset(memory->Create("", frame.width, frame.height, 0, type, nullptr));
   add_band(*dataset, cells, type);
-  double transform[] = {frame.west_m, frame.cell_m, 0.0, frame.north_m, 0.0, -frame.cell_m};
-  dataset->SetGeoTransform(transform);
-  if (const auto system = parse_crs(frame.crs)) {
-    dataset->SetSpatialRef(system.get());
-    dataset->SetMetadataItem("SEAMOUNT_CRS", frame.crs.c_str());
-  } else {
-    dataset->SetMetadataItem("SEAMOUNT_CRS", "local");  // so that nobody takes small cells for degrees
-  }
-  dataset->SetMetadataItem("AREA_OR_POINT", "Area");
-  const Provenance& made = options.provenance;
-  if (!made.program.empty()) dataset->SetMetadataItem("TIFFTAG_SOFTWARE", made.program.c_str());
-  if (!made.recipe.empty()) dataset->SetMetadataItem("SEAMOUNT_RECIPE", made.recipe.c_str());
-  if (made.seed) dataset->SetMetadataItem("SEAMOUNT_SEED", std::to_string(*made.seed).c_str());
+  tag_place(*dataset, frame, options.provenance);
   return dataset;
 }
 
@@ -65,15 +54,45 @@ void copy_to_tiff(GDALDataset& source, const std::string& path, bool cloud_optim
 
 }  // namespace
 
+void tag_place(GDALDataset& dataset, const GridFrame& frame, const Provenance& made) {
+  double transform[] = {frame.west_m, frame.cell_m, 0.0, frame.north_m, 0.0, -frame.cell_m};
+  dataset.SetGeoTransform(transform);
+  if (const auto system = parse_crs(frame.crs)) {
+    dataset.SetSpatialRef(system.get());
+    dataset.SetMetadataItem("SEAMOUNT_CRS", frame.crs.c_str());
+  } else {
+    dataset.SetMetadataItem("SEAMOUNT_CRS", "local");  // so that nobody takes small cells for degrees
+  }
+  dataset.SetMetadataItem("AREA_OR_POINT", "Area");
+  if (!made.program.empty()) dataset.SetMetadataItem("TIFFTAG_SOFTWARE", made.program.c_str());
+  if (!made.recipe.empty()) dataset.SetMetadataItem("SEAMOUNT_RECIPE", made.recipe.c_str());
+  if (made.seed) dataset.SetMetadataItem("SEAMOUNT_SEED", std::to_string(*made.seed).c_str());
+}
+
+void tag_heights(GDALDataset& dataset) {
+  dataset.GetRasterBand(1)->SetUnitType("metre");
+  dataset.GetRasterBand(1)->SetDescription("height above sea level");
+  dataset.SetMetadataItem("VERTICAL_DATUM", "sea level is 0 m, up is positive");
+}
+
+void tag_regions(GDALDataset& dataset) {
+  GDALColorTable colours;
+  for (const Region region : kRegions) {
+    const Colour c = painted_colour(region);
+    const GDALColorEntry entry{c.r, c.g, c.b, 255};
+    colours.SetColorEntry(static_cast<int>(region), &entry);
+    dataset.SetMetadataItem(("LABEL_" + std::to_string(static_cast<int>(region))).c_str(),
+                            std::string(region_name(region)).c_str());
+  }
+  dataset.GetRasterBand(1)->SetColorInterpretation(GCI_PaletteIndex);
+  dataset.GetRasterBand(1)->SetColorTable(&colours);
+}
+
 void write_geotiff(const Grid<float>& grid, const std::string& path, const WriteOptions& options, bool heights) {
   const GdalCall call(path);
   const DatasetPtr view = view_of(const_cast<float*>(grid.data()), GDT_Float32, grid.frame(), options);
   if (has_voids(grid)) view->GetRasterBand(1)->SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
-  if (heights) {
-    view->GetRasterBand(1)->SetUnitType("metre");
-    view->GetRasterBand(1)->SetDescription("height above sea level");
-    view->SetMetadataItem("VERTICAL_DATUM", "sea level is 0 m, up is positive");
-  }
+  if (heights) tag_heights(*view);
   const char* predictor = options.cloud_optimised ? "FLOATING_POINT" : "3";
   copy_to_tiff(*view, path, options.cloud_optimised, predictor);
 }
@@ -95,18 +114,7 @@ void write_geotiff_current(const VectorField& current, const std::string& path, 
 void write_geotiff8(const Grid<uint8_t>& grid, const std::string& path, const WriteOptions& options, bool labels) {
   const GdalCall call(path);
   const DatasetPtr view = view_of(const_cast<uint8_t*>(grid.data()), GDT_Byte, grid.frame(), options);
-  if (labels) {
-    GDALColorTable colours;
-    for (const Region region : kRegions) {
-      const Colour c = painted_colour(region);
-      const GDALColorEntry entry{c.r, c.g, c.b, 255};
-      colours.SetColorEntry(static_cast<int>(region), &entry);
-      view->SetMetadataItem(("LABEL_" + std::to_string(static_cast<int>(region))).c_str(),
-                            std::string(region_name(region)).c_str());
-    }
-    view->GetRasterBand(1)->SetColorInterpretation(GCI_PaletteIndex);
-    view->GetRasterBand(1)->SetColorTable(&colours);
-  }
+  if (labels) tag_regions(*view);
   copy_to_tiff(*view, path, options.cloud_optimised, options.cloud_optimised ? "NO" : "1");
 }
 

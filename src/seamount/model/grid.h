@@ -21,25 +21,71 @@
 
 namespace seamount {
 
-/// Where a raster lies: size, cell, corner and, where it is known, the coordinate reference system.
+/// The raster that a window was cut from: its corner, and the window's first cell in it.
+struct WindowOrigin {
+  double west_m = 0.0;
+  double north_m = 0.0;
+  int column = 0;
+  int row = 0;
+  bool operator==(const WindowOrigin&) const = default;
+};
+
+/// Where a raster lies: size, cell, corner and, where it is known, the coordinate reference system. A window of a
+/// larger raster knows its place in it: cells have the positions that they have in the whole, to the bit, which a
+/// corner that was moved by some cells does not give (it is rounded).
 struct GridFrame {
-  int width = 0;         ///< columns, >= 1
-  int height = 0;        ///< rows, >= 1
-  double cell_m = 1.0;   ///< cell size in metres, > 0
-  double west_m = 0.0;   ///< x of the western edge (not of the first centre)
-  double north_m = 0.0;  ///< y of the northern edge
-  std::string crs = {};  ///< WKT or PROJ text of a metric system in which (x, y) are coordinates; empty: local metres
+  int width = 0;          ///< columns, >= 1
+  int height = 0;         ///< rows, >= 1
+  double cell_m = 1.0;    ///< cell size in metres, > 0
+  double west_m = 0.0;    ///< x of the western edge (not of the first centre)
+  double north_m = 0.0;   ///< y of the northern edge
+  std::string crs = {};   ///< WKT or PROJ text of a metric system in which (x, y) are coordinates; empty: local metres
+  WindowOrigin cut = {};  ///< of a window; counts while cell and corner are as window() made them
 
   /// A frame whose middle is (0, 0).
   static GridFrame centred(int width, int height, double cell_m) {
     return {width, height, cell_m, -0.5 * width * cell_m, 0.5 * height * cell_m, {}};
   }
 
-  double x(double column) const { return west_m + (column + 0.5) * cell_m; }
-  double y(double row) const { return north_m - (row + 0.5) * cell_m; }
+  /// `window_width` x `window_height` cells from (column, row) on. REQUIRES: they lie within.
+  GridFrame window(int column, int row, int window_width, int window_height) const {
+    const GridFrame whole = in_whole();
+    const WindowOrigin from{whole.west_m, whole.north_m, first_column() + column, first_row() + row};
+    const bool corner = from.column == 0 && from.row == 0;  // positions are counted from it anyhow
+    return {window_width,
+            window_height,
+            cell_m,
+            from.west_m + from.column * cell_m,
+            from.north_m - from.row * cell_m,
+            crs,
+            corner ? WindowOrigin{} : from};
+  }
+  bool is_window() const {
+    return (cut.column != 0 || cut.row != 0) && west_m == cut.west_m + cut.column * cell_m &&
+           north_m == cut.north_m - cut.row * cell_m;
+  }
+  /// Columns and rows of the whole before a window's own; 0 of what is no window. What goes in steps of several cells
+  /// counts them from the whole's corner.
+  int first_column() const { return is_window() ? cut.column : 0; }
+  int first_row() const { return is_window() ? cut.row : 0; }
+  /// The same cells counted from the whole's corner: its (first_column(), first_row()) is this one's (0, 0).
+  GridFrame in_whole() const {
+    return is_window() ? GridFrame{width, height, cell_m, cut.west_m, cut.north_m, crs, {}} : *this;
+  }
+
+  double x(double column) const {
+    return is_window() ? cut.west_m + (cut.column + column + 0.5) * cell_m : west_m + (column + 0.5) * cell_m;
+  }
+  double y(double row) const {
+    return is_window() ? cut.north_m - (cut.row + row + 0.5) * cell_m : north_m - (row + 0.5) * cell_m;
+  }
   /// Inverse of x(): fractional column of a place.
-  double column(double x) const { return (x - west_m) / cell_m - 0.5; }
-  double row(double y) const { return (north_m - y) / cell_m - 0.5; }
+  double column(double x) const {
+    return is_window() ? (x - cut.west_m) / cell_m - 0.5 - cut.column : (x - west_m) / cell_m - 0.5;
+  }
+  double row(double y) const {
+    return is_window() ? (cut.north_m - y) / cell_m - 0.5 - cut.row : (north_m - y) / cell_m - 0.5;
+  }
   double width_m() const { return width * cell_m; }
   double height_m() const { return height * cell_m; }
   double east_m() const { return west_m + width_m(); }

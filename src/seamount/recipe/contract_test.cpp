@@ -50,6 +50,7 @@ TEST_P(Contract, IsDescribed) {
   EXPECT_FALSE(op().summary.empty());
   EXPECT_FALSE(op().out.empty());
   EXPECT_THAT(op().name, HasSubstr("."));
+  EXPECT_EQ(op().looks.empty(), op().reach == nullptr) << "says how far it looks, to people and to the program, or not";
   for (const ParamInfo& info : op().params) {
     EXPECT_FALSE(info.help.empty()) << info.name;
     EXPECT_THAT(describe_operator(op()), HasSubstr(info.name));

@@ -13,21 +13,20 @@ namespace seamount::recipe {
 namespace {
 
 constexpr double kMostCellsASide = 65536;
-constexpr double kMostCells = 1 << 30;
 
 }  // namespace
 
-GridFrame domain_frame(const DomainParams& params) {
+GridFrame domain_frame(const DomainParams& params, int64_t most) {
   check_params(params);
   const double width = std::round(params.width_m / params.cell_m);
   const double height = std::round(params.height_m / params.cell_m);
   if (width < 1 || height < 1) {
     throw InvalidArgument("cell_m", format_number(params.cell_m) + " is larger than the domain");
   }
-  if (width > kMostCellsASide || height > kMostCellsASide || width * height > kMostCells) {
+  if (width > kMostCellsASide || height > kMostCellsASide || width * height > static_cast<double>(most)) {
     throw InvalidArgument(
-        "cell_m", fmt::format("{} m gives {:.0f} x {:.0f} cells; at most 65536 a side and 2^30 in all are possible",
-                              format_number(params.cell_m), width, height));
+        "cell_m", fmt::format("{} m gives {:.0f} x {:.0f} cells; at most 65536 a side and {} in all are possible",
+                              format_number(params.cell_m), width, height, most == kMostCells ? "2^30" : "2^32"));
   }
   GridFrame frame = GridFrame::centred(static_cast<int>(width), static_cast<int>(height), params.cell_m);
   frame.west_m += params.x_m;

@@ -34,9 +34,12 @@ struct DomainParams {
   }
 };
 
-/// The frame of a domain. Throws InvalidArgument for more than 65536 cells a side or 2^30 in all, and for a system that
-/// is unknown, not in metres, or off by more than 1 % in length there.
-GridFrame domain_frame(const DomainParams& params);
+/// Cells of a domain in memory, and of one that is run in tiles.
+inline constexpr int64_t kMostCells = int64_t{1} << 30, kMostCellsInTiles = int64_t{1} << 32;
+
+/// The frame of a domain. Throws InvalidArgument for more than 65536 cells a side or `most` in all, and for a system
+/// that is unknown, not in metres, or off by more than 1 % in length there.
+GridFrame domain_frame(const DomainParams& params, int64_t most = kMostCells);
 
 /// Applies --set, --seed and --size to a document. Throws InvalidArgument{"--set"} for a path that leads nowhere.
 void apply_changes(Json& root, const RecipeChanges& changes, const Registry& registry);

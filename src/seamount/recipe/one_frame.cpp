@@ -51,6 +51,10 @@ class Meeting {
     whose_ = "'" + reference_->name + "'";
   }
 
+  /// Beside a raster.
+  Meeting(Values& in, GridFrame frame, std::string whose, const RunContext& run)
+      : in_(in), frame_(std::move(frame)), run_(run), reference_(&kRaster), raster_(true), whose_(std::move(whose)) {}
+
   void bring(const Port& port) {
     const auto found = in_.find(port.name);
     if (found == in_.end() || port.placing == Placing::anywhere || &port == reference_) return;
@@ -106,6 +110,8 @@ class Meeting {
     if (!extent.overlaps(own)) fail_apart(port.name, extent, whose_, own);
   }
 
+  static inline const Port kRaster;
+
   Values& in_;
   GridFrame frame_;
   const RunContext& run_;
@@ -136,6 +142,13 @@ Together bring_together(const Operator& op, Values in, const GridFrame& domain, 
     if (found != together.in.end() && !port.voids) found->second = found->second.without_voids(port.name, run);
   }
   return together;
+}
+
+Value brought_beside(const Port& port, Value value, const GridFrame& frame, const std::string& whose,
+                     const RunContext& run) {
+  Values in{{port.name, std::move(value)}};
+  Meeting(in, frame, whose, run).bring(port);
+  return in.begin()->second;
 }
 
 Drawing bring_drawing(Drawing drawing, GridFrame& domain, const std::string& path) {

@@ -23,6 +23,11 @@ struct Together {
 /// respect them; both are said. Throws IncompatibleInputs{port} for what lies nowhere on the frame, with both places.
 Together bring_together(const Operator& op, Values in, const GridFrame& domain, const RunContext& run);
 
+/// An input that is no raster as bring_together() brings it beside one whose frame is `frame` and which messages call
+/// `whose`. Throws as it does.
+Value brought_beside(const Port& port, Value value, const GridFrame& frame, const std::string& whose,
+                     const RunContext& run);
+
 /// `domain` as it is if it states a system or meets the extent; else moved there, in whole cells.
 GridFrame placed_domain(GridFrame domain, const Extent& extent);
 

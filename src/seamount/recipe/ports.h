@@ -180,4 +180,16 @@ Operator make_operator(Operator row, std::tuple<Inputs...> ins, std::tuple<Out<K
   return row;
 }
 
+/// The same for an operator that can be run window by window: `reach(params, cell_m)` says how far it looks.
+template <class Params, class... Inputs, class... Ks, class Function, class ReachOf>
+Operator make_operator(Operator row, std::tuple<Inputs...> ins, std::tuple<Out<Ks>...> outs, Function function,
+                       ReachOf reach) {
+  Operator made = make_operator<Params>(std::move(row), std::move(ins), std::move(outs), std::move(function));
+  made.reach = [reach](const Json& complete_params, double cell_m) -> Reach {
+    Diagnostics diagnostics;
+    return reach(read_params<Params>(complete_params, {"", diagnostics}), cell_m);
+  };
+  return made;
+}
+
 }  // namespace seamount::recipe

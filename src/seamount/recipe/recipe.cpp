@@ -33,8 +33,13 @@ bool good_id(const std::string& id) {
 
 class RecipeReader {
  public:
-  RecipeReader(const Json& root, Recipe& recipe, Diagnostics& defects, Diagnostics& missing)
-      : root_(root), recipe_(recipe), registry_(*recipe.registry), top_{"", defects}, missing_(missing) {}
+  RecipeReader(const Json& root, Recipe& recipe, Diagnostics& defects, Diagnostics& missing, int64_t most_cells)
+      : root_(root),
+        recipe_(recipe),
+        registry_(*recipe.registry),
+        top_{"", defects},
+        missing_(missing),
+        most_cells_(most_cells) {}
 
   void read() {
     if (!root_.is_object()) return top_.expected("a recipe: an object", root_);
@@ -64,7 +69,7 @@ class RecipeReader {
     const auto params = read_params<DomainParams>(json, place);
     if (place.diagnostics.items().size() > before) return;
     try {
-      recipe_.domain = domain_frame(params);
+      recipe_.domain = domain_frame(params, most_cells_);
       recipe_.domain_stated = json.is_object() && (json.contains("width_m") || json.contains("height_m"));
     } catch (const Error& error) {
       place.fail(error.what());
@@ -274,20 +279,21 @@ class RecipeReader {
   const Registry& registry_;
   ReadPlace top_;
   Diagnostics& missing_;
+  int64_t most_cells_;
   std::vector<DraftStep> drafts_;
 };
 
 }  // namespace
 
 Recipe read_document(const Json& root, const std::string& file, const std::string& folder, Diagnostics& defects,
-                     Diagnostics& missing, const Registry& registry) {
+                     Diagnostics& missing, const Registry& registry, int64_t most_cells) {
   Recipe recipe;
   recipe.file = file;
   recipe.folder = folder;
   recipe.registry = &registry;
   const ReadPlace top{"", defects};
   const VariablesApplied variables(root, top);
-  RecipeReader(variables.root(), recipe, defects, missing).read();
+  RecipeReader(variables.root(), recipe, defects, missing, most_cells).read();
   variables.name_variables();
   recipe.notes = defects.notes();
   return recipe;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "seamount/recipe/domain.h"
 #include "seamount/recipe/registry.h"
 
 namespace seamount::recipe {
@@ -58,13 +59,15 @@ struct RecipeChanges {
       sets;  ///< "steps.isle.params.subsidence=0.5", "domain.cell_m=5"; values are JSON or plain text
   std::optional<uint64_t> seed;
   std::optional<int> size;  ///< cells along the longer side of the domain
+  bool tiled = false;       ///< it is run in tiles: its domain may be larger than memory
 };
 
 /// Reads a document that may be wrong or incomplete: open inputs that are required go to `missing`, every other defect
 /// to `defects`. Without defects the recipe is sound but for its `incomplete` steps. `folder`: where its relative file
-/// names start.
+/// names start. `most_cells`: of the domain.
 Recipe read_document(const Json& root, const std::string& file, const std::string& folder, Diagnostics& defects,
-                     Diagnostics& missing, const Registry& registry = standard_registry());
+                     Diagnostics& missing, const Registry& registry = standard_registry(),
+                     int64_t most_cells = kMostCells);
 
 /// Reads recipe text. Throws RecipeError with every defect found, Cancelled. `folder`: where its relative file names
 /// start. `registry` must outlive the recipe.

@@ -12,7 +12,8 @@ Recipe parse_recipe(const std::string& text, const std::string& file, const std:
   JsonDocument document = parse_json(text, file, run);
   apply_changes(document.root, changes, registry);
   Diagnostics diagnostics;
-  Recipe recipe = read_document(document.root, file, folder, diagnostics, diagnostics, registry);
+  Recipe recipe = read_document(document.root, file, folder, diagnostics, diagnostics, registry,
+                                changes.tiled ? kMostCellsInTiles : kMostCells);
   if (diagnostics.empty() && diagnostics.notes().empty()) return recipe;
   place_diagnostics(diagnostics, document);
   if (!diagnostics.empty()) throw RecipeError(file, diagnostics.items());

@@ -36,6 +36,9 @@ std::string source_text(const std::string& source) {
   return text;
 }
 
+/// How far a cell of its rasters looks: whether it can be run tile by tile.
+std::string looks_text(const Operator& op) { return op.looks.empty() ? "at everything" : op.looks; }
+
 std::string params_text(const std::vector<ParamInfo>& params) {
   std::string text;
   for (const ParamInfo& info : params) text += param_text(info, "  ", "--");
@@ -68,6 +71,7 @@ std::string describe_operator(const Operator& op) {
   std::string text = fmt::format("{}  -  {}\n", op.name, op.summary);
   text += source_text(op.source);
   if (op.stochastic) text += "depends on the seed\n";
+  text += "looks " + looks_text(op) + "\n";
   text += "\n" + ports_text("inputs", op.in) + ports_text("outputs", op.out);
   return text + "parameters\n" + params_text(op.params);
 }
@@ -115,6 +119,7 @@ std::string reference_markdown(const Registry& registry) {
     text += fmt::format("## {}\n\n{}.\n\n", op.name, op.summary);
     if (!op.source.empty())
       text += fmt::format("Source: {}.{}\n\n", op.source, op.stochastic ? " Depends on the seed." : "");
+    text += fmt::format("Looks {}.\n\n", looks_text(op));
     text += ports_list("Inputs", op.in) + ports_list("Outputs", op.out) + params_table(op.params);
   }
   text += "# Output formats\n\nChosen by `\"as\"` in a recipe's output, or by the file's extension.\n\n";

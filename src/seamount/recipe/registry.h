@@ -11,6 +11,7 @@
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
 #include "seamount/io/provenance.h"
+#include "seamount/model/reach.h"
 #include "seamount/recipe/param_json.h"
 #include "seamount/recipe/value.h"
 
@@ -57,6 +58,7 @@ struct Operator {
   bool stochastic = false;
   bool cached = true;      ///< false: made faster than read back
   bool needs_one = false;  ///< one of its inputs is needed, whichever, though none is required alone
+  std::string looks = {};  ///< how far a cell looks, for people; empty: at everything
 
   // Filled in by Registry::add from the typed ports and the field table.
   std::vector<Port> in;
@@ -65,6 +67,9 @@ struct Operator {
   std::vector<FormerParam> former;                                    ///< former names of params
   std::function<Json(const Json& given, const ReadPlace&)> complete;  ///< checks, fills in defaults
   std::function<Values(const Json& complete_params, const Values& in, const Call&)> run;
+  /// How far a cell of the outputs looks on rasters whose cells are the first one's (Placing::cells), or on nothing, in
+  /// the domain's cells; what else is put in is always looked at as a whole. Empty: everything.
+  std::function<Reach(const Json& complete_params, double cell_m)> reach;
 
   const Port* find_in(std::string_view port) const;
   const Port* find_out(std::string_view port) const;

@@ -21,12 +21,14 @@ namespace fs = std::filesystem;
 
 /// One output into the staged folder; errors get the output's name, and the names that its files will have.
 void write_staged(const Recipe& recipe, const Output& output, const io::StagedFolder& staged,
-                  const std::function<const Value&(const Source&)>& value, const RunContext& run) {
-  Values prepared;
-  for (const auto& [name, source] : output.prepared) prepared[name] = value(source);
+                  const std::function<const Value&(const Source&)>& value, const RowsWriter& by_rows,
+                  const RunContext& run) {
   const io::Provenance provenance{std::string("Seamount ") + kVersion, fs::path(recipe.file).filename().string(),
                                   recipe.seed.value};
   try {
+    if (by_rows && by_rows(output, staged.path(output.path), provenance, run)) return;
+    Values prepared;
+    for (const auto& [name, source] : output.prepared) prepared[name] = value(source);
     output.format->write(output.params, {value(output.from), prepared, staged.path(output.path), provenance, run});
   } catch (const Cancelled&) {
     throw;
@@ -100,7 +102,8 @@ void say(const RunContext& run, const Output& output, const std::string& line, O
 /// Stages and commits. Throws IoError for what cannot be written.
 std::vector<OutputReport> write_all(const Recipe& recipe, const std::string& out_folder,
                                     const std::function<const Value&(const Source&)>& value,
-                                    const std::function<RunContext(size_t)>& part, const RunContext& run) {
+                                    const std::function<RunContext(size_t)>& part, const RunContext& run,
+                                    const RowsWriter& by_rows) {
   if (recipe.outputs.empty()) return {};
   io::StagedFolder staged(out_folder);
   std::vector<OutputReport> reports(recipe.outputs.size());
@@ -118,7 +121,7 @@ std::vector<OutputReport> write_all(const Recipe& recipe, const std::string& out
           const std::lock_guard lock(saying);
           say(run, recipe.outputs[i], staged.shown(line), reports[i]);
         };
-        write_staged(recipe, output, staged, value, own);
+        write_staged(recipe, output, staged, value, by_rows, own);
         own.report(1.0);
       } catch (...) {
         failures[i] = std::current_exception();
@@ -153,9 +156,10 @@ std::vector<OutputReport> write_all(const Recipe& recipe, const std::string& out
 
 std::vector<OutputReport> write_outputs(const Recipe& recipe, const std::string& out_folder,
                                         const std::function<const Value&(const Source&)>& value,
-                                        const std::function<RunContext(size_t)>& part, const RunContext& run) {
+                                        const std::function<RunContext(size_t)>& part, const RunContext& run,
+                                        const RowsWriter& by_rows) {
   try {
-    return write_all(recipe, out_folder, value, part, run);
+    return write_all(recipe, out_folder, value, part, run, by_rows);
   } catch (const IoError& error) {
     throw Error(error.what());  // a failure of the work, not of its input
   }

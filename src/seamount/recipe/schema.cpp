@@ -54,6 +54,7 @@ Json step_schema(const Operator& op) {
   Json schema = {
       {"type", "object"},
       {"description", op.summary},
+      {"x-looks", op.looks.empty() ? "at everything" : op.looks},
       {"properties",
        {{"id", {{"type", "string"}, {"pattern", "^[A-Za-z0-9_-]{1,64}$"}}},
         {"op", {{"const", op.name}}},

@@ -95,6 +95,14 @@ LayerShares layer_shares(double height, const Borders& b) {
   return {low, (1.0 - low) * (1.0 - high), (1.0 - low) * high};
 }
 
+Reach layers_reach(const LayerBorders& borders) {
+  const bool stated = borders.low_m && borders.low_error_m && borders.high_m && borders.high_error_m;
+  if (!stated)
+    return Reach::everything("borders are shares of the relief; low_m, low_error_m, high_m, high_error_m state them");
+  if (borders.variation > 0.0) return Reach::everything("the variation is as large as the whole; 0 switches it off");
+  return Reach::place();
+}
+
 Layers height_layers(const HeightField& terrain, const Borders& borders, bool smooth, double variation,
                      const RunContext& run) {
   const GridFrame& frame = terrain.frame();

@@ -8,6 +8,7 @@
 #include "seamount/base/run_context.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/layer_borders.h"
+#include "seamount/model/reach.h"
 
 namespace seamount::geom {
 
@@ -48,5 +49,9 @@ struct Layers {
 /// Parallel; about 20 ns per cell.
 Layers height_layers(const HeightField& terrain, const Borders& borders, bool smooth, double variation,
                      const RunContext& run);
+
+/// How far the layers look with borders that shares of the relief stand in for where they are absent. Their variation
+/// is as large as the whole.
+Reach layers_reach(const LayerBorders& borders);
 
 }  // namespace seamount::geom

@@ -12,6 +12,8 @@ Grid<float> halved(const Grid<float>& grid, const RunContext& run) {
   frame.width = (frame.width + 1) / 2;
   frame.height = (frame.height + 1) / 2;
   frame.cell_m *= 2.0;
+  frame.cut.column /= 2;  // of a window that begins at an even cell of its whole
+  frame.cut.row /= 2;
   Grid<float> half(frame);
   parallel_rows(run, grid.width(), frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {

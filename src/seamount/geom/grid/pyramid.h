@@ -9,7 +9,8 @@
 
 namespace seamount::geom {
 
-/// Means of 2 x 2 cells; the last column or row of an odd grid stands for itself. Same north-western corner. Parallel.
+/// Means of 2 x 2 cells; the last column or row of an odd grid stands for itself. Same north-western corner: a window
+/// that begins at even cells of its whole becomes one of the whole's half. Parallel.
 Grid<float> halved(const Grid<float>& grid, const RunContext& run);
 
 /// Catmull-Rom interpolation to cells of half the size. REQUIRES: grid has the size that halved() makes of `frame`,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -74,10 +75,11 @@ struct Axis {
   }
 };
 
-/// Position of target cell i along the axis in source cells: offset + i ratio.
-Axis make_axis(double offset, double ratio, int target, int source) {
+/// Position of cell i of the whole target along the axis in source cells: offset + i ratio; of `target` cells from
+/// `begin` on.
+Axis make_axis(double offset, double ratio, int begin, int target, int source) {
   Axis axis;
-  for (int i = 0; i < target; ++i) {
+  for (int i = begin; i < begin + target; ++i) {
     const double centre = clamped_position(offset + i * ratio, source);
     if (ratio <= 1.0 + 1e-9) {
       const double near = std::round(centre);
@@ -183,28 +185,57 @@ float resample_known(const HeightField& source, const Axis::Tap& column, const f
 
 }  // namespace
 
+struct RowResampler::Axes {
+  Axis across, down;
+};
+
+RowResampler::RowResampler(const GridFrame& source, const GridFrame& target)
+    : source_(source), target_(target), ratio_(target.cell_m / source.cell_m) {
+  const GridFrame whole = target.in_whole();
+  axes_ = std::make_unique<const Axes>(
+      Axes{make_axis(source.column(whole.x(0)), ratio_, target.first_column(), target.width, source.width),
+           make_axis(source.row(whole.y(0)), ratio_, target.first_row(), target.height, source.height)});
+}
+
+RowResampler::~RowResampler() = default;
+
+bool RowResampler::averages() const { return ratio_ > 1.0 + 1e-9; }
+
+RowResampler::Rows RowResampler::needs(int begin, int end) const {
+  int first = source_.height, last = 0;
+  for (int y = begin; y < end; ++y) {
+    const Axis::Tap& tap = axes_->down.taps[static_cast<size_t>(y)];
+    first = std::min(first, tap.first);
+    last = std::max(last, tap.first + tap.count);
+  }
+  return {first, last - first};
+}
+
+void RowResampler::row(const HeightField& rows, int first, int y, std::vector<float>& mixed,
+                       std::span<float> out) const {
+  const Axis& across = axes_->across;
+  Axis::Tap tap = axes_->down.taps[static_cast<size_t>(y)];
+  const float* weights = axes_->down.weights.data() + tap.weights;
+  tap.first -= first;
+  mixed.resize(static_cast<size_t>(source_.width));
+  resample_row(rows, across, tap, weights, mixed, out);
+  const bool holes = any_void(out);
+  for (int x = 0; holes && x < target_.width; ++x) {
+    float& z = out[static_cast<size_t>(x)];
+    if (!std::isnan(z)) continue;
+    const Axis::Tap& column = across.taps[static_cast<size_t>(x)];
+    z = averages() ? resample_known(rows, column, across.weights.data() + column.weights, tap, weights)
+                   : sample_known(rows, std::clamp(source_.column(target_.x(x)), 0.0, source_.width - 1.0),
+                                  std::clamp(source_.row(target_.y(y)), 0.0, source_.height - 1.0));
+  }
+}
+
 HeightField resample(const HeightField& source, const GridFrame& target, const RunContext& run) {
-  const GridFrame& from = source.frame();
-  const double ratio = target.cell_m / from.cell_m;
-  const Axis across = make_axis(from.column(target.x(0)), ratio, target.width, from.width);
-  const Axis down = make_axis(from.row(target.y(0)), ratio, target.height, from.height);
+  const RowResampler resampler(source.frame(), target);
   HeightField result(target);
   parallel_rows(run, target.width, target.height, [&](int begin, int end) {
-    std::vector<float> mixed(static_cast<size_t>(from.width));
-    for (int y = begin; y < end; ++y) {
-      const Axis::Tap& tap = down.taps[static_cast<size_t>(y)];
-      const float* weights = down.weights.data() + tap.weights;
-      resample_row(source, across, tap, weights, mixed, result.row(y));
-      const bool holes = any_void(result.row(y));
-      for (int x = 0; holes && x < target.width; ++x) {
-        if (!std::isnan(result(x, y))) continue;
-        const Axis::Tap& column = across.taps[static_cast<size_t>(x)];
-        result(x, y) = ratio > 1.0 + 1e-9
-                           ? resample_known(source, column, across.weights.data() + column.weights, tap, weights)
-                           : sample_known(source, std::clamp(from.column(target.x(x)), 0.0, from.width - 1.0),
-                                          std::clamp(from.row(target.y(y)), 0.0, from.height - 1.0));
-      }
-    }
+    std::vector<float> mixed;
+    for (int y = begin; y < end; ++y) resampler.row(source, 0, y, mixed, result.row(y));
   });
   return result;
 }

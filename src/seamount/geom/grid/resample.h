@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
 
 #include "seamount/base/run_context.h"
 #include "seamount/model/grid.h"
@@ -23,6 +26,34 @@ float sample_bspline(const Grid<float>& grid, double column, double row);
 /// they are less than half. Parallel.
 HeightField resample(const HeightField& source, const GridFrame& target, const RunContext& run);
 
+/// The same row by row, for a source that is not in memory as a whole: the same bits.
+class RowResampler {
+ public:
+  RowResampler(const GridFrame& source, const GridFrame& target);
+  ~RowResampler();
+  RowResampler(const RowResampler&) = delete;
+  RowResampler& operator=(const RowResampler&) = delete;
+
+  /// Are the target's cells larger than the source's?
+  bool averages() const;
+
+  /// Rows of the source that rows [begin, end) of the target are made from.
+  struct Rows {
+    int first = 0, count = 0;
+  };
+  Rows needs(int begin, int end) const;
+
+  /// Row y of the target, from `rows`: those of the source from `first` on, with all that it needs. `mixed` is scratch.
+  /// REQUIRES: all rows, and first 0, unless it averages().
+  void row(const HeightField& rows, int first, int y, std::vector<float>& mixed, std::span<float> out) const;
+
+ private:
+  struct Axes;
+  GridFrame source_, target_;
+  double ratio_;
+  std::unique_ptr<const Axes> axes_;
+};
+
 /// The category at the middle of each target cell, or, where target cells are larger, the most frequent one in it (ties
 /// to the smaller value). Values below 256. Parallel.
 Grid<uint8_t> resample_labels(const Grid<uint8_t>& source, const GridFrame& target, const RunContext& run);
@@ -34,5 +65,8 @@ Grid<float> box_downsample(const Grid<float>& grid, int factor, const RunContext
 /// of the true kernel's peak); edges are reflected, so the mean stays. Cost does not depend on sigma_m; 0 leaves the
 /// field alone. Throws InvalidArgument for a negative sigma_m. Parallel; one more grid of memory.
 void gaussian_blur(ScalarField& field, double sigma_m, const RunContext& run);
+
+/// Cells on every side that a blurred cell hangs on. Saturates at 2^24.
+int blur_reach(double sigma_m, double cell_m);
 
 }  // namespace seamount::geom

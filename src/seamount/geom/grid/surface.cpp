@@ -191,16 +191,30 @@ double SurfaceFit::plan_curvature() const {
   return -(q * q * r - 2.0 * p * q * s + p * p * t) / (g * std::sqrt(1.0 + g));
 }
 
+namespace {
+
+/// Cells by which at_scale() goes on beyond the edge.
+double margin_cells(double scale_m, double cell_m) { return std::ceil(1.6 * scale_m / cell_m); }
+
+}  // namespace
+
+int scale_reach(double scale_m, double cell_m) {
+  constexpr double kMost = 1 << 24;
+  if (!(scale_m >= cell_m)) return 0;
+  // At the edge what lies beyond is turned back from within.
+  return std::max(blur_reach(0.5 * scale_m, cell_m), static_cast<int>(std::min(margin_cells(scale_m, cell_m), kMost)));
+}
+
 HeightField at_scale(const HeightField& terrain, double scale_m, const RunContext& run) {
   const double cell = terrain.cell_m();
   if (!(scale_m >= cell)) return terrain;
   // Heights beyond the edge are those within, turned by half a turn about the edge cell; the same for scales larger
   // than the terrain, whose margin ends where there is nothing left to turn.
   const auto margin = [&](int size) {
-    return std::min(static_cast<int>(std::ceil(1.6 * scale_m / cell)), std::max(0, size - 1));
+    return static_cast<int>(std::min(margin_cells(scale_m, cell), std::max(0.0, size - 1.0)));
   };
   const int left = margin(terrain.width()), top = margin(terrain.height());
-  GridFrame wide = terrain.frame();
+  GridFrame wide = terrain.frame();  // its corner does not count; a window's margin stands before its own cells
   wide.width += 2 * left;
   wide.height += 2 * top;
   HeightField padded(wide);

@@ -41,6 +41,9 @@ SurfaceFit fit_surface(const HeightField& terrain, int x, int y);
 /// grids.
 HeightField at_scale(const HeightField& terrain, double scale_m, const RunContext& run);
 
+/// Cells on every side that a cell of at_scale() hangs on; 0 below one cell. Saturates at 2^24.
+int scale_reach(double scale_m, double cell_m);
+
 enum class Curvature { profile, plan, mean };
 
 /// Steepness in degrees, [0, 90]. Parallel, vectorised; agrees with fit_surface() to 1e-3 degrees on heights whose

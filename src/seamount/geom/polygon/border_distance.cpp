@@ -1,6 +1,7 @@
 // Distances to drawn borders (distance.h): a quadtree over the grid. A square of half diagonal R whose centre lies d
 // from its nearest edge can be nearest only to edges within d + 2 R of its centre; the others are dropped on the way
-// down, so a leaf of a few cells tries a handful of edges.
+// down, so a leaf of a few cells tries a handful of edges. Places are counted from the corner of the whole raster, so
+// that a window has the distances of the whole to the bit.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,17 +54,21 @@ SEAMOUNT_VECTORISED void fill_leaf(const Edge* edges, size_t count, int x0, int 
 /// Works down one tile.
 class Descent {
  public:
-  explicit Descent(ScalarField& field) : field_(field), scale_(static_cast<float>(field.cell_m())) {}
+  explicit Descent(ScalarField& field)
+      : field_(field),
+        scale_(static_cast<float>(field.cell_m())),
+        left_(field.frame().first_column()),
+        top_(field.frame().first_row()) {}
 
   void visit(const std::vector<Edge>& edges, int x0, int y0, int size, size_t depth = 0) {
     const int width = std::min(size, field_.width() - x0);
     const int height = std::min(size, field_.height() - y0);
     if (width <= 0 || height <= 0) return;
-    keep_near(edges, x0 + 0.5 * (width - 1), y0 + 0.5 * (height - 1), 0.5 * std::hypot(width - 1, height - 1),
-              lists_[depth]);
+    keep_near(edges, left_ + x0 + 0.5 * (width - 1), top_ + y0 + 0.5 * (height - 1),
+              0.5 * std::hypot(width - 1, height - 1), lists_[depth]);
     if (size <= kLeaf) {
-      fill_leaf(lists_[depth].data(), lists_[depth].size(), x0, y0, width, height, scale_, &field_(x0, y0),
-                field_.width());
+      fill_leaf(lists_[depth].data(), lists_[depth].size(), left_ + x0, top_ + y0, width, height, scale_,
+                &field_(x0, y0), field_.width());
       return;
     }
     const int half = size / 2;
@@ -87,13 +92,14 @@ class Descent {
 
   ScalarField& field_;
   float scale_;
+  int left_, top_;
   std::vector<double> squared_;
   std::array<std::vector<Edge>, 8> lists_;  ///< one for each depth; kTile = kLeaf 2^depth
 };
 
 class EdgeList {
  public:
-  explicit EdgeList(const GridFrame& frame) : frame_(frame) {}
+  explicit EdgeList(const GridFrame& frame) : frame_(frame.in_whole()) {}
 
   void add(Vec2 a, Vec2 b) {
     const double x = frame_.column(a.x);
@@ -109,7 +115,7 @@ class EdgeList {
   const std::vector<Edge>& edges() const { return edges_; }
 
  private:
-  const GridFrame& frame_;
+  GridFrame frame_;
   std::vector<Edge> edges_;
 };
 

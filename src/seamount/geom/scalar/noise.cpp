@@ -193,15 +193,28 @@ void ridged_chunk(const Plan& plan, double x, double y, double dx, double scale,
   }
 }
 
+/// Places of a row: cell i at x0 + i dx. Chunks begin at its cell 0, of which what is wanted may be the part from
+/// `first` on.
+struct RowPlaces {
+  double x0, dx, y;
+  int first = 0;
+};
+
+RowPlaces places_of(const GridFrame& frame, int y) {
+  const int first = frame.first_column();
+  return {frame.x(-first), frame.cell_m, frame.y(y), first};
+}
+
 /// Calls chunk(...) along a row and hands each value to store(destination, value).
 template <class Chunk, class Store>
-void fill_row(const Plan& plan, double x0, double dx, double y, std::span<float> out, double scale, Chunk&& chunk,
+void fill_row(const Plan& plan, const RowPlaces& row, std::span<float> out, double scale, Chunk&& chunk,
               Store&& store) {
   ChunkSum sum;
-  for (size_t begin = 0; begin < out.size(); begin += kChunk) {
-    chunk(plan, x0 + static_cast<double>(begin) * dx, y, dx, scale, sum);
-    const size_t count = std::min<size_t>(kChunk, out.size() - begin);
-    for (size_t i = 0; i < count; ++i) store(out[begin + i], sum[i]);
+  const auto first = static_cast<size_t>(row.first), last = first + out.size();
+  for (size_t begin = first / kChunk * kChunk; begin < last; begin += kChunk) {
+    chunk(plan, row.x0 + static_cast<double>(begin) * row.dx, row.y, row.dx, scale, sum);
+    const size_t end = std::min<size_t>(begin + kChunk, last);
+    for (size_t i = std::max(begin, first); i < end; ++i) store(out[i - first], sum[i - begin]);
   }
 }
 
@@ -213,7 +226,7 @@ ScalarField noise_grid(const GridFrame& frame, const Plan& plan, double scale, c
   ScalarField field(frame);
   parallel_rows(run, frame.width, frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      fill_row(plan, frame.x(0), frame.cell_m, frame.y(y), field.row(y), scale, chunk, kSet);
+      fill_row(plan, places_of(frame, y), field.row(y), scale, chunk, kSet);
     }
   });
   return field;
@@ -270,17 +283,27 @@ double ridged(Seed seed, const Fbm& shape, double x, double y) {
 
 void fbm_row(Seed seed, const Fbm& shape, double x0, double dx, double y, std::span<float> out) {
   const Plan plan = make_plan(seed, shape);
-  fill_row(plan, x0, dx, y, out, 1.0 / plan.root_sum, fbm_chunk, kSet);
+  fill_row(plan, {x0, dx, y}, out, 1.0 / plan.root_sum, fbm_chunk, kSet);
+}
+
+void fbm_row(Seed seed, const Fbm& shape, const GridFrame& frame, int y, std::span<float> out) {
+  const Plan plan = make_plan(seed, shape);
+  fill_row(plan, places_of(frame, y), out, 1.0 / plan.root_sum, fbm_chunk, kSet);
+}
+
+void ridged_row(Seed seed, const Fbm& shape, const GridFrame& frame, int y, std::span<float> out) {
+  const Plan plan = make_plan(seed, shape);
+  fill_row(plan, places_of(frame, y), out, 1.0 / plan.sum, ridged_chunk, kSet);
 }
 
 void fbm_add_row(Seed seed, const Fbm& shape, double x0, double dx, double y, std::span<float> out, float amplitude) {
   const Plan plan = make_plan(seed, shape);
-  fill_row(plan, x0, dx, y, out, static_cast<double>(amplitude) / plan.root_sum, fbm_chunk, kAdd);
+  fill_row(plan, {x0, dx, y}, out, static_cast<double>(amplitude) / plan.root_sum, fbm_chunk, kAdd);
 }
 
 void ridged_row(Seed seed, const Fbm& shape, double x0, double dx, double y, std::span<float> out) {
   const Plan plan = make_plan(seed, shape);
-  fill_row(plan, x0, dx, y, out, 1.0 / plan.sum, ridged_chunk, kSet);
+  fill_row(plan, {x0, dx, y}, out, 1.0 / plan.sum, ridged_chunk, kSet);
 }
 
 ScalarField fbm_grid(const GridFrame& frame, Seed seed, const Fbm& shape, const RunContext& run) {

@@ -36,8 +36,13 @@ double fbm(Seed seed, const Fbm& shape, double x, double y);
 /// that valleys stay smooth. In [0, 1], crests near 1.
 double ridged(Seed seed, const Fbm& shape, double x, double y);
 
-/// out[i] = fbm(seed, shape, x0 + i dx, y). Metres.
+/// out[i] = fbm(seed, shape, x0 + i dx, y). Metres. Cells that stand at the same place differ in the last bits where
+/// rows begin elsewhere; of a frame's row they do not, be it a window or the whole.
 void fbm_row(Seed seed, const Fbm& shape, double x0, double dx, double y, std::span<float> out);
+
+/// Of row y of a frame.
+void fbm_row(Seed seed, const Fbm& shape, const GridFrame& frame, int y, std::span<float> out);
+void ridged_row(Seed seed, const Fbm& shape, const GridFrame& frame, int y, std::span<float> out);
 
 /// out[i] += amplitude fbm(seed, shape, x0 + i dx, y).
 void fbm_add_row(Seed seed, const Fbm& shape, double x0, double dx, double y, std::span<float> out, float amplitude);

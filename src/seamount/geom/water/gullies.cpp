@@ -176,8 +176,9 @@ struct Octave {
 /// One row of an octave, in chunks from padded copies of the row's neighbourhood.
 class RowCarver {
  public:
-  explicit RowCarver(int width) : width_(width) {
-    const size_t padded = static_cast<size_t>((width + kChunk - 1) / kChunk * kChunk + 2);
+  /// `lead`: cells between the beginning of a chunk and the row's first cell. Chunks begin at the whole raster's edge.
+  RowCarver(int width, int lead) : width_(width), lead_(lead) {
+    const size_t padded = static_cast<size_t>((lead + width + kChunk - 1) / kChunk * kChunk + 2);
     for (std::vector<float>* row : {&above_, &at_, &below_, &strength_, &exposed_, &added_}) row->assign(padded, 0.0F);
   }
 
@@ -191,9 +192,9 @@ class RowCarver {
     load(added, y, added_);
     const GridFrame& frame = surface.frame();
     const double pitch = octave.wavelength * static_cast<double>(kPitch);
-    for (int x = 0; x < width_; x += kChunk) {
+    for (int x = 0; x < lead_ + width_; x += kChunk) {
       if (idle(x)) continue;
-      const double east = frame.x(x) / pitch;
+      const double east = frame.x(x - lead_) / pitch;
       const double north = frame.y(y) / pitch;
       const double u = octave.cosine * east - octave.sine * north + octave.shift_u;
       const double v = octave.sine * east + octave.cosine * north + octave.shift_v;
@@ -214,39 +215,40 @@ class RowCarver {
       const size_t i = static_cast<size_t>(x) + 1;
       carve_chunk(chunk, &above_[i], &at_[i], &below_[i], &strength_[i], &exposed_[i], &added_[i]);
     }
-    std::copy_n(added_.begin() + 1, width_, added.row(y).begin());
-    std::copy_n(exposed_.begin() + 1, width_, exposed.row(y).begin());
+    std::copy_n(added_.begin() + lead_ + 1, width_, added.row(y).begin());
+    std::copy_n(exposed_.begin() + lead_ + 1, width_, exposed.row(y).begin());
   }
 
  private:
   /// Is the strength of the whole chunk 0?
   bool idle(int x) const {
     const auto first = strength_.begin() + x + 1;
-    return std::all_of(first, first + std::min(kChunk, width_ - x), [](float s) { return s == 0.0F; });
+    return std::all_of(first, first + std::min(kChunk, lead_ + width_ - x), [](float s) { return s == 0.0F; });
   }
 
   /// Row y with one cell more on both sides, extrapolated linearly beyond the grid's edge.
-  void load(const Grid<float>& grid, int y, std::vector<float>& row) const {
+  void load(const Grid<float>& grid, int y, std::vector<float>& padded) const {
     const int edge = std::clamp(y, 0, grid.height() - 1);
     const std::span<const float> cells = grid.row(edge);
-    std::copy(cells.begin(), cells.end(), row.begin() + 1);
+    float* row = padded.data() + lead_;
+    std::copy(cells.begin(), cells.end(), row + 1);
     if (edge != y && grid.height() > 1) {
       const std::span<const float> inner = grid.row(2 * edge - y);
       for (size_t x = 0; x < inner.size(); ++x) row[x + 1] = 2.0F * cells[x] - inner[x];
     }
     const size_t last = cells.size();
-    row.front() = last > 1 ? 2.0F * row[1] - row[2] : row[1];
+    row[0] = last > 1 ? 2.0F * row[1] - row[2] : row[1];
     row[last + 1] = last > 1 ? 2.0F * row[last] - row[last - 1] : row[last];
   }
 
-  int width_;
+  int width_, lead_;
   std::vector<float> above_, at_, below_, strength_, exposed_, added_;
 };
 
 void carve_octave(const Octave& octave, float sharpness, const Grid<float>& surface, const Grid<float>& strength,
                   Grid<float>& exposed, Grid<float>& added, const RunContext& run) {
   parallel_rows(run, added.width(), added.height(), [&](int begin, int end) {
-    RowCarver carver(added.width());
+    RowCarver carver(added.width(), added.frame().first_column() % kChunk);
     for (int y = begin; y < end; ++y) carver.carve(octave, sharpness, surface, strength, y, exposed, added);
   });
 }
@@ -346,6 +348,14 @@ size_t level_of(double wavelength, double cell_m, size_t levels) {
 }
 
 }  // namespace
+
+Reach gullies_reach(double wavelength_m, double cell_m) {
+  constexpr size_t kLevels = 20;  // a larger one looks further than any raster
+  const int step = 1 << level_of(wavelength_m, cell_m, kLevels);
+  // An octave looks 3 cells of its level far, interpolating to the next level 2; half of that a level finer, and so on;
+  // three octaves share the finest. What does not begin with a whole coarse cell takes one more.
+  return Reach::neighbourhood(12 * step + 16, step);
+}
 
 void add_gullies(HeightField& height, Seed seed, const Gullies& gullies, const ScalarField& strength_per_cell,
                  const RunContext& run) {

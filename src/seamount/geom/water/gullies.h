@@ -10,6 +10,7 @@
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
 #include "seamount/model/grid.h"
+#include "seamount/model/reach.h"
 
 namespace seamount::geom {
 
@@ -28,5 +29,8 @@ struct Gullies {
 /// Parallel; five more grids of memory; cost grows with cells, hardly with octaves.
 void add_gullies(HeightField& height, Seed seed, const Gullies& gullies, const ScalarField& strength_per_cell,
                  const RunContext& run);
+
+/// How far a cell looks where the strength is nowhere 0: a few cells of the coarsest level.
+Reach gullies_reach(double wavelength_m, double cell_m);
 
 }  // namespace seamount::geom

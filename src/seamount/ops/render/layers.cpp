@@ -4,6 +4,12 @@
 
 namespace seamount::render {
 
+Reach layers_reach(const LayersParams& params) {
+  if (params.style != Style::natural)
+    return Reach::everything("the borders of a style are shares of the relief; natural with stated ones has others");
+  return geom::layers_reach(params.layers);
+}
+
 geom::Layers layers(const HeightField& terrain, const LayersParams& params, const RunContext& run) {
   check_params(params);
   if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");

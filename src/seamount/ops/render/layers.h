@@ -33,4 +33,6 @@ struct LayersParams {
 /// one. Parallel; about 25 ns per cell.
 geom::Layers layers(const HeightField& terrain, const LayersParams& params, const RunContext& run);
 
+Reach layers_reach(const LayersParams& params);
+
 }  // namespace seamount::render

@@ -285,6 +285,41 @@ Mask mask_known(const MaskInputs& in, const MaskParams& params, Seed seed, const
 
 }  // namespace
 
+namespace {
+
+Reach reach_of(const ByDepth&, double) {
+  return Reach::everything("the criterion depth looks for the sea everywhere; height with high_m 0 does not");
+}
+Reach reach_of(const BySlope& by, double cell_m) {
+  return Reach::neighbourhood(geom::scale_reach(by.scale_m, cell_m) + 1);
+}
+Reach reach_of(const ByAspect& by, double cell_m) {
+  return Reach::neighbourhood(geom::scale_reach(by.scale_m, cell_m) + 1);
+}
+Reach reach_of(const ByCurvature& by, double cell_m) {
+  return Reach::neighbourhood(geom::scale_reach(by.scale_m, cell_m) + 1);
+}
+/// Beyond its limits and the falloff a region's distance no longer counts.
+Reach reach_of(const ByRegion& by, double cell_m) {
+  constexpr double kMost = 1 << 24;
+  const double limit_m = std::max(std::abs(by.low_m.value_or(0.0)), std::abs(by.high_m.value_or(0.0))) + by.falloff_m;
+  return Reach::neighbourhood(static_cast<int>(std::min(std::ceil(limit_m / cell_m), kMost)) + 2);
+}
+template <class By>
+Reach reach_of(const By&, double) {
+  return Reach::place();
+}
+
+}  // namespace
+
+Reach mask_reach(const MaskParams& params, double cell_m) {
+  Reach reach = Reach::place();
+  for (const Criterion& criterion : params.criteria)
+    reach = reach.with(std::visit([&](const auto& by) { return reach_of(by, cell_m); }, criterion));
+  reach.known = true;
+  return reach;
+}
+
 Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunContext& run) {
   check_params(params);
   check_inputs(in);

@@ -17,6 +17,7 @@
 #include "seamount/model/areas.h"
 #include "seamount/model/grid.h"
 #include "seamount/model/label_map.h"
+#include "seamount/model/reach.h"
 #include "seamount/ops/terrain/criteria_ground.h"
 #include "seamount/ops/terrain/criteria_place.h"
 
@@ -64,6 +65,10 @@ double soft_range(double x, std::optional<double> low, std::optional<double> hig
 /// low above high, and criteria whose input is missing; IncompatibleInputs for inputs of another size. Parallel; about
 /// 10 ns per cell and criterion, more for scales, distances and noise; at most five grids of memory.
 Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunContext& run);
+
+/// As far as the criterion that looks furthest: slope, aspect and curvature at their scale, region as far as its
+/// limits, depth at everything, for what is sea; others at their own place. Where ground is unknown, at everything.
+Reach mask_reach(const MaskParams& params, double cell_m);
 
 }  // namespace seamount::terrain
 

@@ -38,7 +38,7 @@ HeightField mountains(const NoiseParams& params, const GridFrame& frame, Seed se
   parallel_rows(run.part(0.0, 0.2), frame.width, frame.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       const auto row = out.row(y);
-      geom::fbm_row(seed, broad, frame.x(0), frame.cell_m, frame.y(y), row);
+      geom::fbm_row(seed, broad, frame, y, row);
       for (float& z : row) z = static_cast<float>(params.base_m + height * static_cast<double>(share_of(z)));
     }
   });
@@ -54,6 +54,11 @@ HeightField mountains(const NoiseParams& params, const GridFrame& frame, Seed se
 
 }  // namespace
 
+Reach noise_reach(const NoiseParams& params, double cell_m) {
+  if (params.kind != NoiseKind::mountains) return Reach::place();
+  return geom::gullies_reach(kValleySpacing * params.wavelength_m, cell_m);
+}
+
 HeightField noise(const NoiseParams& params, const GridFrame& frame, Seed seed, const RunContext& run) {
   check_params(params);
   const Seed own = seed.derive("terrain.noise");
@@ -66,9 +71,9 @@ HeightField noise(const NoiseParams& params, const GridFrame& frame, Seed seed, 
     for (int y = begin; y < end; ++y) {
       const auto row = out.row(y);
       if (params.kind == NoiseKind::ridged) {
-        geom::ridged_row(own, shape, frame.x(0), frame.cell_m, frame.y(y), row);
+        geom::ridged_row(own, shape, frame, y, row);
       } else {
-        geom::fbm_row(own, shape, frame.x(0), frame.cell_m, frame.y(y), row);
+        geom::fbm_row(own, shape, frame, y, row);
       }
       for (float& z : row) z = static_cast<float>(params.base_m + height * z);
     }

@@ -14,6 +14,7 @@
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
 #include "seamount/model/grid.h"
+#include "seamount/model/reach.h"
 
 namespace seamount::terrain {
 
@@ -48,6 +49,9 @@ struct NoiseParams {
 /// Noise on a frame, in metres; the same terrain at any cell size but for what the cells cannot carry. Parallel, about
 /// 6 ns per cell for 8 octaves on one thread; mountains about thirty times as long and five more grids of memory.
 HeightField noise(const NoiseParams& params, const GridFrame& frame, Seed seed, const RunContext& run);
+
+/// Smooth and ridged noise look at their own place, mountains as far as their valleys are long.
+Reach noise_reach(const NoiseParams& params, double cell_m);
 
 }  // namespace seamount::terrain
 

@@ -56,23 +56,36 @@ void forget_beyond(HeightField& out, const GridFrame& source, const RunContext& 
 
 }  // namespace
 
-HeightField resample(const HeightField& terrain, const ResampleParams& params, const GridFrame& domain,
-                     const RunContext& run) {
-  check_params(params);
-  if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");
-  run.check_cancelled();
-  GridFrame source = terrain.frame();
+ResampleFrames resample_frames(const GridFrame& terrain, const ResampleParams& params, const GridFrame& domain) {
+  GridFrame source = terrain, target = domain;
   const double middle_x = source.west_m + 0.5 * source.width_m(), middle_y = source.north_m - 0.5 * source.height_m();
   source.cell_m *= params.scale;
   source.west_m = middle_x - 0.5 * source.width_m();
   source.north_m = middle_y + 0.5 * source.height_m();
-  GridFrame target = domain;
   if (params.cell_m) {
     target = recelled(source, *params.cell_m);
   } else if (params.centre) {
     source.west_m = domain.west_m + 0.5 * (domain.width_m() - source.width_m());
     source.north_m = domain.north_m - 0.5 * (domain.height_m() - source.height_m());
   }
+  return {source, target};
+}
+
+Reach resample_reach(const ResampleParams& params) {
+  if (params.cell_m) return Reach::everything("cell_m makes a raster of another size");
+  if (params.centre)
+    return Reach::everything("it is put into the domain's middle; with centre false it lies where it lies");
+  if (params.beyond == Beyond::unknown)
+    return Reach::everything("what lies beyond the terrain is counted; beyond edge lets it go on");
+  return Reach::place();
+}
+
+HeightField resample(const HeightField& terrain, const ResampleParams& params, const GridFrame& domain,
+                     const RunContext& run) {
+  check_params(params);
+  if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");
+  run.check_cancelled();
+  const auto [source, target] = resample_frames(terrain.frame(), params, domain);
   const bool in_domain = !params.cell_m && params.beyond == Beyond::unknown;
   if (params.scale == 1.0 && source == terrain.frame()) {
     HeightField out = geom::resample(terrain, target, run);

@@ -12,6 +12,7 @@
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
 #include "seamount/model/grid.h"
+#include "seamount/model/reach.h"
 
 namespace seamount::terrain {
 
@@ -44,6 +45,15 @@ struct ResampleParams {
 /// cells a side or 2^30 in all. Parallel; about 10 ns per cell of the larger of both grids.
 HeightField resample(const HeightField& terrain, const ResampleParams& params, const GridFrame& domain,
                      const RunContext& run);
+
+/// Where resample() takes a terrain of a frame to lie, and where it brings it. Throws as it does.
+struct ResampleFrames {
+  GridFrame source, target;
+};
+ResampleFrames resample_frames(const GridFrame& terrain, const ResampleParams& params, const GridFrame& domain);
+
+/// On the domain each cell hangs on the terrain alone, if its place does not hang on the domain's size.
+Reach resample_reach(const ResampleParams& params);
 
 }  // namespace seamount::terrain
 

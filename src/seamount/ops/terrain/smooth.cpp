@@ -8,6 +8,10 @@
 
 namespace seamount::terrain {
 
+Reach smooth_reach(const SmoothParams& params, double cell_m) {
+  return Reach::neighbourhood(geom::blur_reach(params.radius_m, cell_m));
+}
+
 HeightField smooth(const HeightField& terrain, const ScalarField* mask, const SmoothParams& params,
                    const RunContext& run) {
   check_params(params);

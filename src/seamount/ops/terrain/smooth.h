@@ -6,6 +6,7 @@
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
 #include "seamount/model/grid.h"
+#include "seamount/model/reach.h"
 
 namespace seamount::terrain {
 
@@ -27,5 +28,7 @@ struct SmoothParams {
 /// for a mask of another size. Parallel; about 10 ns a cell whatever the radius; two grids of memory.
 HeightField smooth(const HeightField& terrain, const ScalarField* mask, const SmoothParams& params,
                    const RunContext& run);
+
+Reach smooth_reach(const SmoothParams& params, double cell_m);
 
 }  // namespace seamount::terrain

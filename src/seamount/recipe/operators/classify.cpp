@@ -9,7 +9,7 @@ namespace seamount::recipe {
 void add_classify_operators(Registry& registry) {
   registry.add(make_operator<classify::TerrainParams>(
       {.name = "classify.terrain",
-       .revision = 3,
+       .revision = 4,
        .summary =
            "Labels any terrain by depth, slope and exposure, so that it can enter the methods that build on labels",
        .source = "P0 sec. 1.4.1 for the regions"},

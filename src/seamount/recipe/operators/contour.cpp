@@ -117,7 +117,7 @@ void add_contour_operators(Registry& registry) {
   add_growth(registry);
   registry.add(make_operator<contour::EditParams>(
       {.name = "contour.edit",
-       .revision = 3,
+       .revision = 4,
        .summary = "Edits contours by a list of tools that can be replayed; they never come to cross",
        .source = "P2 sec. 5 and 6.6",
        .stochastic = true},

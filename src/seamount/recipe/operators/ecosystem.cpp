@@ -66,6 +66,7 @@ const char* const kMore = "m/s, added to what the terrain, events and objects ma
 void add_ecosystem_operators(Registry& registry) {
   registry.add(make_operator<ecosystem::GrowParams>(
       {.name = "ecosystem.grow",
+       .revision = 2,
        .summary = "Environmental objects that live where they are fit and change their surroundings: islands, reefs, "
                   "corals, trees, rocks",
        .source = "P3 sec. 1.4-1.7, Algorithms 1, 2 and 4",
@@ -93,6 +94,7 @@ void add_ecosystem_operators(Registry& registry) {
       }));
   registry.add(make_operator<ecosystem::FieldParams>(
       {.name = "ecosystem.field",
+       .revision = 2,
        .summary = "A material, the current, a distance, a fitness, any expression of a scene as a raster",
        .source = "P3 sec. 1.5.1, 1.6"},
       inputs(in<Terrain>("terrain", kGround), in<Objects>("objects", kScene), optional_in<Current>("current", kMore)),

@@ -35,7 +35,7 @@ Parts run(const erosion::RunParams& params, const Call& call, const HeightField&
 void add_erosion_operators(Registry& registry) {
   registry.add(make_operator<erosion::RunParams>(
       {.name = "erosion.run",
-       .revision = 12,
+       .revision = 13,
        .summary =
            "Years of rivers, slides, creep and waves on bedrock, debris and sediment; or a range that rises and wears",
        .source = "P1 sec. 5.4; Braun and Willett 2013, Yuan et al. 2019, Tarboton 1997, Musgrave et al. 1989",

@@ -19,7 +19,7 @@ std::tuple<HeightField, HeightField, ScalarField, ScalarField> run(const glacier
 void add_glacier_operators(Registry& registry) {
   registry.add(make_operator<glacier::RunParams>(
       {.name = "glacier.run",
-       .revision = 1,
+       .revision = 2,
        .summary = "Ice that gathers over the equilibrium line, flows, and carves valleys and cirques",
        .source = "Mahaffy 1976; Oerlemans 1984; Braun, Zwartz and Tomkin 1999"},
       inputs(in<kinds::Terrain>("terrain", "heights in metres"),

@@ -80,7 +80,7 @@ std::tuple<HeightField, LabelMap> archipelago(const island::ArchipelagoParams& p
 void add_island_operators(Registry& registry) {
   registry.add(make_operator<island::BuildParams>(
       {.name = "island.build",
-       .revision = 5,
+       .revision = 6,
        .summary = "An island from its outlines (drawn, polar, a real coastline, painted labels, or a random one) and "
                   "its profile",
        .source = "P0 sec. 1.4.1, eq. 1.1-1.2, 1.16",
@@ -93,6 +93,7 @@ void add_island_operators(Registry& registry) {
       build));
   registry.add(make_operator<island::WindParams>(
       {.name = "island.wind",
+       .revision = 2,
        .summary = "Pushes an island out of its symmetry along strokes of wind and waves, terrain and labels together",
        .source = "P0 sec. 1.4.1, eq. 1.3-1.7, fig. 1.38",
        .stochastic = true},
@@ -105,7 +106,7 @@ void add_island_operators(Registry& registry) {
       wind));
   registry.add(make_operator<island::CoralParams>(
       {.name = "island.coral",
-       .revision = 3,
+       .revision = 4,
        .summary = "Sinks an island and grows its reef: fringing reef, barrier reef, atoll",
        .source = "P0 sec. 1.4.2, eq. 1.8-1.15",
        .stochastic = true},
@@ -117,12 +118,13 @@ void add_island_operators(Registry& registry) {
       {.name = "island.archipelago",
        .revision = 2,
        .summary = "Several islands, or copies of one, in one sea",
-       .source = "P0 sec. 1.5.1, eq. 1.15"},
+       .source = "P0 sec. 1.5.1, eq. 1.15",
+       .looks = "at its own place in the sea, at the whole islands"},
       inputs(placed(Placing::system, in_rows<Terrain, Labels>(kMostIslands, {"terrain", "labels"},
                                                               {"an island", kRegions}, {"another island", kRegions}))),
       outputs(out<Terrain>("terrain", kHeights),
               out<Labels>("labels", "its regions; all abyss unless every island has labels")),
-      archipelago));
+      archipelago, [](const island::ArchipelagoParams&, double) { return Reach::place(); }));
   registry.add(make_operator<island::OutlinesParams>(
       {.name = "island.outlines",
        .summary = "Traces the outlines of a label map, as island.build reads them",

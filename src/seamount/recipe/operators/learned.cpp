@@ -74,7 +74,7 @@ HeightField erode(const learned::ErodeParams& params, const Call& call, const He
 void add_learned_operators(Registry& registry) {
   registry.add(make_operator<learned::SketchParams>(
       {.name = "learned.sketch",
-       .revision = 4,
+       .revision = 5,
        .summary = "Terrain from a sketch of ridges, rivers, heights, high ground and known ground in any mix, by a "
                   "network",
        .source = "P1 sec. 4 to 6.1, 6.3",
@@ -98,7 +98,7 @@ void add_learned_operators(Registry& registry) {
       outputs(out<Terrain>("terrain", "heights in metres")), island));
   registry.add(make_operator<learned::ErodeParams>(
       {.name = "learned.erode",
-       .revision = 2,
+       .revision = 3,
        .summary = "Years of rivers, slides and creep in a moment, by a network that learned from erosion.run (early "
                   "weights)",
        .source = "ours; the simulation is erosion.run"},

@@ -19,7 +19,7 @@ std::tuple<HeightField, ScalarField, LabelMap, Drawing> grow(const reef::GrowPar
 void add_reef_operators(Registry& registry) {
   registry.add(make_operator<reef::GrowParams>(
       {.name = "reef.grow",
-       .revision = 4,
+       .revision = 5,
        .summary = "Grows barrier reefs, ribbon reefs and patch reefs by diffusion-limited aggregation",
        .source = "P4 sec. 3.2-3.3, eq. 1 and 2",
        .stochastic = true},

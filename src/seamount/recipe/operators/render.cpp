@@ -54,14 +54,14 @@ std::tuple<ScalarField, ScalarField, ScalarField> layers(const render::LayersPar
 
 void add_views(Registry& registry) {
   registry.add(make_operator<render::ReliefParams>(
-      {.name = "render.relief", .revision = 2, .summary = "Shaded relief with light from several directions"},
+      {.name = "render.relief", .revision = 3, .summary = "Shaded relief with light from several directions"},
       inputs(terrain_in()), picture_out(),
       [](const render::ReliefParams& params, const Call& call, const HeightField& terrain) {
         return render::relief(terrain, params, call.run);
       }));
   registry.add(make_operator<render::PerspectiveParams>(
       {.name = "render.perspective",
-       .revision = 4,
+       .revision = 5,
        .summary = "A picture from a point of view, with sun, shadows, sky and water"},
       inputs(terrain_in(), labels_in(),
              optional_in<kinds::Things>("things", "what stands on it, drawn from its models"), lake_in(), rivers_in()),
@@ -72,7 +72,7 @@ void add_views(Registry& registry) {
                                    call.run);
       }));
   registry.add(make_operator<render::TextureParams>(
-      {.name = "render.texture", .revision = 3, .summary = "The ground from above, as a texture for meshes"},
+      {.name = "render.texture", .revision = 4, .summary = "The ground from above, as a texture for meshes"},
       inputs(terrain_in(), labels_in(), lake_in(), rivers_in()), picture_out(),
       [](const render::TextureParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
          const ScalarField* lake, Lines rivers) {
@@ -86,7 +86,7 @@ void add_views(Registry& registry) {
 void add_render_operators(Registry& registry) {
   registry.add(make_operator<render::MapParams>(
       {.name = "render.map",
-       .revision = 3,
+       .revision = 4,
        .summary = "A map with tints by height and depth, relief, contours, legend and scale bar; rivers, lakes, "
                   "ridges, peaks, currents and objects over it"},
       inputs(terrain_in(), labels_in(), optional_in<Drawing>("lakes", "areas to fill as water"),
@@ -108,12 +108,13 @@ void add_render_operators(Registry& registry) {
       {.name = "render.layers",
        .revision = 2,
        .summary = "The layers of ground that a style's pictures show: three masks that sum to one, for splat maps",
-       .source = "P4 sec. 3.4, eq. 3-6"},
+       .source = "P4 sec. 3.4, eq. 3-6",
+       .looks = "at everything; natural with stated borders and no variation at its own place"},
       inputs(in<Terrain>("terrain", "heights in metres")),
       outputs(out<kinds::Field>("low", "share of the low layer"),
               out<kinds::Field>("middle", "share of the middle layer"),
               out<kinds::Field>("high", "share of the high layer")),
-      layers));
+      layers, [](const render::LayersParams& params, double) { return render::layers_reach(params); }));
 }
 
 }  // namespace seamount::recipe

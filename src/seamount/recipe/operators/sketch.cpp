@@ -41,7 +41,7 @@ void add_sketch_operators(Registry& registry) {
       extract));
   registry.add(
       make_operator<sketch::LevelsetParams>({.name = "sketch.levelset",
-                                             .revision = 3,
+                                             .revision = 4,
                                              .summary = "The high part of a terrain as an area",
                                              .source = "P1 sec. 5.2, fig. 9"},
                                             inputs(with_voids(in<kinds::Terrain>("terrain", "heights in metres"))),

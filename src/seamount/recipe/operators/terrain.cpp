@@ -25,6 +25,7 @@ namespace {
 using kinds::Field, kinds::Terrain;
 
 const char* const kHeights = "heights in metres";
+const char* const kOwnPlace = "at its own place";
 
 /// terrain.import has no algorithm of its own: it is the raster reader with its options as parameters.
 struct ImportParams {
@@ -163,22 +164,27 @@ void add_sources(Registry& registry) {
       {.name = "terrain.noise",
        .summary = "Fractal noise: mountains with valleys, smooth or ridged",
        .source = "Perlin 2002, Musgrave 1994",
-       .stochastic = true},
-      inputs(), outputs(out<Terrain>("terrain", kHeights)), [](const terrain::NoiseParams& params, const Call& call) {
+       .stochastic = true,
+       .looks = "smooth and ridged: at its own place; mountains: some 5 wavelength_m around"},
+      inputs(), outputs(out<Terrain>("terrain", kHeights)),
+      [](const terrain::NoiseParams& params, const Call& call) {
         return terrain::noise(params, call.domain, call.seed, call.run);
-      }));
+      },
+      terrain::noise_reach));
 }
 
 void add_sampling(Registry& registry) {
   registry.add(make_operator<terrain::ResampleParams>(
       {.name = "terrain.resample",
        .revision = 2,
-       .summary = "A terrain at another cell size, or on the document's domain"},
+       .summary = "A terrain at another cell size, or on the document's domain",
+       .looks = "at everything; with centre off and beyond edge at its own place in the domain, at the whole terrain"},
       inputs(with_voids(placed(Placing::system, in<Terrain>("terrain", kHeights)))),
       outputs(out<Terrain>("terrain", kHeights)),
       [](const terrain::ResampleParams& params, const Call& call, const HeightField& terrain) {
         return terrain::resample(terrain, params, call.domain, call.run);
-      }));
+      },
+      [](const terrain::ResampleParams& params, double) { return terrain::resample_reach(params); }));
   registry.add(make_operator<terrain::SeaFloorParams>(
       {.name = "terrain.sea_floor",
        .summary = "A plausible sea floor for elevation models of land, whose sea is 0 m everywhere"},
@@ -223,29 +229,35 @@ void add_shaping(Registry& registry) {
       outputs(out<Terrain>("terrain", kHeights)), crop));
   registry.add(make_operator<terrain::SmoothParams>(
       {.name = "terrain.smooth",
-       .summary = "A terrain with its detail taken off or exaggerated, all over or by a mask"},
+       .revision = 2,
+       .summary = "A terrain with its detail taken off or exaggerated, all over or by a mask",
+       .looks = "3 radius_m around"},
       inputs(in<Terrain>("terrain", kHeights),
              optional_in<Field>("mask", "where it is done, 0 to 1; everywhere if open")),
       outputs(out<Terrain>("terrain", kHeights)),
       [](const terrain::SmoothParams& params, const Call& call, const HeightField& terrain, const ScalarField* mask) {
         return terrain::smooth(terrain, mask, params, call.run);
-      }));
+      },
+      terrain::smooth_reach));
   registry.add(make_operator<terrain::TerraceParams>(
       {.name = "terrain.terrace",
        .summary = "Slopes become treads and risers, as where hard beds lie in soft ones; erosion makes walls of them",
-       .stochastic = true},
+       .stochastic = true,
+       .looks = kOwnPlace},
       inputs(in<Terrain>("terrain", kHeights),
              optional_in<Field>("mask", "where it is done, 0 to 1; everywhere if open")),
       outputs(out<Terrain>("terrain", kHeights)),
       [](const terrain::TerraceParams& params, const Call& call, const HeightField& terrain, const ScalarField* mask) {
         return terrain::terrace(terrain, mask, params, call.seed, call.run);
-      }));
+      },
+      [](const terrain::TerraceParams&, double) { return Reach::place(); }));
 }
 
 /// What a pen draws.
 void add_drawing(Registry& registry) {
   registry.add(make_operator<terrain::SculptParams>(
       {.name = "terrain.sculpt",
+       .revision = 2,
        .summary = "Strokes of a pen raise, lower, smooth, flatten, slope, roughen the ground, and are erased",
        .stochastic = true},
       inputs(with_voids(in<Terrain>("terrain", kHeights)),
@@ -272,13 +284,15 @@ void add_joining(Registry& registry) {
   registry.add(make_operator<terrain::BlendParams>(
       {.name = "terrain.blend",
        .summary = "Two terrains become one: mixed, the higher, the lower, added or subtracted, all over or by a mask",
-       .source = "P0 sec. 1.4.2, eq. 1.15 for the smooth maximum"},
+       .source = "P0 sec. 1.4.2, eq. 1.15 for the smooth maximum",
+       .looks = kOwnPlace},
       inputs(with_voids(in<Terrain>("terrain", kHeights)),
              with_voids(in<Terrain>("with", "the second terrain, of the same size")),
              optional_in<Field>("mask", "where it is done, 0 to 1; everywhere if open")),
       outputs(out<Terrain>("terrain", kHeights)),
       [](const terrain::BlendParams& params, const Call& call, const HeightField& terrain, const HeightField& with,
-         const ScalarField* mask) { return terrain::blend(terrain, with, mask, params, call.run); }));
+         const ScalarField* mask) { return terrain::blend(terrain, with, mask, params, call.run); },
+      [](const terrain::BlendParams&, double) { return Reach::place(); }));
   registry.add(make_operator<terrain::ComposeParams>(
       {.name = "terrain.compose",
        .revision = 2,
@@ -299,11 +313,13 @@ void add_terrain_operators(Registry& registry) {
   add_drawing(registry);
   registry.add(make_operator<terrain::MaskParams>(
       {.name = "terrain.mask",
-       .revision = 2,
+       .revision = 3,
        .summary =
            "A soft selection by height, depth, slope, aspect, curvature, regions, drawn areas and lines, noise or "
            "any field",
-       .stochastic = true},
+       .stochastic = true,
+       .looks = "at its own place; with slope, aspect and curvature 2 scale_m around, with region as far as its "
+                "limits; with depth, and where heights are unknown, at everything"},
       inputs(with_voids(in<Terrain>("terrain", kHeights)),
              optional_in<kinds::Labels>("labels", "its regions, for the criterion region"),
              optional_in<kinds::Drawing>("drawing", "areas and lines, for the criteria area and line"),
@@ -313,16 +329,18 @@ void add_terrain_operators(Registry& registry) {
       [](const terrain::MaskParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
          const Drawing* drawing, const ScalarField* values, const ScalarField* mask) {
         return terrain::mask({terrain, labels, drawing, values, mask}, params, call.seed, call.run);
-      }));
+      },
+      terrain::mask_reach));
   registry.add(make_operator<LayerBorders>(
       {.name = "terrain.layers",
        .revision = 2,
        .summary = "How much of each place is low, middle and high ground: three masks that sum to one",
-       .source = "P4 sec. 3.4, eq. 3-6"},
+       .source = "P4 sec. 3.4, eq. 3-6",
+       .looks = "at everything; with stated borders and no variation at its own place"},
       inputs(in<Terrain>("terrain", kHeights)),
       outputs(out<Field>("low", "share of the low layer"), out<Field>("middle", "share of the middle layer"),
               out<Field>("high", "share of the high layer")),
-      layers));
+      layers, [](const LayerBorders& params, double) { return geom::layers_reach(params); }));
 }
 
 }  // namespace seamount::recipe

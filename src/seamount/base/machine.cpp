@@ -1,0 +1,12 @@
+#include "seamount/base/machine.h"
+
+#include <unistd.h>
+
+namespace seamount {
+
+uint64_t machine_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), bytes = ::sysconf(_SC_PAGESIZE);
+  return pages > 0 && bytes > 0 ? static_cast<uint64_t>(pages) * static_cast<uint64_t>(bytes) : 0;
+}
+
+}  // namespace seamount

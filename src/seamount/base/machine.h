@@ -1,0 +1,11 @@
+// What the machine has.
+#pragma once
+
+#include <cstdint>
+
+namespace seamount {
+
+/// Bytes of its memory; 0 where that cannot be found out.
+uint64_t machine_memory();
+
+}  // namespace seamount

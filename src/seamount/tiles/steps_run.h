@@ -1,0 +1,62 @@
+// The steps of a recipe, run in tiles: which are local, which need everything, and in which order.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "seamount/recipe/cache.h"
+#include "seamount/recipe/scheduler.h"
+#include "seamount/tiles/chain.h"
+
+namespace seamount::tiles {
+
+class StepsRun {
+ public:
+  StepsRun(World& world, const TileOptions& options, const RunContext& run);
+
+  /// Makes everything that `wanted` is made from, and `wanted` itself. run.progress gets fractions of it.
+  void finish(const std::vector<OutputOf>& wanted);
+
+  std::vector<recipe::StepReport> reports() const;
+
+ private:
+  void prepare_all();
+  void run_whole(size_t step);
+  bool run_tiled(size_t step);
+  std::vector<OutputOf> sources_of(size_t step) const;
+  bool load(size_t step, const recipe::Cache& cache);
+  void keep(size_t step, const recipe::Values& values);
+  /// What a step takes that gets its inputs as a whole. Nothing if that cannot be said before it has read a file.
+  struct Need {
+    double bytes = 0.0;
+    GridFrame frame;
+    std::string why;
+  };
+  std::optional<Need> need_of(size_t step) const;
+  recipe::Values inputs_of(size_t step) const;
+
+  /// Makes those of `wanted` that are not there yet: a chain for each frame.
+  void make(const std::vector<OutputOf>& wanted);
+  void run_chain(Chain& chain);
+
+  const GridFrame& frame_of(const OutputOf& output) const;
+  bool all_there(size_t step) const;
+  void say(size_t step, const std::string& line);
+  void say_tile_notes();
+  void report(double fraction_of_next, size_t steps);
+
+  World& world_;
+  TileOptions options_;
+  const RunContext& run_;
+  recipe::Cache cache_;
+  std::set<size_t> forced_;  ///< local steps that have met cells without a value
+  std::map<size_t, LocalStep> locals_;
+  std::map<size_t, recipe::StepReport> reports_;
+  std::map<std::pair<size_t, std::string>, int> tile_notes_;  ///< how many tiles said so
+  std::set<size_t> done_;
+};
+
+}  // namespace seamount::tiles

@@ -1,0 +1,164 @@
+#include "seamount/tiles/tiled_water.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "seamount/ops/hydrology/fill.h"
+#include "seamount/ops/hydrology/flow.h"
+#include "seamount/recipe/kinds.h"
+#include "seamount/tiles/drainage.h"
+
+namespace seamount::tiles {
+namespace {
+
+using recipe::Value;
+namespace kinds = recipe::kinds;
+
+template <class Params>
+Params params_of(const recipe::Step& step) {
+  recipe::Diagnostics none;
+  return recipe::read_params<Params>(step.params, {"", none});
+}
+
+/// Outputs that are read, tile by tile.
+class Outputs {
+ public:
+  Outputs(World& world, size_t step, const GridFrame& frame) : world_(world), step_(step) {
+    for (const std::string& port : world.plan().steps[step].ports) {
+      if (!world.has({step, port})) stored_[port] = world.on_disk({step, port}, frame);
+    }
+  }
+
+  bool wants(const std::string& port) const { return stored_.contains(port); }
+  bool complete() const {
+    return std::all_of(stored_.begin(), stored_.end(), [](const auto& item) { return item.second->complete(); });
+  }
+  bool has(int tile) const {
+    return std::all_of(stored_.begin(), stored_.end(), [&](const auto& item) { return item.second->has(tile); });
+  }
+  void write(const std::string& port, int tile, Grid<float> cells) const {
+    const auto& raster = stored_.at(port);
+    raster->write(tile, &raster->kind() == &kinds::Terrain::kind() ? Value::of<kinds::Terrain>(std::move(cells))
+                                                                   : Value::of<kinds::Field>(std::move(cells)));
+  }
+  void keep() {
+    for (const auto& [port, raster] : stored_) world_.keep_tiles({step_, port}, raster);
+  }
+
+ private:
+  World& world_;
+  size_t step_;
+  std::map<std::string, std::shared_ptr<const StoredRaster>> stored_;
+};
+
+template <class Function>
+ScalarField of_cells(const GridFrame& frame, const Function& function) {
+  ScalarField made(frame);
+  for (size_t i = 0; i < made.size(); ++i) made.data()[i] = function(i);
+  return made;
+}
+
+float bearing_deg(uint8_t code) {
+  if (code >= 8) return -1.0F;
+  const float bearing = 90.0F - 45.0F * static_cast<float>(code);
+  return bearing < 0.0F ? bearing + 360.0F : bearing;
+}
+
+void write_fill(const Drainage& water, const Outputs& outputs, int tile) {
+  HeightField filled = water.filled(tile);
+  if (outputs.wants("change")) {
+    const HeightField before = water.terrain(tile);
+    outputs.write("change", tile,
+                  of_cells(filled.frame(), [&](size_t i) { return filled.data()[i] - before.data()[i]; }));
+  }
+  geom::forget_unknown(filled);
+  if (outputs.wants("terrain")) outputs.write("terrain", tile, std::move(filled));
+}
+
+void write_flow(const Drainage& water, const Outputs& outputs, int tile) {
+  HeightField filled = water.filled(tile);
+  const GridFrame frame = filled.frame();
+  geom::forget_unknown(filled);
+  const auto known = [&](size_t i, float value) {
+    return std::isnan(filled.data()[i]) ? std::numeric_limits<float>::quiet_NaN() : value;
+  };
+  if (outputs.wants("cells") || outputs.wants("area")) {
+    const Grid<uint64_t> cells = water.cells(tile);
+    const auto cell_m2 = static_cast<float>(frame.cell_m * frame.cell_m);
+    const auto count = [&](size_t i) { return known(i, static_cast<float>(cells.data()[i])); };
+    if (outputs.wants("cells")) outputs.write("cells", tile, of_cells(frame, count));
+    if (outputs.wants("area"))
+      outputs.write("area", tile, of_cells(frame, [&](size_t i) { return count(i) * cell_m2; }));
+  }
+  if (outputs.wants("direction")) {
+    const geom::FlowDirections codes = water.directions(tile);
+    outputs.write("direction", tile, of_cells(frame, [&](size_t i) { return known(i, bearing_deg(codes.data()[i])); }));
+  }
+  if (outputs.wants("terrain")) outputs.write("terrain", tile, std::move(filled));
+}
+
+using WriteTile = void (*)(const Drainage& water, const Outputs& outputs, int tile);
+
+void write_all(const Drainage& water, const Outputs& outputs, WriteTile write, const RunContext& run) {
+  for (int tile = 0; tile < water.layout().count(); ++tile) {
+    run.check_cancelled();
+    if (!outputs.has(tile)) write(water, outputs, tile);
+    run.report((tile + 1.0) / water.layout().count());
+  }
+}
+
+}  // namespace
+
+std::string fill_refusal(const recipe::Step& step, const recipe::PlannedStep& planned) {
+  if (step.in.at("terrain").from_file()) return "its terrain comes from a file";
+  if (planned.ports.contains("lakes")) return "lakes are traced from everything";
+  return params_of<hydrology::FillParams>(step).depressions == hydrology::Depressions::breach
+             ? "breaching looks at everything; depressions fill does not"
+             : "";
+}
+
+std::string flow_refusal(const recipe::Step& step, const recipe::PlannedStep& planned) {
+  if (step.in.at("terrain").from_file()) return "its terrain comes from a file";
+  if (planned.ports.contains("basins") || planned.ports.contains("catchments"))
+    return "catchments are numbered from everything";
+  if (step.in.contains("sinks")) return "sinks are looked at from everything";
+  return params_of<hydrology::FlowParams>(step).method != hydrology::FlowMethod::d8
+             ? "only the method d8 is run in tiles"
+             : "";
+}
+
+void run_tiled_fill(World& world, size_t step, const RunContext& run) {
+  const auto params = params_of<hydrology::FillParams>(world.step(step));
+  const OutputOf terrain = world.output_of(world.step(step).in.at("terrain"));
+  Outputs outputs(world, step, world.frame(terrain));
+  Drainage water(world, step, terrain, params.sea ? 0.0F : geom::kNoSea, params.min_sea_m2, run);
+  if (!outputs.complete()) {
+    water.fill(run.part(0.0, 0.4));
+    if (params.descend) water.direct(run.part(0.4, 0.6));
+    if (params.descend) water.tilt(run.part(0.6, 0.8));
+    write_all(water, outputs, write_fill, run.part(0.8, 1.0));
+  }
+  outputs.keep();
+  water.forget();
+}
+
+void run_tiled_flow(World& world, size_t step, const RunContext& run) {
+  const auto params = params_of<hydrology::FlowParams>(world.step(step));
+  const OutputOf terrain = world.output_of(world.step(step).in.at("terrain"));
+  Outputs outputs(world, step, world.frame(terrain));
+  Drainage water(world, step, terrain, params.sea ? 0.0F : geom::kNoSea, params.min_sea_m2, run);
+  if (!outputs.complete()) {
+    water.fill(run.part(0.0, 0.4));
+    water.direct(run.part(0.4, 0.6));
+    if (outputs.wants("cells") || outputs.wants("area")) water.gather(run.part(0.6, 0.8));
+    write_all(water, outputs, write_flow, run.part(0.8, 1.0));
+  }
+  outputs.keep();
+  water.forget();
+}
+
+}  // namespace seamount::tiles

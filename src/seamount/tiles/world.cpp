@@ -1,0 +1,106 @@
+#include "seamount/tiles/world.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "seamount/base/machine.h"
+#include "seamount/recipe/step_work.h"
+#include "seamount/tiles/windows.h"
+
+namespace seamount::tiles {
+namespace {
+
+constexpr double kGigabyte = 1e9;
+/// Taken for the machine's memory where that cannot be found out.
+constexpr double kUsualMemory = 8e9;
+
+Rect all_of(const GridFrame& frame) { return {0, 0, frame.width, frame.height}; }
+
+double memory_of(const TileOptions& options) {
+  if (options.memory_bytes > 0) return static_cast<double>(options.memory_bytes);
+  const uint64_t machine = machine_memory();
+  return 0.5 * (machine > 0 ? static_cast<double>(machine) : kUsualMemory);
+}
+
+}  // namespace
+
+World::World(const recipe::Plan& plan, std::string folder, const TileOptions& options)
+    : plan_(plan), folder_(std::move(folder)), options_(options), memory_bytes_(memory_of(options)) {}
+
+const GridFrame& World::frame(const OutputOf& output) const {
+  const auto value = values_.find(output);
+  return value != values_.end() ? *value->second.frame() : rasters_.at(output)->frame();
+}
+
+recipe::Value World::window(const OutputOf& output, const Rect& rect) const {
+  const auto value = values_.find(output);
+  return value != values_.end() ? window_of(value->second, rect) : rasters_.at(output)->read(rect);
+}
+
+recipe::Value World::whole(const OutputOf& output) const {
+  const auto value = values_.find(output);
+  if (value != values_.end()) return value->second;
+  const StoredRaster& raster = *rasters_.at(output);
+  check_fits(static_cast<double>(raster.frame().cells()) * static_cast<double>(cell_bytes(raster.kind())),
+             recipe::step_name(step(output.first)), "is needed as a whole", raster.frame());
+  return raster.read(all_of(raster.frame()));
+}
+
+void World::rows(const OutputOf& output, int first, int count, void* cells) const {
+  const Rect rect{0, first, frame(output).width, count};
+  const auto raster = rasters_.find(output);
+  if (raster != rasters_.end()) return raster->second->read_to(rect, cells);
+  const recipe::Value& value = values_.at(output);
+  const size_t row_bytes = static_cast<size_t>(rect.width) * cell_bytes(value.kind());
+  std::memcpy(cells, static_cast<const std::byte*>(cells_of(value)) + static_cast<size_t>(first) * row_bytes,
+              static_cast<size_t>(count) * row_bytes);
+}
+
+void World::keep(const OutputOf& output, const recipe::Value& value) {
+  const auto one_tile = int64_t{options_.tile} * options_.tile;
+  if (!is_raster(value.kind()) || value.frame()->cells() <= one_tile) {
+    values_.insert_or_assign(output, value);
+    return;
+  }
+  const auto raster = on_disk(output, *value.frame());
+  for (int tile = 0; tile < raster->layout().count(); ++tile) {
+    if (!raster->has(tile)) raster->write(tile, window_of(value, raster->layout().tile(tile)));
+  }
+  keep_tiles(output, raster);
+}
+
+std::shared_ptr<const StoredRaster> World::on_disk(const OutputOf& output, const GridFrame& frame) const {
+  return on_disk_as(output, *step(output.first).op->find_out(output.second)->kind, frame);
+}
+
+std::shared_ptr<const StoredRaster> World::on_disk_as(const OutputOf& name, const recipe::Kind& kind,
+                                                      const GridFrame& frame) const {
+  const std::string folder = fmt::format("{}.{}.{}", plan_.steps[name.first].key.hex(), name.second, options_.tile);
+  return std::make_shared<const StoredRaster>((std::filesystem::path(folder_) / folder).string(), kind, frame,
+                                              options_.tile);
+}
+
+void World::keep_tiles(const OutputOf& output, std::shared_ptr<const StoredRaster> tiles) {
+  rasters_.insert_or_assign(output, std::move(tiles));
+}
+
+bool World::fits(double bytes, const GridFrame& frame) const {
+  return bytes <= memory_bytes_ && frame.cells() <= recipe::kMostCells;
+}
+
+void World::check_fits(double bytes, const std::string& who, const std::string& why, const GridFrame& frame) const {
+  if (fits(bytes, frame)) return;
+  throw Error(
+      fmt::format("{} {}: {} x {} cells take about {:.1f} GB, of which {:.1f} may be used. Give more with "
+                  "--memory, take larger cells, or run it on a coarse domain of its own and resample what it "
+                  "makes",
+                  who, why, frame.width, frame.height, bytes / kGigabyte, memory_bytes_ / kGigabyte));
+}
+
+void World::forget_tiles() const noexcept {
+  for (const auto& [output, raster] : rasters_) raster->remove();
+}
+
+}  // namespace seamount::tiles
