@@ -2,7 +2,7 @@
 // another result is dropped.
 import type { Api } from "../api/api";
 import { DetailGround } from "./detail_ground";
-import type { Source, Window } from "./detail_window";
+import { sameWindow, type Source, type Window } from "./detail_window";
 import type { HeightField } from "./heights";
 
 /** Windows have at most so many cells a side; the map's may be longer and narrower. Of a window there are the heights
@@ -43,9 +43,8 @@ export class DetailKeeper {
   /** Fetches what the view needs now, if that is not there. */
   seek(): void {
     if (this.source === null || !this.view.surface.shown) return;
-    const now = this.view.detail?.window ?? null, window = this.view.window(this.source, this.most);
-    this.wanted = window === now ? null : window;
-    if (window === null && now !== null) {
+    this.wanted = this.view.window(this.source, this.most);
+    if (this.wanted === null && this.view.detail !== null) {
       this.view.detail = null;
       this.came();
     }
@@ -56,20 +55,24 @@ export class DetailKeeper {
     this.follow(null, null);
   }
 
+  private get has(): Window | null {
+    return this.view.detail?.window ?? null;
+  }
+
   private async fetch(): Promise<void> {
     if (this.fetching) return;
     this.fetching = true;
-    while (this.wanted !== null && this.source !== null && this.coarse !== null) {
-      const { wanted: window, source, coarse } = this;
-      this.wanted = null;
-      const { level, x, y, columns, rows } = window;
+    while (this.wanted !== null && this.source !== null && this.coarse !== null && !sameWindow(this.wanted, this.has)) {
+      const { wanted: window, source, coarse } = this, { level, x, y, columns, rows } = window;
       try {
         const { values } = await this.api.raster(source.key, { level, x, y, columns, rows });
-        if (this.source !== source) continue;
+        // Where the view moves on it is better than nothing, where it came back it is not.
+        if (this.source !== source || this.wanted === null || sameWindow(this.wanted, this.has)) continue;
         this.view.detail = new DetailGround(coarse, source, window, values);
         this.came();
       } catch {
         // The result is gone: a newer one is announced. Or the server is: the page says so elsewhere.
+        if (this.wanted === window) this.wanted = null;
       }
     }
     this.fetching = false;

@@ -24,6 +24,10 @@ export interface Window {
   rows: number;
 }
 
+export function sameWindow(a: Window, b: Window | null): boolean {
+  return b !== null && a.level === b.level && a.x === b.x && a.y === b.y && a.columns === b.columns && a.rows === b.rows;
+}
+
 /** A place that is looked at, and the size of a pixel there. */
 export interface Seen {
   x: number;
