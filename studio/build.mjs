@@ -16,11 +16,24 @@ function filesBelow(root, ending) {
   });
 }
 
+/** The licences of the packages whose files are part of the page. */
+function licences(files) {
+  const packages = new Set(files.map((file) => /^node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(file)?.[1]).filter(Boolean));
+  const texts = [...packages].sort().map((name) => {
+    const at = join(folder, "node_modules", name);
+    const { version } = JSON.parse(readFileSync(join(at, "package.json"), "utf8"));
+    const text = readdirSync(at).find((file) => /^licen[cs]e/i.test(file));
+    if (!text) throw new Error(`${name} has no licence`);
+    return `${name} ${version}\n\n${readFileSync(join(at, text), "utf8").trim()}\n`;
+  });
+  return `The studio's page contains these packages.\n\n\n${texts.join("\n\n")}`;
+}
+
 async function page() {
   const out = join(folder, "dist/page");
   rmSync(out, { recursive: true, force: true });
   mkdirSync(out, { recursive: true });
-  await build({
+  const made = await build({
     absWorkingDir: folder,
     entryPoints: { app: "src/main.tsx", style: "src/style.css" },
     outdir: out,
@@ -29,10 +42,12 @@ async function page() {
     format: "esm",
     target: "es2021",
     minify: true,
-    legalComments: "linked",
+    legalComments: "none",
+    metafile: true,
     loader: { ".svg": "text", ".glsl": "text" },
     logLevel: "warning",
   });
+  writeFileSync(join(out, "licences.txt"), licences(Object.keys(made.metafile.inputs)));
   cpSync(join(folder, "examples"), join(out, "examples"), { recursive: true });
   for (const file of ["index.html", "icon.svg"]) writeFileSync(
     join(out, file), readFileSync(join(folder, "src", file)),

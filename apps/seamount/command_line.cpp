@@ -7,9 +7,9 @@
 #include <iostream>
 #include <type_traits>
 
+#include "about_program.h"
 #include "app.h"
 #include "seamount/base/text.h"
-#include "seamount/base/version.h"
 
 namespace seamount::app {
 namespace {
@@ -187,7 +187,7 @@ void Command::does(Work work) {
 
 int run_command_line(int argc, char** argv, const std::function<void(Command)>& add_commands) {
   CLI::App program("Seamount: terrain authoring, from ridgeline to reef", "seamount");
-  program.set_version_flag("--version", std::string("seamount ") + kVersion);
+  program.set_version_flag("--version", about_program, "The version, what it was built with, where its files lie");
   program.require_subcommand(1);
   program.get_formatter()->column_width(34);
   Work work;

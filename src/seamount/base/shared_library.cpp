@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "seamount/base/error.h"
+#include "seamount/base/installation.h"
 
 namespace seamount {
 
@@ -14,8 +15,8 @@ std::optional<std::string> find_part(const std::string& file) {
   if (const char* const folder = std::getenv("SEAMOUNT_PARTS");
       folder != nullptr && std::filesystem::exists(std::filesystem::path(folder) / file, error))
     return (std::filesystem::path(folder) / file).string();
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) return std::nullopt;
+  const std::filesystem::path program = program_file();
+  if (program.empty()) return std::nullopt;
   for (const std::filesystem::path& folder :
        {program.parent_path(), program.parent_path().parent_path() / "lib" / "seamount"}) {
     const std::filesystem::path path = folder / file;

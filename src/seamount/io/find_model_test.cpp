@@ -61,16 +61,5 @@ TEST(FindModel, SaysWhereItLooked) {
   EXPECT_NE(error_of([] { find_model(""); }), "");
 }
 
-TEST(FindModel, EmptyAndRepeatedFoldersDoNotCount) {
-  const TestFolder folder;
-  const size_t others = [] {
-    const ModelsVariable models("");
-    return model_folders().size();
-  }();
-  const ModelsVariable models(":" + folder("x") + "::" + folder("x") + ":");
-  EXPECT_EQ(model_folders().size(), others + 1);
-  EXPECT_EQ(model_folders().front(), folder("x"));
-}
-
 }  // namespace
 }  // namespace seamount::io

@@ -1,11 +1,11 @@
 #include "seamount/server/page.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <span>
 
 #include "seamount/base/error.h"
 #include "seamount/base/hash.h"
+#include "seamount/base/installation.h"
 #include "seamount/io/atomic_file.h"
 
 namespace seamount::server {
@@ -53,14 +53,8 @@ const Page::File* Page::find(const std::string& path) const {
 }
 
 std::string find_page() {
-  std::vector<std::string> folders;
-  if (const char* own = std::getenv("SEAMOUNT_STUDIO")) folders.emplace_back(own);
+  const std::vector<std::string> folders = shared_folders(Shared::studio);
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error && program.parent_path().filename() == "bin")
-    folders.push_back((program.parent_path().parent_path() / "share/seamount/studio").string());
-  folders.emplace_back(SEAMOUNT_SOURCE_STUDIO);
-  folders.emplace_back(SEAMOUNT_INSTALLED_STUDIO);
   for (const std::string& folder : folders) {
     if (fs::is_regular_file(fs::path(folder) / "index.html", error)) return folder;
   }

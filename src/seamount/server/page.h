@@ -26,8 +26,8 @@ class Page {
   std::map<std::string, File> files_;
 };
 
-/// Where the page is looked for: $SEAMOUNT_STUDIO, share/seamount/studio beside the program, the sources, where it is
-/// installed. Throws IoError, saying how it is built, where it is nowhere.
+/// The first of shared_folders(Shared::studio) that holds the page. Throws IoError, saying how it is built, where none
+/// does.
 std::string find_page();
 
 }  // namespace seamount::server
