@@ -10,7 +10,8 @@ const cells = 4096, cell_m = 10;
 const recipe: Recipe = {
   seamount: 1, domain: { width_m: cells * cell_m, height_m: cells * cell_m, cell_m }, seed: 4,
   steps: [
-    { id: "hills", op: "terrain.noise", params: { kind: "ridged", height_m: 1600, wavelength_m: 12000, octaves: 12, gain: 0.6, base_m: -500 } },
+    { id: "hills", op: "terrain.noise",
+      params: { kind: "ridged", height_m: 1600, wavelength_m: 12000, octaves: 12, gain: 0.6, base_m: -500 } },
     { id: "shape", op: "terrain.sculpt" },
   ],
 };
@@ -79,9 +80,11 @@ async function heightError(): Promise<number> {
   for (let k = 0; k < 10; ++k) {
     await desk.page.mouse.move(...(await desk.place(0.2 + 0.05 * k, 0.3 + 0.03 * k)));
     const texts = await desk.page.locator(".status-place .status-number").allInnerTexts();
-    const [x, y, height] = texts.slice(0, 3).map((text) => Number(text.replace("\u2212", "-").replace(/[^-\d.]/g, ""))) as [number, number, number];
+    const number = (text: string): number => Number(text.replace("\u2212", "-").replace(/[^-\d.]/g, ""));
+    const [x, y, height] = texts.slice(0, 3).map(number) as [number, number, number];
     const u = x / cell_m + cells / 2 - 0.5, v = cells / 2 - y / cell_m - 0.5;  // the terrain lies around (0, 0)
-    const answer = await desk.server.request("GET", `/api/values/${key}/raster?x=${Math.floor(u)}&y=${Math.floor(v)}&columns=2&rows=2`);
+    const part = `x=${Math.floor(u)}&y=${Math.floor(v)}&columns=2&rows=2`;
+    const answer = await desk.server.request("GET", `/api/values/${key}/raster?${part}`);
     const [a, b, c, d] = new Float32Array(await answer.arrayBuffer()) as unknown as [number, number, number, number];
     const s = u - Math.floor(u), t = v - Math.floor(v);
     sum += Math.abs(height - ((1 - t) * (a + s * (b - a)) + t * (c + s * (d - c))));
@@ -101,7 +104,8 @@ test("zoomed in, the map has all cells: finer forms in the same colours, and the
   await until("detail is drawn", async () => (await detailOf("Map")) === String(cell_m));
   await desk.rest();
   const [fine, fineError] = [await look(), await heightError()];
-  console.log(`contrast ${coarse.contrast.toFixed(2)} -> ${fine.contrast.toFixed(2)}, error of heights ${coarseError.toFixed(2)} -> ${fineError.toFixed(2)} m`);
+  const contrasts = `contrast ${coarse.contrast.toFixed(2)} -> ${fine.contrast.toFixed(2)}`;
+  console.log(`${contrasts}, error of heights ${coarseError.toFixed(2)} -> ${fineError.toFixed(2)} m`);
   assert.ok(fine.contrast > 1.15 * coarse.contrast);
   assert.ok(Math.max(...fine.colours.map((c, i) => Math.abs(c - coarse.colours[i]!))) < 14);
   assert.ok(fineError < 0.5 * coarseError && fineError < 0.5);
@@ -134,7 +138,9 @@ test("detail follows a stroke once it is drawn", async () => {
   }
   assert.deepEqual(asked, [], "nothing is fetched while the stroke is drawn");
   await mouse.up();
-  await until("another terrain is seen", async () => (await desk.key()) !== key && (await view("Map").getAttribute("data-coarse")) === "false");
+  await until("another terrain is seen", async () => {
+    return (await desk.key()) !== key && (await view("Map").getAttribute("data-coarse")) === "false";
+  });
   await until("its detail is drawn", async () => asked.length > 0 && (await detailOf("Map")) === String(cell_m));
   const newest = (await view("Map").getAttribute("data-key"))!;
   assert.ok((asked as string[]).some((url) => url.includes(newest)));
