@@ -9,7 +9,7 @@
 namespace seamount::tiles {
 namespace {
 
-using recipe::Port, recipe::Source, recipe::Step, recipe::Values;
+using recipe::Port, recipe::Step, recipe::Values;
 
 bool is_whole(const GridFrame& frame, const Rect& rect) { return rect == Rect{0, 0, frame.width, frame.height}; }
 

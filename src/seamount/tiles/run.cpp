@@ -105,6 +105,7 @@ recipe::ExecuteReport execute(const recipe::Recipe& recipe, const TileOptions& o
   const fs::path folder = temporary ? temporary->path() : fs::path(options.cache_folder) / "tiles";
   World world(plan, folder.string(), options);
   std::vector<OutputOf> wanted;
+  wanted.reserve(sources.size());
   for (const Source& source : sources) wanted.push_back(world.output_of(source));
   constexpr double kSteps = 0.8;  // of the time, about
   const RunContext first = run.part(0.0, kSteps), second = run.part(kSteps, 1.0);
