@@ -77,7 +77,7 @@ include(CPack)
 # All packages into the build folder: ninja -C build/dev debian.
 get_property(modules GLOBAL PROPERTY SEAMOUNT_MODULES)
 set(packaged ${modules})
-foreach(target seamount seamount_training seamount_python)
+foreach(target seamount seamount_training seamount_python_types)
   if(TARGET ${target})
     list(APPEND packaged ${target})
   endif()

@@ -1,8 +1,6 @@
-"""Writes the types of all operators (island.pyi, ...) and of the package (__init__.pyi) to a folder:
+"""Writes the types of all operators (island.pyi, ...) and of the package (__init__.pyi) to a folder, as the build does:
 
-    python3 -m seamount.stubs apps/python/seamount
-
-With --check writes nothing and fails where a file there is not what it would write.
+    python3 -m seamount.stubs FOLDER
 """
 
 import argparse
@@ -112,21 +110,15 @@ def stubs():
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("folder", type=pathlib.Path)
-    options.add_argument("--check", action="store_true")
-    given = options.parse_args()
-    made, stale = stubs(), []
+    folder = options.parse_args().folder
+    made = stubs()
     for name, text in made.items():
-        path = given.folder / name
-        if path.exists() and path.read_text() == text:
-            continue
-        stale.append(name)
-        if not given.check:
+        path = folder / name
+        if not path.exists() or path.read_text() != text:
             path.write_text(text)
-    others = {path.name for path in given.folder.glob("*.pyi")} - set(made) - {"_core.pyi"}
-    if given.check and (stale or others):
-        print(f"not of these operators: {', '.join(sorted(stale) + sorted(others))}; "
-              f"python3 -m seamount.stubs {given.folder} writes them anew", file=sys.stderr)
-        return 1
+    for path in folder.glob("*.pyi"):
+        if path.name not in made and path.name != "_core.pyi":  # of a family that is no more
+            path.unlink()
     return 0
 
 

@@ -11,21 +11,21 @@ import sysconfig
 import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-PLAIN = (".py", ".pyi", ".typed")
+PLAIN = (".py", ".typed")
 SHARED = ("recipes", "data", "models")
 CONFIGURE = """
 source tools/setup.sh
 install_packages run python || exit
 settings=(-DSEAMOUNT_PYTHON:BOOL=ON)
 [[ -e build/dev/build.ninja ]] || settings+=(-DSEAMOUNT_TESTS:BOOL=OFF)
-configure dev "${settings[@]}" && build dev seamount_python
+configure dev "${settings[@]}" && build dev seamount_python_types
 """
 # Another Python than the system's has a build of its own: the module is of one version.
 CONFIGURE_OTHER = """
 source tools/setup.sh
 install_packages run python || exit
 cmake --preset dev -B "build/$1" -DSEAMOUNT_PYTHON=ON -DSEAMOUNT_TESTS=OFF -DPython_EXECUTABLE="$2" >&2 || exit
-build "$1" seamount_python
+build "$1" seamount_python_types
 """
 
 
@@ -54,8 +54,10 @@ def built_package():
 
 
 def files_of(package):
-    """(name in the wheel, file) of all that is installed: the module as it was built, the rest as it is in the checkout."""
-    yield from ((f"seamount/{path.name}", path) for path in package.glob("_core*" + sysconfig.get_config_var("EXT_SUFFIX")))
+    """(name in the wheel, file) of all that is installed: the module and its types as they were built, the rest as it is in
+    the checkout."""
+    for made in ("_core*" + sysconfig.get_config_var("EXT_SUFFIX"), "*.pyi"):
+        yield from ((f"seamount/{path.name}", path) for path in sorted(package.glob(made)))
     sources = ROOT / "apps/python/seamount"
     yield from ((f"seamount/{path.name}", path) for path in sorted(sources.iterdir()) if path.suffix in PLAIN)
     for folder in SHARED:

@@ -24,6 +24,11 @@ double memory_of(const TileOptions& options) {
   return 0.5 * (machine > 0 ? static_cast<double>(machine) : kUsualMemory);
 }
 
+std::string size_text(double bytes) {
+  return bytes < 0.1 * kGigabyte ? fmt::format("{:.1f} MB", 1e3 * bytes / kGigabyte)
+                                 : fmt::format("{:.1f} GB", bytes / kGigabyte);
+}
+
 }  // namespace
 
 World::World(const recipe::Plan& plan, std::string folder, const TileOptions& options)
@@ -93,10 +98,10 @@ bool World::fits(double bytes, const GridFrame& frame) const {
 void World::check_fits(double bytes, const std::string& who, const std::string& why, const GridFrame& frame) const {
   if (fits(bytes, frame)) return;
   throw Error(
-      fmt::format("{} {}: {} x {} cells take about {:.1f} GB, of which {:.1f} may be used. Give more with "
+      fmt::format("{} {}: {} x {} cells take about {}, of which {} may be used. Give more with "
                   "--memory, take larger cells, or run it on a coarse domain of its own and resample what it "
                   "makes",
-                  who, why, frame.width, frame.height, bytes / kGigabyte, memory_bytes_ / kGigabyte));
+                  who, why, frame.width, frame.height, size_text(bytes), size_text(memory_bytes_)));
 }
 
 void World::forget_tiles() const noexcept {
