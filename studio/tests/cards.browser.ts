@@ -84,6 +84,11 @@ test("a number is dragged, typed with units, stepped and reset", async () => {
   await page.locator('[data-param="/steps/reef/params/pass_width_m"]').hover();
   await page.keyboard.press("Backspace");
   await expect("reset", async () => (await step("reef"))?.params?.["pass_width_m"] === undefined);
+
+  // The pointer stays there; the keyboard goes to another one, whose value it is then.
+  await field("Subsidence").focus();
+  await page.keyboard.press("Backspace");
+  await expect("reset by the focus", async () => (await step("reef"))?.params?.["subsidence"] === undefined);
 });
 
 test("steps are renamed, moved, left out, copied and removed by keyboard", async () => {

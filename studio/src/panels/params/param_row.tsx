@@ -47,11 +47,12 @@ export function Control({ field }: { field: Field }): JSX.Element {
   }
 }
 
-/** The one that Backspace resets while the pointer is over it. */
-export const hovered: { field: Field | null } = { field: null };
+/** The one under the pointer, as it is now; `last`: the pointer has moved since the focus did. */
+export const hovered: { field: Field | null; last: boolean } = { field: null, last: false };
 
 export function ParamRow({ field }: { field: Field }): JSX.Element {
   const { info } = field;
+  if (hovered.field?.pointer === field.pointer) hovered.field = field;
   const changed = isChanged(field);
   const title = titleOf(info.name);
   const wide = WIDE.has(info.kind);
@@ -59,7 +60,8 @@ export function ParamRow({ field }: { field: Field }): JSX.Element {
   const plainPreset = info.kind === "preset" && info.name === "preset";
   return (
     <div class={`param${wide ? " wide" : ""}${changed ? " changed" : ""}`} data-param={field.pointer}
-      onPointerEnter={() => { hovered.field = field; }} onPointerLeave={() => { hovered.field = null; }}>
+      onPointerMove={() => Object.assign(hovered, { field, last: true })}
+      onPointerLeave={() => { hovered.field = null; }}>
       <span class="param-title" data-help={info.help || undefined}>{plainPreset ? "Preset" : title}</span>
       {mayBind && <BindVariable field={field} />}
       <div class="param-control">{field.variable !== null

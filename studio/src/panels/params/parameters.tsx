@@ -36,18 +36,32 @@ export function Parameters({ studio }: { studio: Studio }): JSX.Element {
   );
 }
 
-/** Backspace resets the parameter under the pointer, unless something is being typed. */
+/** Backspace resets the parameter under the pointer or the one with the focus, whichever was gone to last, unless
+ * something is being typed. */
 function useBackspace(): void {
   useEffect(() => {
-    const onKeyDown = (event: KeyboardEvent) => {
+    const reset = (event: KeyboardEvent): void => {
       if (event.key !== "Backspace" || !hovered.field || event.defaultPrevented) return;
       const target = event.target instanceof HTMLElement ? event.target : null;
       if (target?.matches("input, textarea, select, [contenteditable]")) return;
       event.preventDefault();
+      event.stopPropagation();
       resetField(hovered.field);
     };
-    document.addEventListener("keydown", onKeyDown);
-    return () => document.removeEventListener("keydown", onKeyDown);
+    const before = (event: KeyboardEvent): void => {
+      if (hovered.last) reset(event);
+    };
+    const focused = (): void => {
+      hovered.last = false;
+    };
+    document.addEventListener("keydown", before, true);
+    document.addEventListener("keydown", reset);
+    document.addEventListener("focusin", focused);
+    return () => {
+      document.removeEventListener("keydown", before, true);
+      document.removeEventListener("keydown", reset);
+      document.removeEventListener("focusin", focused);
+    };
   }, []);
 }
 
