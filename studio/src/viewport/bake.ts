@@ -1,6 +1,7 @@
 // Pictures that a shader fills from others: what is computed of the ground on the graphics side.
 import {
-  ClampToEdgeWrapping, GLSL3, HalfFloatType, LinearFilter, LinearMipmapLinearFilter, Mesh, OrthographicCamera, PlaneGeometry,
+  ClampToEdgeWrapping, GLSL3, HalfFloatType, LinearFilter, LinearMipmapLinearFilter, Mesh, OrthographicCamera,
+  PlaneGeometry,
   RawShaderMaterial, RGBAFormat, Scene, UnsignedByteType, WebGLRenderTarget, type IUniform, type WebGLRenderer,
 } from "three";
 import bakeVertex from "./shaders/bake.vert.glsl";
@@ -15,7 +16,8 @@ export class Bake {
 
   constructor(shader: string, readonly uniforms: Uniforms) {
     this.material = new RawShaderMaterial({
-      glslVersion: GLSL3, vertexShader: bakeVertex, fragmentShader: common + shader, uniforms, depthTest: false, depthWrite: false,
+      glslVersion: GLSL3, vertexShader: bakeVertex, fragmentShader: common + shader, uniforms, depthTest: false,
+      depthWrite: false,
     });
     const mesh = new Mesh(new PlaneGeometry(2, 2), this.material);
     mesh.frustumCulled = false;
@@ -36,6 +38,7 @@ export class Bake {
 export function target(width: number, height: number, half: boolean, mipmaps = true): WebGLRenderTarget {
   return new WebGLRenderTarget(width, height, {
     format: RGBAFormat, type: half ? HalfFloatType : UnsignedByteType, depthBuffer: false, generateMipmaps: mipmaps,
-    magFilter: LinearFilter, minFilter: mipmaps ? LinearMipmapLinearFilter : LinearFilter, wrapS: ClampToEdgeWrapping, wrapT: ClampToEdgeWrapping,
+    magFilter: LinearFilter, minFilter: mipmaps ? LinearMipmapLinearFilter : LinearFilter, wrapS: ClampToEdgeWrapping,
+    wrapT: ClampToEdgeWrapping,
   });
 }

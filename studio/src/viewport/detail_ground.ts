@@ -1,5 +1,5 @@
-// Fine heights within a window of a coarse height field: the ground is the fine one there, and goes over into the coarse
-// one at the window's border, for what draws it (shaders/detail.glsl) as for what asks for heights. Pure.
+// Fine heights within a window of a coarse height field: the ground is the fine one there, and goes over into the
+// coarse one at the window's border, for what draws it (shaders/detail.glsl) as for what asks for heights. Pure.
 import { atEdge, covers, fadeOf, frameOfWindow, innerRectangle, type Source, type Window } from "./detail_window";
 import { blockCells, HeightField } from "./heights";
 import type { Rectangle } from "./map_camera";
@@ -18,11 +18,16 @@ export class DetailGround {
   readonly levels: number;
   private readonly inner: Rectangle;
 
-  constructor(readonly coarse: HeightField, source: Source, readonly window: Window, values: Float32Array | Uint8Array) {
+  constructor(
+    readonly coarse: HeightField, source: Source, readonly window: Window, values: Float32Array | Uint8Array,
+  ) {
     const frame = frameOfWindow(source, window), from = coarse.frame;
     this.field = new HeightField(frame, values, source.key, false);
     const { width_m, height_m } = this.field;
-    this.place = [(from.west - frame.west) / width_m, (frame.north - from.north) / height_m, coarse.width_m / width_m, coarse.height_m / height_m];
+    this.place = [
+      (from.west - frame.west) / width_m, (frame.north - from.north) / height_m,
+      coarse.width_m / width_m, coarse.height_m / height_m,
+    ];
     const edges = atEdge(source, window), fade = fadeOf(source, window.level);
     this.fade = edges.map((edge, i) => (edge ? 0 : (i % 2 === 0 ? window.columns : window.rows) / fade)) as Four;
     this.edge = edges.map((edge) => (edge ? 1 : 0)) as Four;
@@ -47,15 +52,20 @@ export class DetailGround {
     return t <= 0 ? 0 : t * t * (3 - 2 * t);
   }
 
-  /** Least and greatest heights of a square of the ground, metres east and south of its corner, from the coarse ones. */
+  /** Least and greatest heights of a square of the ground, metres east and south of its corner, from the coarse
+   * ones. */
   bounds(east: number, south: number, side: number, least: number, greatest: number): [number, number] {
     const { coarse: { frame: from }, field } = this, cell = this.cell_m;
-    const u = (from.west + east - field.frame.west) / cell, v = (field.frame.north - from.north + south) / cell, size = side / cell;
+    const u = (from.west + east - field.frame.west) / cell;
+    const v = (field.frame.north - from.north + south) / cell;
+    const size = side / cell;
     if (u > field.columns || v > field.rows || u + size < 0 || v + size < 0) return [least, greatest];
-    const level = Math.min(field.tree.length - 1, Math.max(0, Math.ceil(Math.log2(size / blockCells)))), block = blockCells * 2 ** level;
+    const level = Math.min(field.tree.length - 1, Math.max(0, Math.ceil(Math.log2(size / blockCells))));
+    const block = blockCells * 2 ** level;
     const { columns, rows, low, high } = field.tree[level]!;
     for (let y = Math.max(0, Math.floor(v / block)); y <= Math.min(rows - 1, Math.floor((v + size) / block)); ++y) {
-      for (let x = Math.max(0, Math.floor(u / block)); x <= Math.min(columns - 1, Math.floor((u + size) / block)); ++x) {
+      const east = Math.min(columns - 1, Math.floor((u + size) / block));
+      for (let x = Math.max(0, Math.floor(u / block)); x <= east; ++x) {
         least = Math.min(least, low[y * columns + x]!);
         greatest = Math.max(greatest, high[y * columns + x]!);
       }
@@ -82,7 +92,9 @@ export function heightAt(field: HeightField, detail: DetailGround | null, x: num
 }
 
 /** Where a ray meets the ground, of which a part may be known finely. */
-export function pickGround(field: HeightField, detail: DetailGround | null, ray: Ray, floor = -Infinity): number | null {
+export function pickGround(
+  field: HeightField, detail: DetailGround | null, ray: Ray, floor = -Infinity,
+): number | null {
   const met = pick(field, ray, floor);
   if (detail === null) return met;
   const fine = pick(detail.field, ray, floor);
@@ -96,7 +108,9 @@ function along(ray: Ray, t: number, k: 0 | 1): number {
 }
 
 /** Whether the ground hides a place a little over it from an eye. */
-export function hiddenBehind(field: HeightField, detail: DetailGround | null, place: Ray["to"], eye: Ray["from"]): boolean {
+export function hiddenBehind(
+  field: HeightField, detail: DetailGround | null, place: Ray["to"], eye: Ray["from"],
+): boolean {
   const met = pickGround(field, detail, { from: eye, to: place });
   return met !== null && met < 0.995;
 }

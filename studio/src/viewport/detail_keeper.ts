@@ -1,5 +1,5 @@
-// Fetches the window of finer ground that a view needs: one request at a time, the newest wish wins, and what belongs to
-// another result is dropped.
+// Fetches the window of finer ground that a view needs: one request at a time, the newest wish wins, and what belongs
+// to another result is dropped.
 import type { Api } from "../api/api";
 import { DetailGround } from "./detail_ground";
 import { sameWindow, type Source, type Window } from "./detail_window";
@@ -25,7 +25,10 @@ export class DetailKeeper {
   private wanted: Window | null = null;
   private fetching = false;
 
-  constructor(private readonly api: Api, private readonly view: DetailView, private readonly most: number, private readonly came: () => void) {}
+  constructor(
+    private readonly api: Api, private readonly view: DetailView, private readonly most: number,
+    private readonly came: () => void,
+  ) {}
 
   /** A request is on its way. */
   get busy(): boolean {

@@ -11,7 +11,9 @@ export class DetailTextures {
 
   constructor(renderer: WebGLRenderer, noise: Texture, budget: TextureBudget) {
     // What is seen of a window is never baked coarsely: in a hurry the coarse ground is there.
-    this.textures = new GroundTextures(renderer, noise, { ...budget, quickCells: Infinity, quickColourCells: Infinity }, 1);
+    this.textures = new GroundTextures(
+      renderer, noise, { ...budget, quickCells: Infinity, quickColourCells: Infinity }, 1,
+    );
   }
 
   /** The graphics processor has lost what it held. */

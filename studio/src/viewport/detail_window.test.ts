@@ -1,9 +1,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { cellOf, covers, frameOfWindow, gain, innerRectangle, sourceOf, windowOfMap, windowOfWorld, type Seen, type Source, type Window } from "./detail_window";
+import {
+  cellOf, covers, frameOfWindow, gain, innerRectangle, sourceOf, windowOfMap, windowOfWorld, type Seen, type Source,
+  type Window,
+} from "./detail_window";
 import type { Rectangle } from "./map_camera";
 
-const source: Source = { key: "k", frame: { columns: 8192, rows: 8000, cell_m: 10, west: 0, north: 80000, crs: "" }, level: 2 };
+const source: Source = {
+  key: "k", frame: { columns: 8192, rows: 8000, cell_m: 10, west: 0, north: 80000, crs: "" }, level: 2,
+};
 const most = 1280;
 
 /** What a map of 600 by 500 pixels shows. */
@@ -77,7 +82,9 @@ function before(x: number, y: number, near: number, far: number): Seen[] {
   const result: Seen[] = [];
   for (let row = 0; row < 12; ++row) {
     const distance = near * (far / near) ** (row / 11);
-    for (let column = -3; column <= 3; ++column) result.push({ x: x + 0.1 * column * distance, y: y + distance, pixel_m: 0.0012 * distance });
+    for (let column = -3; column <= 3; ++column) {
+      result.push({ x: x + 0.1 * column * distance, y: y + distance, pixel_m: 0.0012 * distance });
+    }
   }
   return result;
 }

@@ -25,7 +25,8 @@ export interface Window {
 }
 
 export function sameWindow(a: Window, b: Window | null): boolean {
-  return b !== null && a.level === b.level && a.x === b.x && a.y === b.y && a.columns === b.columns && a.rows === b.rows;
+  return b !== null && a.level === b.level && a.x === b.x && a.y === b.y && a.columns === b.columns &&
+    a.rows === b.rows;
 }
 
 /** A place that is looked at, and the size of a pixel there. */
@@ -77,34 +78,43 @@ export function innerRectangle(source: Source, w: Window): Rectangle {
   const [left, top, right, bottom] = atEdge(source, w);
   return {
     west: left ? -Infinity : west + fade, north: top ? Infinity : north - fade,
-    east: right ? Infinity : west + w.columns * cell_m - fade, south: bottom ? -Infinity : north - w.rows * cell_m + fade,
+    east: right ? Infinity : west + w.columns * cell_m - fade,
+    south: bottom ? -Infinity : north - w.rows * cell_m + fade,
   };
 }
 
 export function covers(outer: Rectangle, inner: Rectangle): boolean {
-  return outer.west <= inner.west && outer.east >= inner.east && outer.south <= inner.south && outer.north >= inner.north;
+  return outer.west <= inner.west && outer.east >= inner.east && outer.south <= inner.south &&
+    outer.north >= inner.north;
 }
 
 /** The smallest window that shows a rectangle; null: that lies beside the raster. */
 export function windowAround(source: Source, level: number, r: Rectangle): Window | null {
   const { west, north, cell_m } = frameOfLevel(source.frame, level, 1, 1), fade = fadeOf(source, level);
   const [columns, rows] = sizeAt(source, level);
-  const low = (cells: number, size: number): number => Math.max(0, Math.min(size, lattice * Math.floor((cells - fade) / lattice)));
-  const high = (cells: number, size: number): number => Math.max(0, Math.min(size, lattice * Math.ceil((cells + fade) / lattice)));
+  const within = (cells: number, size: number): number => Math.max(0, Math.min(size, cells));
+  const low = (cells: number, size: number): number => within(lattice * Math.floor((cells - fade) / lattice), size);
+  const high = (cells: number, size: number): number => within(lattice * Math.ceil((cells + fade) / lattice), size);
   const x = low((r.west - west) / cell_m, columns), y = low((north - r.north) / cell_m, rows);
   const across = high((r.east - west) / cell_m, columns) - x, down = high((north - r.south) / cell_m, rows) - y;
   return across < 2 || down < 2 ? null : { level, x, y, columns: across, rows: down };
 }
 
 /** What the map needs at `pixel_m` metres a pixel, of at most `most` x `most` cells; `now`, where that will do. */
-export function windowOfMap(source: Source, view: Rectangle, pixel_m: number, most: number, now: Window | null): Window | null {
+export function windowOfMap(
+  source: Source, view: Rectangle, pixel_m: number, most: number, now: Window | null,
+): Window | null {
   if (source.level === 0 || pixel_m >= cellOf(source, source.level)) return null;
   const wanted = Math.max(0, Math.min(source.level - 1, Math.floor(Math.log2(pixel_m / source.frame.cell_m) + 1e-9)));
   for (let level = wanted; level < source.level; ++level) {
-    if (now !== null && now.level <= level && now.level >= level - 1 && covers(innerRectangle(source, now), view)) return now;
+    if (now !== null && now.level <= level && now.level >= level - 1 && covers(innerRectangle(source, now), view)) {
+      return now;
+    }
     for (const margin of margins) {
       const across = margin * (view.east - view.west), down = margin * (view.north - view.south);
-      const grown = { west: view.west - across, east: view.east + across, south: view.south - down, north: view.north + down };
+      const grown = {
+        west: view.west - across, east: view.east + across, south: view.south - down, north: view.north + down,
+      };
       const window = windowAround(source, level, grown);
       if (window === null) return null;
       if (window.columns * window.rows <= most * most) return window;
@@ -124,7 +134,8 @@ export function gain(source: Source, w: Window, seen: readonly Seen[]): number {
   return sum / Math.max(1, seen.length);
 }
 
-/** What shows most of the ground before an eye more finely, of at most `most` x `most` cells; `now`, where that will do. */
+/** What shows most of the ground before an eye more finely, of at most `most` x `most` cells; `now`, where that will
+ * do. */
 export function windowOfWorld(source: Source, seen: readonly Seen[], most: number, now: Window | null): Window | null {
   const near = seen.filter((s) => s.pixel_m < cellOf(source, source.level) && insideOf(source, s));
   if (source.level === 0 || near.length === 0) return null;

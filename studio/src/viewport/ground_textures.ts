@@ -1,6 +1,6 @@
 // The height field on the graphics side, shared by both views: heights as they are (R32F, sampled by hand), and what is
-// baked of them once, so that frames are cheap and far ground does not shimmer: gradients, natural colours, light. Twice:
-// as finely as the heights are, and coarsely for moving views and results that come in a row.
+// baked of them once, so that frames are cheap and far ground does not shimmer: gradients, natural colours, light.
+// Twice: as finely as the heights are, and coarsely for moving views and results that come in a row.
 import {
   DataTexture, FloatType, LinearMipmapLinearFilter, LinearMipmapNearestFilter, NearestFilter, RedFormat, type Texture,
   type WebGLRenderTarget, type WebGLRenderer,
@@ -66,12 +66,17 @@ export class GroundTextures {
   private readonly lightWithinBake: Bake;
   private readonly litBake: Bake;
 
-  constructor(private readonly renderer: WebGLRenderer, noise: Texture, private readonly budget: TextureBudget, private readonly kept = 3) {
+  constructor(
+    private readonly renderer: WebGLRenderer, noise: Texture, private readonly budget: TextureBudget,
+    private readonly kept = 3,
+  ) {
     this.surfaceBake = new Bake(surfaceShader, {
-      heights: { value: null }, cell_m: { value: 1 }, relief_scale: { value: 1 }, broad: { value: 5 }, result_size: { value: [1, 1] },
+      heights: { value: null }, cell_m: { value: 1 }, relief_scale: { value: 1 }, broad: { value: 5 },
+      result_size: { value: [1, 1] },
     });
     this.albedoBake = new Bake(albedoShader, {
-      surface: { value: null }, noise: { value: noise }, cell_m: { value: 1 }, scale: { value: 1 }, coarse_m: { value: 1 },
+      surface: { value: null }, noise: { value: noise }, cell_m: { value: 1 }, scale: { value: 1 },
+      coarse_m: { value: 1 },
       finer: { value: 0 }, middle: { value: [0, 0] }, tropical: { value: true },
       snow_line: { value: 5000 }, tree_line: { value: 3900 },
     });
@@ -85,7 +90,8 @@ export class GroundTextures {
     const none = { value: null };
     this.litBake = new Bake(overlayShader + litShader, {
       surface: { ...none }, albedo: { ...none }, lights: { ...none }, exaggeration: { value: 1 }, floor_m: { value: 0 },
-      to_sun: { value: [0, 0, 1] }, sun_light: { value: [1, 1, 1] }, sky_light: { value: [1, 1, 1] }, ground_style: { value: 0 },
+      to_sun: { value: [0, 0, 1] }, sun_light: { value: [1, 1, 1] }, sky_light: { value: [1, 1, 1] },
+      ground_style: { value: 0 },
     });
   }
 
@@ -120,7 +126,8 @@ export class GroundTextures {
     return fine !== undefined && fine.surfaceFits && fine.albedoFits && fine.litFits && this.lightFits;
   }
 
-  /** Bakes gradients, coarsely where it must be quick and there are no fine ones: all that the map needs. After upload(). */
+  /** Bakes gradients, coarsely where it must be quick and there are no fine ones: all that the map needs. After
+   * upload(). */
   shape(field: HeightField, quick: boolean, within: DetailGround | null = null): void {
     const set = this.sets[0]!, ground = quick && !(set.fine.surfaceFits && set.fine.albedoFits) ? set.quick : set.fine;
     this.ground = ground;
@@ -147,7 +154,9 @@ export class GroundTextures {
   dispose(): void {
     for (const set of this.sets.splice(0)) disposeSet(set);
     this.light?.dispose();
-    for (const bake of [this.surfaceBake, this.albedoBake, this.lightBake, this.lightWithinBake, this.litBake]) bake.dispose();
+    for (const bake of [this.surfaceBake, this.albedoBake, this.lightBake, this.lightWithinBake, this.litBake]) {
+      bake.dispose();
+    }
   }
 
   private bakeAlbedo(ground: Ground, field: HeightField, within: DetailGround | null): void {
@@ -223,8 +232,13 @@ export class GroundTextures {
     heights.minFilter = heights.magFilter = NearestFilter;
     heights.unpackAlignment = 4;
     const fine = this.groundOf(columns, rows, budget.colourCells);
-    if (most <= Math.min(budget.quickCells, budget.quickColourCells)) return { columns, rows, heights, fine, quick: fine };
-    return { columns, rows, heights, fine, quick: this.groundOf(...sizeWithin(budget.quickCells, columns, rows), budget.quickColourCells) };
+    if (most <= Math.min(budget.quickCells, budget.quickColourCells)) {
+      return { columns, rows, heights, fine, quick: fine };
+    }
+    return {
+      columns, rows, heights, fine,
+      quick: this.groundOf(...sizeWithin(budget.quickCells, columns, rows), budget.quickColourCells),
+    };
   }
 
   private groundOf(columns: number, rows: number, colourCells: number): Ground {

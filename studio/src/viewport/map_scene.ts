@@ -1,5 +1,7 @@
 // The picture of the map: one rectangle that the shader fills.
-import { GLSL3, Mesh, OrthographicCamera, PlaneGeometry, RawShaderMaterial, Scene, Vector3, type IUniform, type WebGLRenderer } from "three";
+import {
+  GLSL3, Mesh, OrthographicCamera, PlaneGeometry, RawShaderMaterial, Scene, Vector3, type IUniform, type WebGLRenderer,
+} from "three";
 import type { DetailGround } from "./detail_ground";
 import type { HeightField } from "./heights";
 import type { MapEye, Size } from "./map_camera";
@@ -30,7 +32,8 @@ export interface MapPicture {
 export class MapScene {
   /** The map may show other ground than the 3D view. */
   readonly ground: Pick<SharedUniforms, "heights" | "surface" | "lit" | "cell_m" | "overlay_place"> = {
-    heights: { value: null }, surface: { value: null }, lit: { value: null }, cell_m: { value: 1 }, overlay_place: { value: [0, 0, 1, 1] },
+    heights: { value: null }, surface: { value: null }, lit: { value: null }, cell_m: { value: 1 },
+    overlay_place: { value: [0, 0, 1, 1] },
   };
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
@@ -62,7 +65,10 @@ export class MapScene {
     (u.paper!.value as Vector3).set(...paper);
     u.water!.value = water;
     // Cells that are larger than pixels are sampled finely.
-    const names = [u.overlay_strength!.value > 0 ? "OVERLAY" : "", pixel_m < 1.5 * (detail?.cell_m ?? frame.cell_m) ? "SMOOTH" : "", detail !== null ? "DETAIL" : ""];
+    const names = [
+      u.overlay_strength!.value > 0 ? "OVERLAY" : "", detail !== null ? "DETAIL" : "",
+      pixel_m < 1.5 * (detail?.cell_m ?? frame.cell_m) ? "SMOOTH" : "",
+    ];
     this.mesh.material = this.variant(names.filter((name) => name !== ""));
     renderer.render(this.scene, this.camera);
   }
@@ -71,9 +77,10 @@ export class MapScene {
     const key = defines.join(" ");
     let made = this.variants.get(key);
     if (made === undefined) {
+      const head = defines.map((name) => `#define ${name}\n`).join("");
       made = new RawShaderMaterial({
         glslVersion: GLSL3, vertexShader: mapVertex, uniforms: this.uniforms, depthTest: false, depthWrite: false,
-        fragmentShader: defines.map((name) => `#define ${name}\n`).join("") + common + detailShader + overlayShader + mapFragment,
+        fragmentShader: head + common + detailShader + overlayShader + mapFragment,
       });
       this.variants.set(key, made);
     }

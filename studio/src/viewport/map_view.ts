@@ -31,7 +31,10 @@ export class MapView {
   private framed = true;
   private readonly contentInk = new ContentInk();
 
-  constructor(element: HTMLElement, software: boolean, private readonly changed: () => void, private readonly scaled: (pixel_m: number) => void) {
+  constructor(
+    element: HTMLElement, software: boolean, private readonly changed: () => void,
+    private readonly scaled: (pixel_m: number) => void,
+  ) {
     this.surface = new ViewSurface(element, "Map of the terrain", software, () => {
       if (this.framed && this.field !== null) this.frame(this.field);
       this.changed();
@@ -79,7 +82,9 @@ export class MapView {
     }
     if (west > east) return null;
     const least = 60 * this.cell_m;
-    const grow = Math.max(0.1 * Math.max(east - west, north - south), 0.5 * (least - Math.max(east - west, north - south)));
+    const grow = Math.max(
+      0.1 * Math.max(east - west, north - south), 0.5 * (least - Math.max(east - west, north - south)),
+    );
     return { west: west - grow, east: east + grow, south: south - grow, north: north + grow };
   }
 
@@ -96,10 +101,15 @@ export class MapView {
     return windowOfMap(source, visible(this.eye, this.surface), pixel_m, most, this.detail?.window ?? null);
   }
 
-  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, size: number, sort: Sort): DetailGround | null {
+  draw(
+    renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, size: number,
+    sort: Sort,
+  ): DetailGround | null {
     const { width, height } = this.surface.pixels;
     const pixels = { width: Math.ceil(width * size), height: Math.ceil(height * size) };
-    const drawn = renderer.drawMap(field, this.detail, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element), sort);
+    const drawn = renderer.drawMap(
+      field, this.detail, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element), sort,
+    );
     renderer.show(this.surface, pixels, sort);
     return drawn;
   }
@@ -126,7 +136,8 @@ export class MapView {
 
   /** Not beyond the ground. */
   private drawContent(ink: CanvasRenderingContext2D, ground: Rectangle, by: Projector): void {
-    const [left, top] = by.project(ground.west, ground.north)!, [right, bottom] = by.project(ground.east, ground.south)!;
+    const [left, top] = by.project(ground.west, ground.north)!;
+    const [right, bottom] = by.project(ground.east, ground.south)!;
     const state = [this.eye, ground.west, ground.north, ground.east, ground.south];
     this.contentInk.draw(ink, this.content, by, state, [left, top, right, bottom]);
   }
@@ -138,7 +149,8 @@ export class MapView {
   private limits(): { least: number; most: number } {
     if (this.field === null) return { least: 1e-3, most: 1e6 };
     const size = Math.max(this.field.width_m, this.field.height_m);
-    return { least: this.cell_m / 40, most: (8 * size) / Math.max(200, Math.min(this.surface.width, this.surface.height)) };
+    const pixels = Math.max(200, Math.min(this.surface.width, this.surface.height));
+    return { least: this.cell_m / 40, most: (8 * size) / pixels };
   }
 
   private set(eye: MapEye): void {
@@ -150,7 +162,8 @@ export class MapView {
 
 /** Colour of the element around the ground, in linear light. */
 function paperOf(element: HTMLElement): [number, number, number] {
-  const parts = /(\d+(?:\.\d+)?)[ ,]+(\d+(?:\.\d+)?)[ ,]+(\d+(?:\.\d+)?)/.exec(getComputedStyle(element).backgroundColor);
+  const colour = getComputedStyle(element).backgroundColor;
+  const parts = /(\d+(?:\.\d+)?)[ ,]+(\d+(?:\.\d+)?)[ ,]+(\d+(?:\.\d+)?)/.exec(colour);
   const linear = (text: string | undefined): number => {
     const c = Number(text ?? 22) / 255;
     return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;

@@ -1,8 +1,9 @@
 // Which patches of ground are drawn, and how finely: a quadtree over the height field (CDLOD: F. Strugar, "Continuous
-// distance-dependent level of detail for rendering heightmaps", 2010). A patch is a grid of patchCells by patchCells; one
-// of level l has a vertex every 2^l cells and morphs into the grid of level l + 1 towards the end of its range, so that
-// neighbours meet. Where a part of the ground is known more finely there are patches of levels below 0, in that part and
-// beside it alike: what is drawn is one surface, and neighbours meet there as everywhere. Blocks that lie wholly under the sea are left out where the sea hides them.
+// distance-dependent level of detail for rendering heightmaps", 2010). A patch is a grid of patchCells by patchCells;
+// one of level l has a vertex every 2^l cells and morphs into the grid of level l + 1 towards the end of its range, so
+// that neighbours meet. Where a part of the ground is known more finely there are patches of levels below 0, in that
+// part and beside it alike: what is drawn is one surface, and neighbours meet there as everywhere. Blocks that lie
+// wholly under the sea are left out where the sea hides them.
 import type { DetailGround } from "./detail_ground";
 import { blockCells, type HeightField } from "./heights";
 
@@ -39,12 +40,16 @@ export interface Patches {
 
 const most = 1024;
 
-export function choosePatches(field: HeightField, view: PatchView, into = new Float32Array(most * patchNumbers)): Patches {
+export function choosePatches(
+  field: HeightField, view: PatchView, into = new Float32Array(most * patchNumbers),
+): Patches {
   // As finely as the budget allows.
   let range = 16, finest = -(view.detail?.levels ?? 0);
   for (;;) {
     const count = choose(field, view, range, finest, into);
-    if (count <= view.budget || (range <= leastRange && finest === 0)) return { count: Math.min(count, most), numbers: into };
+    if (count <= view.budget || (range <= leastRange && finest === 0)) {
+      return { count: Math.min(count, most), numbers: into };
+    }
     if (range <= leastRange) ++finest;
     else range = Math.max(leastRange, range * Math.max(0.6, Math.min(0.95, Math.sqrt(view.budget / count))));
   }
@@ -59,7 +64,10 @@ function choose(field: HeightField, view: PatchView, range: number, finest: numb
   const put = (level: number, x: number, y: number): void => {
     if (count < most) {
       const side = patchCells * 2 ** level, end = rangeOf(level);
-      into.set([x * side, y * side, side, level === top ? 1e12 : morphBegin * end, level === top ? 2e12 : end], count * patchNumbers);
+      into.set(
+        [x * side, y * side, side, level === top ? 1e12 : morphBegin * end, level === top ? 2e12 : end],
+        count * patchNumbers,
+      );
     }
     ++count;
   };

@@ -9,7 +9,10 @@ export class PenStrokes {
   private stroke = false;
 
   /** `ended`: a stroke is drawn, or taken back. `aimed`: the pen is elsewhere, where it may look otherwise. */
-  constructor(private readonly pointer: Signal<GroundPointer | null>, private readonly ended: () => void, private readonly aimed: () => void) {}
+  constructor(
+    private readonly pointer: Signal<GroundPointer | null>, private readonly ended: () => void,
+    private readonly aimed: () => void,
+  ) {}
 
   get pen(): PenTarget | null {
     return this.target;

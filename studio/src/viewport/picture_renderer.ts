@@ -45,7 +45,7 @@ export class PictureRenderer {
     this.canvas = new OffscreenCanvas(4, 4);
     this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     this.canvas.addEventListener("webglcontextrestored", restored);
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: false, alpha: false, preserveDrawingBuffer: false });
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: false, alpha: false });
     const gl = this.renderer.getContext();
     const info = gl.getExtension("WEBGL_debug_renderer_info");
     const name = String(gl.getParameter(info === null ? gl.RENDERER : info.UNMASKED_RENDERER_WEBGL));
@@ -56,8 +56,10 @@ export class PictureRenderer {
     this.noise = noiseTexture(!this.software);
     this.shared = sharedUniforms(this.noise);
     const budget: TextureBudget = this.software
-      ? { lightCells: 288, colourCells: 1024, quickCells: 256, quickColourCells: 160, anisotropy: 1, smoothLevels: false }
-      : { lightCells: 1024, colourCells: 4096, quickCells: 4096, quickColourCells: 4096, anisotropy: 8, smoothLevels: true };
+      ? { lightCells: 288, colourCells: 1024, quickCells: 256, quickColourCells: 160,
+          anisotropy: 1, smoothLevels: false }
+      : { lightCells: 1024, colourCells: 4096, quickCells: 4096, quickColourCells: 4096,
+          anisotropy: 8, smoothLevels: true };
     this.textures = new GroundTextures(this.renderer, this.noise, budget);
     this.mapDetail = new DetailTextures(this.renderer, this.noise, budget);
     this.worldDetail = new DetailTextures(this.renderer, this.noise, budget);
@@ -123,16 +125,22 @@ export class PictureRenderer {
   }
 
   /** The detail that is drawn. */
-  drawWorld(field: HeightField, known: DetailGround | null, options: ViewOptions, overlay: GroundOverlay, eye: Eye, lens: Lens, jitter: readonly [number, number], sort: Sort): DetailGround | null {
+  drawWorld(
+    field: HeightField, known: DetailGround | null, options: ViewOptions, overlay: GroundOverlay, eye: Eye, lens: Lens,
+    jitter: readonly [number, number], sort: Sort,
+  ): DetailGround | null {
     const style = styleNumber(options.ground, overlay);
     this.textures.colour(field, options, style, sort === "quick");
-    const detail = known !== null && this.worldDetail.colour(known, this.textures, options, style, this.hurry(sort)) ? known : null;
+    const ready = known !== null && this.worldDetail.colour(known, this.textures, options, style, this.hurry(sort));
+    const detail = ready ? known : null;
     showDetail(this.shared, detail, this.worldDetail);
     this.begin(lens, sort);
     this.shared.ground_style.value = style;
     // Lines are as far apart as suits the whole terrain, not the changing distance.
     const typical = contourInterval(Math.max(field.width_m, field.height_m) / 900, field.typicalSlope, 18);
-    this.shared.contour_m.value = overlay.overlay === "contours" ? overlay.interval_m : options.ground === "contours" ? typical : 0;
+    this.shared.contour_m.value = overlay.overlay === "contours"
+      ? overlay.interval_m
+      : options.ground === "contours" ? typical : 0;
     this.renderer.clear(false, true, false);
     this.world.patchBudget = !this.software ? 420 : sort === "quick" ? 56 : 160;
     this.world.render(this.renderer, field, detail, options, eye, lens, jitter, sort === "fine" || !this.software);
@@ -140,18 +148,26 @@ export class PictureRenderer {
   }
 
   /** The detail that is drawn. */
-  drawMap(field: HeightField, known: DetailGround | null, options: ViewOptions, overlay: GroundOverlay, eye: MapEye, size: Size, pixels: Size, paper: readonly [number, number, number], sort: Sort): DetailGround | null {
+  drawMap(
+    field: HeightField, known: DetailGround | null, options: ViewOptions, overlay: GroundOverlay, eye: MapEye,
+    size: Size, pixels: Size, paper: readonly [number, number, number], sort: Sort,
+  ): DetailGround | null {
     const detail = known !== null && this.mapDetail.shape(known, this.hurry(sort)) ? known : null;
     this.begin(pixels, sort);
     this.shared.ground_style.value = styleNumber(options.ground, overlay);
-    this.shared.contour_m.value = overlay.overlay === "contours" ? overlay.interval_m : contourInterval(eye.pixel_m, field.typicalSlope);
+    this.shared.contour_m.value = overlay.overlay === "contours"
+      ? overlay.interval_m
+      : contourInterval(eye.pixel_m, field.typicalSlope);
     // What lies wholly in the window is drawn of it alone: that costs no more than the whole ground does.
     const alone = detail !== null && detail.covers(visible(eye, size)), ground = alone ? detail.field : field;
     showTextures(this.map.ground, alone ? this.mapDetail.textures : this.textures, ground);
     this.map.ground.overlay_place.value = this.overlay.placeOn(ground.frame);
     showDetail(this.shared, alone ? null : detail, this.mapDetail);
     const pixel_m = (eye.pixel_m * size.width) / pixels.width;
-    this.map.render(this.renderer, { field: ground, detail: alone ? null : detail, tinted: field, eye, size, pixel_m, water: options.water, paper });
+    this.map.render(
+      this.renderer,
+      { field: ground, detail: alone ? null : detail, tinted: field, eye, size, pixel_m, water: options.water, paper },
+    );
     return detail;
   }
 
@@ -180,7 +196,9 @@ export class PictureRenderer {
     const quick = sort === "quick", most = quick ? this.quickMost : this.stillMost;
     most.width = Math.max(most.width, size.width);
     most.height = Math.max(most.height, size.height);
-    if (this.canvas.width !== most.width || this.canvas.height !== most.height) this.renderer.setSize(most.width, most.height, false);
+    if (this.canvas.width !== most.width || this.canvas.height !== most.height) {
+      this.renderer.setSize(most.width, most.height, false);
+    }
     this.renderer.setViewport(0, 0, size.width, size.height);
     this.renderer.setScissor(0, 0, size.width, size.height);
     this.renderer.setScissorTest(true);

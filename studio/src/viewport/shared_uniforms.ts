@@ -37,12 +37,16 @@ export function sharedUniforms(noise: Texture): SharedUniforms {
     overlay_place: { value: [0, 0, 1, 1] }, overlay_strength: { value: 0 }, overlay_sharp: { value: 0 },
     contour_m: { value: 0 },
     contour_colour: { value: new Vector3(0.02, 0.015, 0.01) },
-    detail_heights: { value: null }, detail_surface: { value: null }, detail_lit: { value: null }, detail_place: { value: [0, 0, 1, 1] },
-    detail_fade: { value: [0, 0, 0, 0] }, detail_edge: { value: [0, 0, 0, 0] }, detail_strength: { value: 0 }, detail_cell_m: { value: 1 },
+    detail_heights: { value: null }, detail_surface: { value: null }, detail_lit: { value: null },
+    detail_place: { value: [0, 0, 1, 1] },
+    detail_fade: { value: [0, 0, 0, 0] }, detail_edge: { value: [0, 0, 0, 0] }, detail_strength: { value: 0 },
+    detail_cell_m: { value: 1 },
   };
 }
 
-export function showTextures(u: Pick<SharedUniforms, "heights" | "surface" | "lit" | "cell_m">, textures: GroundTextures, field: HeightField): void {
+export function showTextures(
+  u: Pick<SharedUniforms, "heights" | "surface" | "lit" | "cell_m">, textures: GroundTextures, field: HeightField,
+): void {
   u.heights.value = textures.heights;
   u.surface.value = textures.surface;
   u.lit.value = textures.lit;

@@ -37,6 +37,11 @@ export class ViewSurface {
     return this.width > 0 && this.height > 0;
   }
 
+  /** CSS pixels. */
+  get area(): number {
+    return this.width * this.height;
+  }
+
   /** The picture that is seen. */
   get canvas(): HTMLCanvasElement {
     return this.shownCanvas;
@@ -44,7 +49,10 @@ export class ViewSurface {
 
   /** Size in device pixels. */
   get pixels(): { width: number; height: number } {
-    return { width: Math.max(1, Math.round(this.width * this.ratio)), height: Math.max(1, Math.round(this.height * this.ratio)) };
+    return {
+      width: Math.max(1, Math.round(this.width * this.ratio)),
+      height: Math.max(1, Math.round(this.height * this.ratio)),
+    };
   }
 
   /** Takes over a rendered picture of a still view from the lower left corner of a canvas. */
@@ -85,7 +93,9 @@ export class ViewSurface {
 
   private bring(canvas: HTMLCanvasElement): void {
     this.shownCanvas = canvas;
-    for (const each of [this.picture.canvas, this.quick.canvas as HTMLCanvasElement]) each.style.visibility = each === canvas ? "" : "hidden";
+    for (const each of [this.picture.canvas, this.quick.canvas as HTMLCanvasElement]) {
+      each.style.visibility = each === canvas ? "" : "hidden";
+    }
     ++this.samples;
   }
 

@@ -1,5 +1,5 @@
-// The two views of a terrain: the map and the 3D view, of one height field and through one renderer. Draws when something
-// has changed, and not at all otherwise.
+// The two views of a terrain: the map and the 3D view, of one height field and through one renderer. Draws when
+// something has changed, and not at all otherwise.
 import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { registerActions } from "../actions/registry";
 import type { ValueEvent } from "../api/types";
@@ -61,7 +61,9 @@ export class Viewport {
   private readonly details: DetailKeeper[];
   private readonly stops: (() => void)[] = [];
   private field: HeightField | null = null;
-  private readonly strokes = new PenStrokes(this.pointer, () => this.restTimer === 0 && this.seekDetail(), () => this.showCursor());
+  private readonly strokes = new PenStrokes(
+    this.pointer, () => this.restTimer === 0 && this.seekDetail(), () => this.showCursor(),
+  );
   private overlay: GroundOverlay = { overlay: "none" };
   private shownOverlay: GroundOverlay = { overlay: "none" };
   private things: Things | null = null;
@@ -98,14 +100,21 @@ export class Viewport {
     this.details = (["map", "world"] as const).map((name) =>
       new DetailKeeper(studio.api, this[name], mostDetailCells(name, software), () => this.detailCame(this[name])));
     const bigger = (): HTMLElement =>
-      this.map.surface.width * this.map.surface.height >= this.world.surface.width * this.world.surface.height ? mapElement : worldElement;
+      this.map.surface.area >= this.world.surface.area ? mapElement : worldElement;
     this.profile = new ProfileBox(bigger, (x, y) => this.heightAt(x, y), (place) => {
       this.profiled = place;
       this.ink();
     });
-    this.followers.push(new Follower(studio, (shown: Shown) => shown.terrain, (raster, value) => this.terrain(raster, value), mostCells(software)));
-    this.followers.push(new Follower(studio, (shown: Shown) => shown.overlay, (raster, value) => this.overlaid(raster, value?.kind ?? "")));
-    this.stops.push(followContent(studio, (content) => this.contentCame(content)), registerActions(viewActions(this)), mountControls(this, worldElement));
+    const terrain = (raster: Raster | null, value: ValueEvent | null): void => this.terrain(raster, value);
+    const overlay = (raster: Raster | null, value: ValueEvent | null): void => this.overlaid(raster, value?.kind ?? "");
+    this.followers.push(
+      new Follower(studio, (shown: Shown) => shown.terrain, terrain, mostCells(software)),
+      new Follower(studio, (shown: Shown) => shown.overlay, overlay),
+    );
+    this.stops.push(
+      followContent(studio, (content) => this.contentCame(content)), registerActions(viewActions(this)),
+      mountControls(this, worldElement),
+    );
     const themes = new MutationObserver(() => {
       this.map.inkStale = true;
       this.dirty(this.map);
@@ -188,14 +197,19 @@ export class Viewport {
 
   /** Resolves once both views show the present state, at rest. */
   async settled(): Promise<void> {
-    while (this.request !== 0 || this.restTimer !== 0 || this.details.some(({ busy }) => busy)) await new Promise((done) => setTimeout(done, 20));
+    while (this.request !== 0 || this.restTimer !== 0 || this.details.some(({ busy }) => busy)) {
+      await new Promise((done) => setTimeout(done, 20));
+    }
   }
 
   dispose(): void {
     cancelAnimationFrame(this.request);
     clearTimeout(this.restTimer);
     for (const stop of this.stops) stop();
-    for (const part of [this.profile, ...this.followers, ...this.details, ...this.gestures, this.map, this.world, this.renderer]) part.dispose();
+    const many = [...this.followers, ...this.details, ...this.gestures];
+    for (const part of [this.profile, ...many, this.map, this.world, this.renderer]) {
+      part.dispose();
+    }
     this.legend?.remove();
   }
 
@@ -212,7 +226,8 @@ export class Viewport {
     if (before === null && this.things !== null) this.renderer.world.setThings(this.things, field);
     if (before === null || !sameRectangle(before, field)) this.begin(field);
     this.profile.update();
-    this.moved(this.map, this.world);  // a quick picture at once, since results may come in a row; a good one when they rest
+    // A quick picture at once, since results may come in a row; a good one when they rest.
+    this.moved(this.map, this.world);
   }
 
   private detailCame(view: View): void {
@@ -237,7 +252,9 @@ export class Viewport {
     this.map.current = kind === "current" ? raster : null;
     this.map.inkStale = true;
     const none = raster === null || (kind !== "labels" && kind !== "field");
-    this.shownOverlay = none ? { overlay: "none" } : { overlay: kind === "labels" ? "labels" : "field", raster: raster! };
+    this.shownOverlay = none
+      ? { overlay: "none" }
+      : { overlay: kind === "labels" ? "labels" : "field", raster: raster! };
     this.applyOverlay();
   }
 
@@ -258,7 +275,8 @@ export class Viewport {
     const overlay = this.activeOverlay;
     if (place === null || overlay.overlay !== "labels") return null;
     const { frame, values } = overlay.raster;
-    const column = Math.floor((place.x - frame.west) / frame.cell_m), row = Math.floor((frame.north - place.y) / frame.cell_m);
+    const column = Math.floor((place.x - frame.west) / frame.cell_m);
+    const row = Math.floor((frame.north - place.y) / frame.cell_m);
     if (column < 0 || row < 0 || column >= frame.columns || row >= frame.rows) return null;
     return labelNames[values[row * frame.columns + column]!] ?? null;
   }
@@ -275,7 +293,9 @@ export class Viewport {
   }
 
   private ink(): void {
-    const shapes: readonly OverlayShape[] = this.profiled === null ? this.shapes : [...this.shapes, { shape: "dot", at: this.profiled, role: "selected" }];
+    const shapes: readonly OverlayShape[] = this.profiled === null
+      ? this.shapes
+      : [...this.shapes, { shape: "dot", at: this.profiled, role: "selected" }];
     this.map.shapes = this.world.shapes = shapes;
     this.map.content = this.world.content = this.contentShapes;
     this.map.inkStale = this.world.inkStale = true;
@@ -389,5 +409,6 @@ export class Viewport {
 
 function sameRectangle(a: HeightField, b: HeightField): boolean {
   const near = (p: number, q: number): boolean => Math.abs(p - q) < 0.02 * Math.max(a.width_m, b.width_m);
-  return near(a.frame.west, b.frame.west) && near(a.frame.north, b.frame.north) && near(a.width_m, b.width_m) && near(a.height_m, b.height_m);
+  return near(a.frame.west, b.frame.west) && near(a.frame.north, b.frame.north) &&
+    near(a.width_m, b.width_m) && near(a.height_m, b.height_m);
 }

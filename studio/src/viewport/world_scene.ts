@@ -1,6 +1,7 @@
 // The 3D picture: patches of ground, the sea's plane around them, and the sky.
 import {
-  GLSL3, DoubleSide, Mesh, PerspectiveCamera, PlaneGeometry, RawShaderMaterial, Scene, Vector3, Matrix4, type BufferGeometry, type IUniform,
+  GLSL3, DoubleSide, Mesh, PerspectiveCamera, PlaneGeometry, RawShaderMaterial, Scene, Vector3, Matrix4,
+  type BufferGeometry, type IUniform,
   type WebGLRenderer,
 } from "three";
 import { heightAt, type DetailGround } from "./detail_ground";
@@ -52,7 +53,8 @@ export class WorldScene {
       exaggeration: { value: 1 }, sea_size: { value: [1, 1] }, half_size: { value: [1, 1] }, in_sea: { value: true },
       to_sun: { value: new Vector3(0, 0, 1) }, sun_light: { value: new Vector3() }, sky_light: { value: new Vector3() },
       sky_scale: { value: 1 }, haze_density: { value: 0 }, haze_far: { value: 1 }, forward: { value: new Vector3() },
-      right: { value: new Vector3() }, upward: { value: new Vector3() }, pixel_angle: { value: 1 }, sun_path: { value: 1 }, wire_colour: { value: [1, 1, 1, 0.22] },
+      right: { value: new Vector3() }, upward: { value: new Vector3() }, pixel_angle: { value: 1 },
+      sun_path: { value: 1 }, wire_colour: { value: [1, 1, 1, 0.22] },
     };
     this.wall = this.material(detailShader + groundVertex, common + skyShader + wallFragment);
     this.ground = this.mesh(this.geometry, [], 0);
@@ -75,10 +77,15 @@ export class WorldScene {
   }
 
   /** Draws into the renderer's current target of the size of the lens. `jitter`: parts of a pixel. */
-  render(renderer: WebGLRenderer, field: HeightField, detail: DetailGround | null, options: ViewOptions, eye: Eye, lens: Lens, jitter: readonly [number, number], fine: boolean): void {
+  render(
+    renderer: WebGLRenderer, field: HeightField, detail: DetailGround | null, options: ViewOptions, eye: Eye,
+    lens: Lens, jitter: readonly [number, number], fine: boolean,
+  ): void {
     const [cx, cy] = field.centre;
     const local: [number, number, number] = [eye.at[0] - cx, eye.at[1] - cy, eye.at[2]];
-    const above = Math.max(1, local[2] - options.exaggeration * Math.max(0, heightAt(field, detail, eye.at[0], eye.at[1]) ?? 0));
+    const above = Math.max(
+      1, local[2] - options.exaggeration * Math.max(0, heightAt(field, detail, eye.at[0], eye.at[1]) ?? 0),
+    );
     this.place(eye, local, lens, field, above, jitter);
     this.light(field, options, lens);
     const origin = [field.frame.west, field.frame.north] as const;
@@ -111,7 +118,10 @@ export class WorldScene {
     for (const material of this.plain) material.dispose();
   }
 
-  private place(eye: Eye, local: [number, number, number], lens: Lens, field: HeightField, above: number, jitter: readonly [number, number]): void {
+  private place(
+    eye: Eye, local: [number, number, number], lens: Lens, field: HeightField, above: number,
+    jitter: readonly [number, number],
+  ): void {
     const camera = this.camera, size = Math.max(field.width_m, field.height_m);
     const { forward, right, up } = axes(eye);
     camera.fov = (lens.fov * 180) / Math.PI;
@@ -121,7 +131,8 @@ export class WorldScene {
     camera.setViewOffset(lens.width, lens.height, jitter[0], jitter[1], lens.width, lens.height);
     camera.updateProjectionMatrix();
     camera.matrixAutoUpdate = false;
-    camera.matrix.copy(new Matrix4().makeBasis(new Vector3(...right), new Vector3(...up), new Vector3(...forward).negate()));
+    const back = new Vector3(...forward).negate();
+    camera.matrix.copy(new Matrix4().makeBasis(new Vector3(...right), new Vector3(...up), back));
     camera.matrix.setPosition(...local);
     camera.matrixWorld.copy(camera.matrix);
     camera.matrixWorldInverse.copy(camera.matrix).invert();
@@ -157,13 +168,18 @@ export class WorldScene {
   }
 
   /** Chooses the shaders that do what this picture needs and no more. */
-  private dress(field: HeightField, detail: DetailGround | null, options: ViewOptions, above: number, fine: boolean): void {
+  private dress(
+    field: HeightField, detail: DetailGround | null, options: ViewOptions, above: number, fine: boolean,
+  ): void {
     const magnified = fine && above * this.uniforms.pixel_angle!.value * 1.6 < (detail?.cell_m ?? field.frame.cell_m);
     const names = [
-      detail !== null ? "DETAIL" : "", fine ? "FINE" : "", magnified ? "SMOOTH" : "", this.uniforms.overlay_strength!.value > 0 ? "OVERLAY" : "",
+      detail !== null ? "DETAIL" : "", fine ? "FINE" : "", magnified ? "SMOOTH" : "",
+      this.uniforms.overlay_strength!.value > 0 ? "OVERLAY" : "",
       this.uniforms.contour_m!.value > 0 ? "CONTOURS" : "",
     ].filter((name) => name !== "");
-    const ground = this.variant(detailShader + groundVertex, options.water && field.min <= 0 ? [...names, "WATER"] : names);
+    const ground = this.variant(
+      detailShader + groundVertex, options.water && field.min <= 0 ? [...names, "WATER"] : names,
+    );
     this.ground.material = cutAround(field, options) ? [ground, this.wall] : [ground];
     this.sea.material = [this.variant(seaVertex, [...names.filter((name) => name !== "CONTOURS"), "PLANE"])];
   }
@@ -184,12 +200,16 @@ export class WorldScene {
   }
 
   private material(vertexShader: string, fragmentShader: string): RawShaderMaterial {
-    const made = new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms: this.uniforms, side: DoubleSide });
+    const made = new RawShaderMaterial({
+      glslVersion: GLSL3, vertexShader, fragmentShader, uniforms: this.uniforms, side: DoubleSide,
+    });
     this.plain.push(made);
     return made;
   }
 
-  private mesh(geometry: PatchGeometry | PlaneGeometry, material: RawShaderMaterial | RawShaderMaterial[], order: number): Mesh {
+  private mesh(
+    geometry: PatchGeometry | PlaneGeometry, material: RawShaderMaterial | RawShaderMaterial[], order: number,
+  ): Mesh {
     const mesh = new Mesh<BufferGeometry, RawShaderMaterial | RawShaderMaterial[]>(geometry, material);
     mesh.frustumCulled = false;
     mesh.renderOrder = order;

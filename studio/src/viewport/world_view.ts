@@ -11,7 +11,9 @@ import type { PictureRenderer, Sort } from "./picture_renderer";
 import { drawShapes } from "./shapes_ink";
 import type { GroundOverlay, OverlayShape } from "./types";
 import { ViewSurface } from "./view_surface";
-import { add, confined, direction, fieldOfView, frame, project, type Box, type Eye, type Lens, type Vector } from "./world_camera";
+import {
+  add, confined, direction, fieldOfView, frame, project, type Box, type Eye, type Lens, type Vector,
+} from "./world_camera";
 import { WorldMover } from "./world_mover";
 
 /** Where the pictures that are averaged look through a pixel. */
@@ -37,7 +39,10 @@ export class WorldView {
   private framed = true;
   private readonly contentInk = new ContentInk();
 
-  constructor(element: HTMLElement, software: boolean, private readonly changed: () => void, private readonly options: () => ViewOptions) {
+  constructor(
+    element: HTMLElement, software: boolean, private readonly changed: () => void,
+    private readonly options: () => ViewOptions,
+  ) {
     this.surface = new ViewSurface(element, "3D view of the terrain", software, () => {
       if (this.framed && this.field !== null) this.frame(this.field);
       this.changed();
@@ -76,7 +81,10 @@ export class WorldView {
   frame(field: HeightField): void {
     const first = this.field === null || this.framed;
     this.field = field;
-    this.eye = frame(this.box(field, this.options().water ? field.dryRectangle : field.rectangle), this.lens(), first ? 0.45 : this.eye.azimuth, first ? this.firstPitch() : Math.min(-0.25, this.eye.pitch));
+    this.eye = frame(
+      this.box(field, this.options().water ? field.dryRectangle : field.rectangle), this.lens(),
+      first ? 0.45 : this.eye.azimuth, first ? this.firstPitch() : Math.min(-0.25, this.eye.pitch),
+    );
     this.framed = true;
     this.inkStale = true;
   }
@@ -90,7 +98,9 @@ export class WorldView {
   frameRectangle(field: HeightField, r: Rectangle): void {
     this.framed = false;
     const whole = this.box(field);
-    const box: Box = { low: [r.west, r.south, whole.low[2]], high: [r.east, r.north, 0.5 * (whole.low[2] + whole.high[2])] };
+    const box: Box = {
+      low: [r.west, r.south, whole.low[2]], high: [r.east, r.north, 0.5 * (whole.low[2] + whole.high[2])],
+    };
     this.eye = this.kept(frame(box, this.lens(), this.eye.azimuth, Math.min(-0.35, this.eye.pitch)));
     this.inkStale = true;
   }
@@ -134,10 +144,15 @@ export class WorldView {
     return windowOfWorld(source, seen, most, this.known?.window ?? null);
   }
 
-  draw(renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, size: number, sort: Sort): DetailGround | null {
+  draw(
+    renderer: PictureRenderer, field: HeightField, options: ViewOptions, overlay: GroundOverlay, size: number,
+    sort: Sort,
+  ): DetailGround | null {
     const { width, height } = this.surface.pixels;
     const lens = { width: Math.ceil(width * size), height: Math.ceil(height * size), fov: fieldOfView };
-    const drawn = renderer.drawWorld(field, this.known, options, overlay, this.eye, lens, jitters[this.surface.samples]!, sort);
+    const drawn = renderer.drawWorld(
+      field, this.known, options, overlay, this.eye, lens, jitters[this.surface.samples]!, sort,
+    );
     renderer.show(this.surface, lens, sort);
     return drawn;
   }
@@ -148,7 +163,8 @@ export class WorldView {
     const ink = this.surface.beginInk(), field = this.field;
     if (field === null || this.shapes.length + this.content.length === 0) return;
     const lens = this.lens(), raise = options.exaggeration;
-    const above = 0.6 * (this.known?.cell_m ?? field.frame.cell_m), seen: Vector = [this.eye.at[0], this.eye.at[1], this.eye.at[2] / raise];
+    const above = 0.6 * (this.known?.cell_m ?? field.frame.cell_m);
+    const seen: Vector = [this.eye.at[0], this.eye.at[1], this.eye.at[2] / raise];
     const height = (x: number, y: number): number => this.surfaceHeight(x, y);
     const by: Projector = {
       project: (x, y) => {
@@ -192,7 +208,8 @@ export class WorldView {
     // Beside the terrain: its sea, or the level of its foot.
     const level = field.inSea ? 0 : raise * field.min;
     const down = (level - this.eye.at[2]) / ray[2];
-    return ray[2] < -1e-3 && down > 0 && down < 8 * Math.max(field.width_m, field.height_m) ? add(this.eye.at, ray, down) : null;
+    const near = down > 0 && down < 8 * Math.max(field.width_m, field.height_m);
+    return ray[2] < -1e-3 && near ? add(this.eye.at, ray, down) : null;
   }
 
   private pixelSize(place: Vector): number {
@@ -205,13 +222,17 @@ export class WorldView {
     const field = this.field;
     if (field === null) return 1000;
     const { at } = this.eye, ground = this.options().exaggeration * this.surfaceHeight(at[0], at[1]);
-    return Math.min(2 * Math.max(field.width_m, field.height_m), Math.max(20 * this.cell_m, 2 * Math.abs(at[2] - ground)));
+    return Math.min(
+      2 * Math.max(field.width_m, field.height_m), Math.max(20 * this.cell_m, 2 * Math.abs(at[2] - ground)),
+    );
   }
 
   private box(field: HeightField, r: Rectangle = field.rectangle): Box {
     const raise = this.options().exaggeration;
     const low = this.options().water ? Math.max(0, field.min) : field.min;
-    return { low: [r.west, r.south, raise * low], high: [r.east, r.north, raise * (low + 0.4 * Math.max(0, field.max - low))] };
+    return {
+      low: [r.west, r.south, raise * low], high: [r.east, r.north, raise * (low + 0.4 * Math.max(0, field.max - low))],
+    };
   }
 
   private kept(eye: Eye): Eye {
