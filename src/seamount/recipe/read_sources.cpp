@@ -214,12 +214,12 @@ void leave_open(Step& step, const ReadPlace& place, const std::string& why, Diag
 void connect_inputs(DraftStep& draft, const std::vector<DraftStep>& drafts, Diagnostics& missing) {
   const Operator* op = draft.step.op;
   if (op == nullptr) return;
-  static const Json kNothing = Json::object();
+  const Json nothing = Json::object();
   const bool whole = draft.in != nullptr && (draft.in->is_string() || draft.in->is_array());
   if (draft.in == nullptr) {
     if (const DraftStep* before = step_before(draft, drafts)) connect_before(draft, *before);
   }
-  const Json& in = draft.in == nullptr || whole ? kNothing : *draft.in;
+  const Json& in = draft.in == nullptr || whole ? nothing : *draft.in;
   const ReadPlace place = draft.place.at("in");
   if (!in.is_object()) return place.expected("an object of inputs, a step, or a list of steps", in);
   const size_t before = place.diagnostics.items().size();

@@ -53,20 +53,19 @@ std::optional<std::string> variable_name(const Json& value) {
 }
 
 VariablesApplied::VariablesApplied(const Json& root, const ReadPlace& top) : root_(root), top_(top) {
-  static const Json kNone = Json::object();
   if (root.is_object() && (root.contains("variables") || begins_with_dollar(root))) {
     filled_ = root;
-    fill_document(root.contains("variables") ? root["variables"] : kNone);
+    if (root.contains("variables")) variables_ = &root["variables"];
+    fill_document();
   }
   defects_before_ = top.diagnostics.items().size();
   notes_before_ = top.diagnostics.notes().size();
 }
 
-void VariablesApplied::fill_document(const Json& variables) {
+void VariablesApplied::fill_document() {
   const ReadPlace place = top_.at("variables");
-  if (!variables.is_object()) return place.expected("an object of variables", variables);
-  variables_ = &variables;
-  for (const std::string& name : names_of(variables)) {
+  if (!variables_->is_object()) return place.expected("an object of variables", *variables_);
+  for (const std::string& name : names_of(*variables_)) {
     if (good_name(name))
       resolve(name);
     else
@@ -88,7 +87,7 @@ void VariablesApplied::fill_document(const Json& variables) {
   for_each_item("outputs", [&](Json& output, const ReadPlace& item) {
     fill_members(output, {"from", "path", "as", "labels", "about"}, item, 2);
   });
-  for (const std::string& name : names_of(variables))
+  for (const std::string& name : names_of(*variables_))
     if (!used_.contains(name)) place.at(pointer_token(name)).note("nothing uses '$" + name + "'");
 }
 

@@ -41,7 +41,7 @@ class VariablesApplied {
     bool failed = false;
   };
 
-  void fill_document(const Json& variables);
+  void fill_document();
   void fill_members(Json& object, const std::vector<std::string>& kept, const ReadPlace& place, int depth);
   bool fill(Json& value, const ReadPlace& place, int depth);
   bool put_in(Json& value, const std::string& name, const ReadPlace& place, int depth);
@@ -51,7 +51,8 @@ class VariablesApplied {
   ReadPlace top_;
   size_t defects_before_ = 0, notes_before_ = 0;
   std::optional<Json> filled_;
-  const Json* variables_ = nullptr;
+  const Json none_ = Json::object();
+  const Json* variables_ = &none_;
   std::map<std::string, Resolved> resolved_;
   std::vector<std::string> open_;  ///< variables that are being resolved, outermost first
   std::set<std::string> used_;
