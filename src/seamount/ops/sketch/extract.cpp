@@ -297,7 +297,8 @@ Sketch extract(const HeightField& terrain, const ExtractParams& params, Seed see
   const Sketcher sketcher{params, ground, coarse, scale, flat_of(params, terrain, coarse, ground.sea_m), seed};
   Sketch sketch{Mask(frame, 0.0F), Mask(frame, 0.0F), ScalarField(frame, 0.0F), Mask(frame, 0.0F), {}, {}, 0.0, 0.0};
   sketch.lines.crs = frame.crs;
-  std::array<Network, 2> networks = sketcher.both(params.rivers || params.cues, params.ridges || params.cues, run.part(0.2, 1.0));
+  std::array<Network, 2> networks =
+      sketcher.both(params.rivers || params.cues, params.ridges || params.cues, run.part(0.2, 1.0));
   auto& [rivers, ridges] = networks;
   if (params.cues) add_cues(rivers.cues, coarse, sketch);
   if (params.rivers) {
