@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "seamount/base/error.h"
+#include "seamount/base/hash.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/geotiff_rows.h"
 #include "seamount/io/private_folder.h"
@@ -82,6 +83,18 @@ std::vector<recipe::OutputReport> write(const World& world, const std::string& o
       run, by_rows);
 }
 
+/// Ranks that see other files, or are of another version, would make tiles of another world.
+void check_same_plan(const recipe::Plan& plan, Ranks& ranks) {
+  Hasher all;
+  for (const recipe::PlannedStep& step : plan.steps)
+    if (step.needed && !step.defect) all.text(step.key.hex());
+  const std::string mine = all.digest().hex();
+  if (ranks.share(mine) != mine)
+    throw Error(
+        "what the recipe makes is not the same for all ranks: do they see the same files, and are they of one version "
+        "of Seamount?");
+}
+
 /// The innermost folder above one, which may not be there yet: on its disk there is room for results.
 fs::path existing_folder_above(const std::string& folder) {
   fs::path above = fs::absolute(folder).lexically_normal().parent_path();
@@ -100,10 +113,14 @@ recipe::ExecuteReport execute(const recipe::Recipe& recipe, const TileOptions& o
   recipe::FileSnapshots files;
   const recipe::Plan plan = recipe::make_plan(
       std::shared_ptr<const recipe::Recipe>(std::shared_ptr<const recipe::Recipe>(), &recipe), sources, files);
+  const std::unique_ptr<Ranks> alone = options.ranks == nullptr ? one_rank() : nullptr;
+  Ranks& ranks = alone ? *alone : *options.ranks;
+  check_same_plan(plan, ranks);
   std::optional<io::PrivateFolder> temporary;
-  if (options.cache_folder.empty()) temporary.emplace(existing_folder_above(options.out_folder));
-  const fs::path folder = temporary ? temporary->path() : fs::path(options.cache_folder) / "tiles";
-  World world(plan, folder.string(), options);
+  if (options.cache_folder.empty() && ranks.first()) temporary.emplace(existing_folder_above(options.out_folder));
+  const fs::path folder = options.cache_folder.empty() ? fs::path(ranks.share(temporary ? temporary->path() : ""))
+                                                       : fs::path(options.cache_folder) / "tiles";
+  World world(plan, folder.string(), options, ranks);
   std::vector<OutputOf> wanted;
   wanted.reserve(sources.size());
   for (const Source& source : sources) wanted.push_back(world.output_of(source));
@@ -113,7 +130,7 @@ recipe::ExecuteReport execute(const recipe::Recipe& recipe, const TileOptions& o
   steps.finish(wanted);
   recipe::ExecuteReport report;
   report.steps = steps.reports();
-  report.outputs = write(world, options.out_folder, second);
+  by_first(ranks, [&] { report.outputs = write(world, options.out_folder, second); });
   world.forget_tiles();
   return report;
 }

@@ -46,7 +46,11 @@ std::span<const uint8_t> raw(const T& value) {
 }  // namespace
 
 StoredRaster::StoredRaster(std::string folder, const recipe::Kind& kind, GridFrame whole, int tile_size)
-    : folder_(std::move(folder)), kind_(&kind), whole_(std::move(whole)), layout_(whole_, tile_size) {}
+    : folder_(std::move(folder)),
+      kind_(&kind),
+      whole_(std::move(whole)),
+      layout_(whole_, tile_size),
+      use_(std::make_unique<FolderUse>(folder_)) {}
 
 std::string StoredRaster::path_of(int tile) const {
   return (fs::path(folder_) / fmt::format("{}_{}.tile", tile / layout_.columns(), tile % layout_.columns())).string();
@@ -130,11 +134,6 @@ void StoredRaster::read_part(int tile, const Rect& rect, std::byte* out, size_t 
           band.data() + static_cast<size_t>(y - row) * tile_row + static_cast<size_t>(rect.column - all.column) * cell,
           static_cast<size_t>(rect.width) * cell);
   }
-}
-
-void StoredRaster::remove() const noexcept {
-  std::error_code gone;
-  fs::remove_all(folder_, gone);
 }
 
 }  // namespace seamount::tiles

@@ -8,8 +8,8 @@
 namespace seamount::tiles {
 namespace {
 
-constexpr TiledWay kWays[] = {{"hydrology.fill", fill_refusal, run_tiled_fill},
-                              {"hydrology.flow", flow_refusal, run_tiled_flow},
+constexpr TiledWay kWays[] = {{"hydrology.fill", fill_refusal, run_tiled_fill, true},
+                              {"hydrology.flow", flow_refusal, run_tiled_flow, true},
                               {"terrain.resample", resample_refusal, run_tiled_resample}};
 
 }  // namespace
