@@ -76,17 +76,21 @@ void StoredRaster::write(int tile, const recipe::Value& cells) const {
   const Header header = header_of(layout_, tile, cell_bytes(*kind_));
   const auto row_bytes = static_cast<size_t>(header.width) * static_cast<size_t>(header.cell_bytes);
   const auto* data = static_cast<const uint8_t*>(cells_of(cells));
-  io::write_atomically(path_of(tile), [&](const std::string& temporary) {
-    io::FileWriter file(temporary, path_of(tile));
-    file.write(raw(header));
-    for (int row = 0; row < header.height; row += kBandRows) {
-      const std::span<const uint8_t> band{data + static_cast<size_t>(row) * row_bytes,
-                                          static_cast<size_t>(std::min(kBandRows, header.height - row)) * row_bytes};
-      file.write(band);
-      file.write(raw(hash_bytes(std::as_bytes(band))));
-    }
-    file.close();
-  });
+  io::write_atomically(
+      path_of(tile),
+      [&](const std::string& temporary) {
+        io::FileWriter file(temporary, path_of(tile));
+        file.write(raw(header));
+        for (int row = 0; row < header.height; row += kBandRows) {
+          const std::span<const uint8_t> band{
+              data + static_cast<size_t>(row) * row_bytes,
+              static_cast<size_t>(std::min(kBandRows, header.height - row)) * row_bytes};
+          file.write(band);
+          file.write(raw(hash_bytes(std::as_bytes(band))));
+        }
+        file.close();
+      },
+      io::Durable::later);
 }
 
 recipe::Value StoredRaster::read(const Rect& rect) const {
