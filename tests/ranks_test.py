@@ -17,8 +17,8 @@ RECIPE = """{ "seamount": 1, "seed": 5, "domain": { "width_m": %d, "height_m": %
     { "id": "land", "op": "terrain.noise", "params": { "wavelength_m": 6000, "base_m": -300 } },
     { "id": "steep", "op": "terrain.mask", "params": { "criteria": [{ "tool": "slope", "low_deg": 20, "scale_m": 90 }] } },
     { "id": "worn", "op": "terrain.smooth", "in": { "terrain": "land", "mask": "steep" }, "params": { "radius_m": 60 } },
-    { "id": "filled", "op": "hydrology.fill" },
-    { "id": "flow", "op": "hydrology.flow" } ],
+    { "id": "filled", "op": "hydrology.fill", "params": { "min_sea_m2": 1e6 } },
+    { "id": "flow", "op": "hydrology.flow", "params": { "min_sea_m2": 1e6 } } ],
   "outputs": [
     { "from": "worn.terrain", "path": "height.tif" },
     { "from": "filled.terrain", "path": "filled.tif" },
@@ -35,7 +35,9 @@ class World:
         self.memory = str(20 * self.cells * self.cells / 1e9)
 
     def command(self, ranks, tile, out):
-        run = [self.options.seamount, "run", "world.json", "--tiles", str(tile), "--memory", self.memory, "--out", out]
+        run = [self.options.seamount, "run", "world.json", "--tiles", str(tile), "--out", out]
+        if tile < self.cells:
+            run += ["--memory", self.memory]
         if ranks == 1:
             return run
         return ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks), *run]
@@ -135,8 +137,9 @@ def check_errors(world):
 
     says(["world.json"], "seamount: --tiles: is needed where several ranks run one recipe")
     says(["nothing.json", "--tiles", "512"], "seamount: nothing.json: no such file")
-    (world.folder / "wrong.json").write_text(RECIPE.replace('"tool": "slope"', '"tool": "region"') % (30000, 30000))
-    says(["wrong.json", "--tiles", "512", "--no-cache"], "tile ")
+    region = RECIPE.replace('"tool": "slope", "low_deg": 20, "scale_m": 90', '"tool": "region"')
+    (world.folder / "wrong.json").write_text(region % (30000, 30000))
+    says(["wrong.json", "--tiles", "512", "--no-cache"], "of row 1 (columns ")
 
 
 def main():
@@ -146,6 +149,7 @@ def main():
     parser.add_argument("--tiles", type=int, nargs=2, default=[512, 1000])
     parser.add_argument("--kills", type=int, default=3)
     options = parser.parse_args()
+    options.seamount = str(pathlib.Path(options.seamount).resolve())
     if not shutil.which("mpirun") or not (pathlib.Path(options.seamount).parent / "seamount_ranks.so").exists():
         print("skipped: no mpirun here, or built without MPI")
         return SKIPPED
