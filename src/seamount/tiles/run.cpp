@@ -12,6 +12,7 @@
 #include "seamount/io/private_folder.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/output_files.h"
+#include "seamount/tiles/spread_outputs.h"
 #include "seamount/tiles/steps_run.h"
 #include "seamount/tiles/windows.h"
 
@@ -63,12 +64,14 @@ class Wholes {
   std::map<Source, recipe::Value> values_;
 };
 
-std::vector<recipe::OutputReport> write(const World& world, const std::string& out_folder, const RunContext& run) {
+std::vector<recipe::OutputReport> write(const World& world, const std::string& out_folder, const SpreadOutputs* written,
+                                        const RunContext& run) {
   Wholes wholes(world);
   std::mutex one_at_a_time;  // a writer of rows holds some
   const recipe::RowsWriter by_rows = [&](const Output& output, const std::string& path, const io::Provenance& made,
                                          const RunContext& own) {
     if (!goes_by_rows(world, output)) return false;
+    if (written != nullptr) return written->move_to(output, path);
     const std::lock_guard lock(one_at_a_time);
     write_rows(world, output, path, made, own);
     return true;
@@ -102,6 +105,21 @@ fs::path existing_folder_above(const std::string& folder) {
   return above;
 }
 
+/// The rasters among the outputs, where there are ranks to share them.
+std::optional<SpreadOutputs> written_side_by_side(const World& world, const std::string& out_folder,
+                                                  const RunContext& run) {
+  if (world.ranks().size() == 1) return std::nullopt;
+  std::vector<const Output*> rasters;
+  for (const Output& output : world.recipe().outputs)
+    if (goes_by_rows(world, output)) rasters.push_back(&output);
+  const io::Provenance made = recipe::provenance_of(world.recipe());
+  const auto write = [&](const Output& output, const std::string& path, const RunContext& own) {
+    write_rows(world, output, path, made, own);
+  };
+  return std::optional<SpreadOutputs>(std::in_place, world.ranks(), existing_folder_above(out_folder).string(),
+                                      out_folder, rasters, write, run);
+}
+
 }  // namespace
 
 recipe::ExecuteReport execute(const recipe::Recipe& recipe, const TileOptions& options, const RunContext& run) {
@@ -130,7 +148,8 @@ recipe::ExecuteReport execute(const recipe::Recipe& recipe, const TileOptions& o
   steps.finish(wanted);
   recipe::ExecuteReport report;
   report.steps = steps.reports();
-  by_first(ranks, [&] { report.outputs = write(world, options.out_folder, second); });
+  const auto written = written_side_by_side(world, options.out_folder, second);
+  by_first(ranks, [&] { report.outputs = write(world, options.out_folder, written ? &*written : nullptr, second); });
   world.forget_tiles();
   return report;
 }
