@@ -11,26 +11,26 @@ namespace {
 
 constexpr auto kLook = std::chrono::milliseconds(100);  ///< how often who waits looks for the user's wish to stop
 constexpr auto kPatience = std::chrono::seconds(30);    ///< with ranks that are still at work after a failure
+enum class What : char { take, taken, end, gather, share, failed, stop, done };
 constexpr int64_t kNoMore = std::numeric_limits<int64_t>::max() / 2;
 
 }  // namespace
 
 /// What it is, a number (of a counter, a gathering, a sharing; a failure's kind), another, and a text.
 struct MessageRanks::Message {
-  enum What : char { take, taken, end, gather, share, failed, stop, done };
-  What what = done;
+  What what = What::done;
   int64_t number = 0, second = 0;
   std::string text = {};
 
   std::string bytes() const {
-    std::string all(1, what);
+    std::string all(1, static_cast<char>(what));
     all.append(reinterpret_cast<const char*>(&number), sizeof number);
     all.append(reinterpret_cast<const char*>(&second), sizeof second);
     return all + text;
   }
   static Message of(const std::string& bytes) {
     constexpr size_t kHead = 1 + 2 * sizeof(int64_t);
-    if (bytes.size() < kHead) return {stop, 0, 0, "a message between ranks was damaged"};
+    if (bytes.size() < kHead) return {What::stop, 0, 0, "a message between ranks was damaged"};
     Message made{static_cast<What>(bytes[0])};
     std::memcpy(&made.number, bytes.data() + 1, sizeof made.number);
     std::memcpy(&made.second, bytes.data() + 1 + sizeof made.number, sizeof made.second);
@@ -72,26 +72,26 @@ int64_t MessageRanks::next(int64_t counter) {
 void MessageRanks::arrived(int from, const Message& message) {
   std::unique_lock lock(mutex_);
   switch (message.what) {
-    case Message::take:
-      link_->send(from, Message{Message::taken, message.second, next(message.number)}.bytes());
+    case What::take:
+      link_->send(from, Message{What::taken, message.second, next(message.number)}.bytes());
       break;
-    case Message::taken:
+    case What::taken:
       taken_[message.number] = message.second;
       break;
-    case Message::end:
+    case What::end:
       counters_[message.number] = kNoMore;
       break;
-    case Message::gather:
+    case What::gather:
       gathered_[message.number][from] = message.text;
       break;
-    case Message::share:
+    case What::share:
       shared_[message.number] = message.text;
       break;
-    case Message::done:
+    case What::done:
       ++ended_;
       break;
-    case Message::failed:
-    case Message::stop: {
+    case What::failed:
+    case What::stop: {
       const size_t end = message.text.find('\n');
       const RankFailure failure{static_cast<int>(message.second), message.text.substr(0, end),
                                 static_cast<int>(message.number),
@@ -113,7 +113,7 @@ void MessageRanks::stop(const RankFailure& failure) {
     if (rank() == 0) {
       for (int other = 1; other < size(); ++other)
         link_->send(other,
-                    Message{Message::stop, failure.kind, failure.rank, failure.machine + "\n" + failure.text}.bytes());
+                    Message{What::stop, failure.kind, failure.rank, failure.machine + "\n" + failure.text}.bytes());
     }
   }
   changed_.notify_all();
@@ -132,7 +132,7 @@ int64_t MessageRanks::take(int64_t counter) {
   if (failure_) throw Cancelled();
   if (rank() == 0) return next(counter);
   const int64_t question = questions_++;
-  link_->send(0, Message{Message::take, counter, question}.bytes());
+  link_->send(0, Message{What::take, counter, question}.bytes());
   wait(lock, [&] { return taken_.contains(question); });
   return taken_.extract(question).mapped();
 }
@@ -142,14 +142,14 @@ void MessageRanks::end(int64_t counter) {
   if (rank() == 0)
     counters_[counter] = kNoMore;
   else
-    link_->send(0, Message{Message::end, counter}.bytes());
+    link_->send(0, Message{What::end, counter}.bytes());
 }
 
 std::vector<std::string> MessageRanks::gather(std::string mine) {
   std::unique_lock lock(mutex_);
   const int64_t number = gatherings_++;
   if (rank() != 0) {
-    link_->send(0, Message{Message::gather, number, 0, std::move(mine)}.bytes());
+    link_->send(0, Message{What::gather, number, 0, std::move(mine)}.bytes());
     return {};
   }
   auto& all = gathered_[number];
@@ -166,8 +166,7 @@ std::string MessageRanks::share(std::string of_first) {
   const int64_t number = sharings_++;
   if (rank() == 0) {
     if (failure_) throw Cancelled();
-    for (int other = 1; other < size(); ++other)
-      link_->send(other, Message{Message::share, number, 0, of_first}.bytes());
+    for (int other = 1; other < size(); ++other) link_->send(other, Message{What::share, number, 0, of_first}.bytes());
     return of_first;
   }
   wait(lock, [&] { return shared_.contains(number); });
@@ -177,7 +176,7 @@ std::string MessageRanks::share(std::string of_first) {
 void MessageRanks::fail(int kind, const std::string& text) {
   if (failure()) return;
   const RankFailure mine{rank(), link_->machine(), kind, text};
-  if (rank() != 0) link_->send(0, Message{Message::failed, kind, rank(), mine.machine + "\n" + text}.bytes());
+  if (rank() != 0) link_->send(0, Message{What::failed, kind, rank(), mine.machine + "\n" + text}.bytes());
   stop(mine);
 }
 
@@ -199,7 +198,7 @@ void MessageRanks::close() noexcept {
   if (closed_) return;
   closed_ = true;
   try {
-    const std::string done = Message{Message::done}.bytes();
+    const std::string done = Message{What::done}.bytes();
     if (rank() != 0) link_->send(0, done);
     if (!wait_for_the_end()) link_->abandon();
     for (int other = 1; rank() == 0 && other < size(); ++other) link_->send(other, done);
