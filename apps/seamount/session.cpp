@@ -11,6 +11,7 @@
 #include "app.h"
 #include "seamount/base/printable.h"
 #include "seamount/tiles/run.h"
+#include "seamount/tiles/spread.h"
 
 namespace seamount::app {
 namespace {
@@ -161,7 +162,9 @@ void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder,
   const bool quiet = ranks != nullptr && !ranks->first();
   recipe::ExecuteReport report;
   {
-    const Session session(flags, quiet);
+    RunFlags own = flags;
+    if (ranks != nullptr && own.threads == 0) own.threads = tiles::threads_of(*ranks);
+    const Session session(own, quiet);
     report = flags.tiles > 0 ? tiles::execute(recipe, tiled, session.run())
                              : recipe::execute(recipe, options, session.run());
   }

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <utility>
 
+#include "seamount/base/machine.h"
 #include "seamount/base/parallel.h"
 
 namespace seamount::tiles {
@@ -47,6 +48,10 @@ class LowestFailure {
 };
 
 }  // namespace
+
+int threads_of(const Ranks& ranks) {
+  return std::clamp(machine_processors() / ranks.on_this_machine(), 1, thread_count({}));
+}
 
 int at_once(double bytes, double memory_bytes, const RunContext& run) {
   const double fit = bytes > 0 ? memory_bytes / bytes : 1.0;

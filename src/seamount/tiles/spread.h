@@ -8,6 +8,9 @@
 
 namespace seamount::tiles {
 
+/// Threads of a rank where the user says nothing: the ranks of a machine share its processors.
+int threads_of(const Ranks& ranks);
+
 /// How many pieces of work of so many bytes one process does at once: as many as it has threads, fewer if they do not
 /// fit into `memory_bytes`, one at least.
 int at_once(double bytes, double memory_bytes, const RunContext& run);
