@@ -15,7 +15,8 @@ constexpr int32_t kNobody = -1;
 bool within(int x, int y, int width, int height) { return x >= 0 && y >= 0 && x < width && y < height; }
 
 /// What is known of the basins of a piece: those that end outside or at a cell of the rim, which has a label, and those
-/// of pits, which get the label of the first such basin that their water meets as it rises, and the level where it does.
+/// of pits, which get the label of the first such basin that their water meets as it rises, and the level where it
+/// does.
 struct Overflow {
   std::vector<int32_t> label;  ///< 0: outside; rim number + 1; kNobody: not yet
   std::vector<float> level;
