@@ -43,6 +43,7 @@ void kinds::Terrain::add_formats(Registry& registry) {
   add_tiles_format(registry);
   add_gazebo_format(registry);
   add_mesh_format(registry);
+  add_mesh_tiles_format(registry);
   add_splat_format(registry);
   add_bundle_format(registry);
   add_picture_formats(registry);
