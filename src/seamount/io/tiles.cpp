@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "seamount/base/error.h"
+#include "seamount/base/parallel.h"
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/engine_tiles.h"
@@ -273,15 +274,10 @@ std::vector<Tile> write_tiles(const WindowedRaster& raster, const std::string& p
             .padded = pads(options, path)};
   settle_range(plan, extremes, run.part(0.0, 0.2));
   std::vector<Tile> tiles;
-  const RunContext writing = run.part(0.2, 1.0);
-  for (int y = 0; y < plan.down.count(); ++y) {
-    for (int x = 0; x < plan.across.count(); ++x) {
-      run.check_cancelled();
-      tiles.push_back(plan.tile(x, y));
-      write_one(plan, tiles.back());
-      writing.report(static_cast<double>(tiles.size()) / (1.0 * plan.across.count() * plan.down.count()));
-    }
-  }
+  for (int y = 0; y < plan.down.count(); ++y)
+    for (int x = 0; x < plan.across.count(); ++x) tiles.push_back(plan.tile(x, y));
+  parallel_blocks(run.part(0.2, 1.0), static_cast<int64_t>(tiles.size()), 1,
+                  [&](int64_t tile, int64_t) { write_one(plan, tiles[static_cast<size_t>(tile)]); });
   write_manifest(plan, tiles);
   tell(plan, run);
   return tiles;

@@ -31,7 +31,7 @@ struct RasterExtremes {
 /// A raster that need not be in memory as a whole.
 struct WindowedRaster {
   GridFrame frame;
-  /// `width` x `height` of its cells from (column, row) on.
+  /// `width` x `height` of its cells from (column, row) on. May be called by many threads at once.
   std::function<Grid<float>(int column, int row, int width, int height)> window;
   bool heights = true;  ///< metres above sea level; else any other scalar
 };
@@ -70,7 +70,7 @@ std::string tiles_pattern(const std::string& path, std::optional<Engine> engine)
 /// tile its file and which samples it holds, and what to type into the engine. Says the extent, and what was padded.
 /// `extremes`: of the raster, if they are known already. Throws InvalidArgument{"tile_size"} for a tile_size below 2 or
 /// that the engine does not read, {"last_tiles"}, {"path"}, {"heights"} for unknown cells that a format cannot hold,
-/// {"field"} for one that is no mask. Memory: a tile.
+/// {"field"} for one that is no mask. Parallel. Memory: a tile for each thread.
 std::vector<Tile> write_tiles(const WindowedRaster& raster, const std::string& path, const TileOptions& options = {},
                               const WriteOptions& write = {}, const RunContext& run = {},
                               const std::optional<RasterExtremes>& extremes = {});
