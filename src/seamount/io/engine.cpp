@@ -64,17 +64,6 @@ void check_size(const HeightField& heights, Engine engine) {
                                     " reads; allowed are squares of: " + list);
 }
 
-void check_extension(const std::string& path, Engine engine) {
-  static const std::vector<std::vector<std::string>> kExtensions = {
-      {".r16", ".raw", ".png"}, {".raw", ".r16"}, {".exr", ".r16"}, {".exr"}};
-  const auto& known = kExtensions[static_cast<size_t>(engine)];
-  const std::string extension = extension_of(path);
-  if (std::find(known.begin(), known.end(), extension) == known.end())
-    throw InvalidArgument("path", "'" + extension + "' is not a format that " +
-                                      std::string(Choices<Engine>::names[static_cast<size_t>(engine)]) + " reads" +
-                                      suggestion(extension, known));
-}
-
 void check_range(HeightRange heights, HeightRange range) {
   if (!std::isfinite(range.low_m) || !std::isfinite(range.high_m) || !(range.high_m > range.low_m))
     throw InvalidArgument("range", "low_m must be below high_m");
@@ -138,36 +127,65 @@ const std::vector<int>& engine_sizes(Engine engine) {
   return engine == Engine::unreal ? kUnreal : engine == Engine::unity ? kUnity : kAny;
 }
 
-void write_for_engine(const HeightField& heights, Engine engine, const std::string& path,
-                      const EngineOptions& options) {
-  check_extension(path, engine);
-  const HeightRange extremes = finite_range(heights);
-  check_size(heights, engine);
+void check_engine_path(const std::string& path, Engine engine, bool heights) {
+  static const std::vector<std::vector<std::string>> kExtensions = {
+      {".r16", ".raw", ".png"}, {".raw", ".r16"}, {".exr", ".r16"}, {".exr"}};
+  const auto& known = kExtensions[static_cast<size_t>(engine)];
+  const std::string extension = extension_of(path);
+  if (!heights) {
+    if (extension != ".png")
+      throw InvalidArgument("path", "masks go to engines as .png of 8 bits, not as '" + extension + "'");
+    return;
+  }
+  if (std::find(known.begin(), known.end(), extension) == known.end())
+    throw InvalidArgument("path", "'" + extension + "' is not a format that " +
+                                      std::string(Choices<Engine>::names[static_cast<size_t>(engine)]) + " reads" +
+                                      suggestion(extension, known));
+}
+
+Sidecar engine_sidecar(const GridFrame& frame, HeightRange extremes, Engine engine, const std::string& path,
+                       const EngineOptions& options) {
+  check_engine_path(path, engine);
   Sidecar sidecar;
-  sidecar.frame = heights.frame();
+  sidecar.frame = frame;
   sidecar.min_m = extremes.low_m;
   sidecar.max_m = extremes.high_m;
   sidecar.target = Choices<Engine>::names[static_cast<size_t>(engine)];
   sidecar.provenance = options.provenance;
   if (extension_of(path) == ".exr") {
-    sidecar.import = metric_numbers(engine, heights.frame(), sidecar);
+    sidecar.import = metric_numbers(engine, frame, sidecar);
+    return sidecar;
+  }
+  if (options.range) check_range(extremes, *options.range);
+  const UnrealScale scale = unreal_scale(extremes, options);
+  sidecar.range = engine == Engine::unreal ? scale.range() : plain_range(extremes, options);
+  check_range(extremes, *sidecar.range);
+  sidecar.import = engine == Engine::unreal  ? unreal_numbers(frame, scale)
+                   : engine == Engine::unity ? unity_numbers(frame, *sidecar.range)
+                                             : metric_numbers(engine, frame, sidecar);
+  sidecar.south_first = engine == Engine::unity;
+  return sidecar;
+}
+
+void write_engine_samples(const HeightField& heights, Engine engine, const Sidecar& sidecar, const std::string& path) {
+  if (!sidecar.range) {
     const char* channel = engine == Engine::godot ? "R" : "Y";
     write_atomically(path, [&](const std::string& temporary) { encode_exr(heights, temporary, path, channel); });
   } else {
-    if (options.range) check_range(extremes, *options.range);
-    const UnrealScale scale = unreal_scale(extremes, options);
-    sidecar.range = engine == Engine::unreal ? scale.range() : plain_range(extremes, options);
-    check_range(extremes, *sidecar.range);
-    sidecar.import = engine == Engine::unreal  ? unreal_numbers(heights.frame(), scale)
-                     : engine == Engine::unity ? unity_numbers(heights.frame(), *sidecar.range)
-                                               : metric_numbers(engine, heights.frame(), sidecar);
-    sidecar.south_first = engine == Engine::unity;
     Grid<uint16_t> codes = to_codes(heights, *sidecar.range);
     for (int y = 0; sidecar.south_first && y < codes.height() / 2; ++y)
       std::swap_ranges(codes.row(y).begin(), codes.row(y).end(), codes.row(codes.height() - 1 - y).begin());
     write_codes(codes, path);
   }
   write_sidecar(sidecar, path);
+}
+
+void write_for_engine(const HeightField& heights, Engine engine, const std::string& path,
+                      const EngineOptions& options) {
+  check_engine_path(path, engine);
+  const HeightRange extremes = finite_range(heights);
+  check_size(heights, engine);
+  write_engine_samples(heights, engine, engine_sidecar(heights.frame(), extremes, engine, path, options), path);
 }
 
 }  // namespace seamount::io

@@ -40,6 +40,18 @@ const std::vector<int>& engine_sizes(Engine engine);
 void write_for_engine(const HeightField& heights, Engine engine, const std::string& path,
                       const EngineOptions& options = {});
 
+/// Throws InvalidArgument{"path"} for an extension that the engine does not read, of heights or of a mask (.png).
+void check_engine_path(const std::string& path, Engine engine, bool heights = true);
+
+/// What write_for_engine() says beside samples of such a frame and such heights: the range of codes, the row order and
+/// the numbers to type in. Throws as it does, but for sizes.
+Sidecar engine_sidecar(const GridFrame& frame, HeightRange extremes, Engine engine, const std::string& path,
+                       const EngineOptions& options);
+
+/// The second half of it: the raster as the side-car says, and the side-car. REQUIRES: engine_sidecar() made it for
+/// heights that hold these. Throws WriteError.
+void write_engine_samples(const HeightField& heights, Engine engine, const Sidecar& sidecar, const std::string& path);
+
 }  // namespace seamount::io
 
 template <>

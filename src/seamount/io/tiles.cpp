@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "seamount/base/error.h"
+#include "seamount/base/parallel.h"
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
+#include "seamount/io/engine_tiles.h"
 #include "seamount/io/raster_files.h"
 
 namespace seamount::io {
@@ -31,22 +34,34 @@ struct Cuts {
 std::string stem_of(const std::string& path) { return path.substr(0, path.size() - extension_of(path).size()); }
 
 bool pads(const TileOptions& options, const std::string& path) {
+  if (options.engine) return true;
   if (options.last_tiles != LastTiles::by_format) return options.last_tiles == LastTiles::padded;
   const std::string extension = extension_of(path);
   return extension != ".tif" && extension != ".tiff" && extension != ".asc";
 }
 
-/// The tile's samples; beyond the terrain its edge is repeated.
-HeightField cut(const HeightField& heights, const Tile& tile, int width, int height) {
-  GridFrame frame = heights.frame();
+bool is_integer(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".png" || extension == ".r16" || extension == ".raw";
+}
+
+/// The frame of a tile of so many samples.
+GridFrame tile_frame(const GridFrame& whole, const Tile& tile, int width, int height) {
+  GridFrame frame = whole;
+  frame.cut = {};
   frame.width = width;
   frame.height = height;
   frame.west_m += tile.column * frame.cell_m;
   frame.north_m -= tile.row * frame.cell_m;
-  HeightField cells(frame);
+  return frame;
+}
+
+/// The tile's samples; beyond the terrain its edge is repeated.
+Grid<float> cut(const WindowedRaster& raster, const Tile& tile, int width, int height) {
+  const Grid<float> ground = raster.window(tile.column, tile.row, tile.width, tile.height);
+  Grid<float> cells(tile_frame(raster.frame, tile, width, height));
   for (int y = 0; y < height; ++y) {
-    const auto from = heights.row(tile.row + std::min(y, tile.height - 1))
-                          .subspan(static_cast<size_t>(tile.column), static_cast<size_t>(tile.width));
+    const auto from = ground.row(std::min(y, tile.height - 1));
     const auto end = std::copy(from.begin(), from.end(), cells.row(y).begin());
     std::fill(end, cells.row(y).end(), from.back());
   }
@@ -55,34 +70,60 @@ HeightField cut(const HeightField& heights, const Tile& tile, int width, int hei
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-void write_manifest(const HeightField& heights, const std::string& path, const TileOptions& options, bool padded,
-                    const std::vector<Tile>& tiles, const WriteOptions& write) {
-  const GridFrame& frame = heights.frame();
+/// One call of write_tiles(), as far as it is the same for all tiles.
+struct Plan {
+  const WindowedRaster& raster;
+  std::string path;
+  TileOptions options;
+  WriteOptions write;
+  Cuts across, down;
+  bool padded = false;
+  std::optional<Sidecar> engine_numbers = {};  ///< of heights for an engine
+
+  Tile tile(int x, int y) const {
+    return {x,
+            y,
+            stem_of(path) + tile_suffix(options.engine, x, y, down.count()) + extension_of(path),
+            across.begin(x),
+            down.begin(y),
+            across.length(x),
+            down.length(y)};
+  }
+  std::optional<HeightRange> range() const { return engine_numbers ? engine_numbers->range : write.range; }
+};
+
+Json manifest_of_tile(const Plan& plan, const Tile& tile) {
+  Json json = {{"file", file_name(tile.path)}, {"x", tile.x},     {"y", tile.y},
+               {"column", tile.column},        {"row", tile.row}, {"width", tile.width},
+               {"height", tile.height}};
+  if (!plan.options.engine) return json;
+  for (const auto& [name, value] : tile_place(tile, plan.across.count(), plan.down.count(), plan.raster.frame,
+                                              plan.options, plan.range().value_or(HeightRange{})))
+    json["place"][name] = value;
+  return json;
+}
+
+void write_manifest(const Plan& plan, const std::vector<Tile>& tiles) {
+  const GridFrame& frame = plan.raster.frame;
   Json json = {{"seamount", "tiles"},      {"width", frame.width},      {"height", frame.height},
                {"cell_m", frame.cell_m},   {"west_m", frame.west_m},    {"north_m", frame.north_m},
                {"east_m", frame.east_m()}, {"south_m", frame.south_m()}};
   if (!frame.crs.empty()) json["crs"] = frame.crs;
-  json["tile_size"] = options.tile_size;
-  json["last_tiles"] = padded ? "padded" : "smaller";
-  json["share_border"] = options.share_border;
-  json["columns"] = tiles.back().x + 1;
-  json["rows"] = tiles.back().y + 1;
-  const std::string extension = extension_of(path);
-  if (write.range && (extension == ".png" || extension == ".r16" || extension == ".raw")) {
-    json["low_m"] = write.range->low_m;
-    json["high_m"] = write.range->high_m;
+  json["tile_size"] = plan.options.tile_size;
+  json["last_tiles"] = plan.padded ? "padded" : "smaller";
+  json["share_border"] = plan.options.share_border;
+  json["columns"] = plan.across.count();
+  json["rows"] = plan.down.count();
+  if (const auto range = plan.range(); range && is_integer(plan.path))
+    json["low_m"] = range->low_m, json["high_m"] = range->high_m;
+  if (plan.options.engine) json["engine"] = Choices<Engine>::names[static_cast<size_t>(*plan.options.engine)];
+  if (plan.engine_numbers) {
+    json["first_row"] = plan.engine_numbers->south_first ? "south" : "north";
+    for (const auto& [name, value] : plan.engine_numbers->import) json["numbers"][name] = value;
   }
   json["tiles"] = Json::array();
-  for (const Tile& tile : tiles) {
-    json["tiles"].push_back({{"file", file_name(tile.path)},
-                             {"x", tile.x},
-                             {"y", tile.y},
-                             {"column", tile.column},
-                             {"row", tile.row},
-                             {"width", tile.width},
-                             {"height", tile.height}});
-  }
-  write_text(tiles_manifest(path), json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  for (const Tile& tile : tiles) json["tiles"].push_back(manifest_of_tile(plan, tile));
+  write_text(tiles_manifest(plan.path), json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::string metres(double from, double to) {
@@ -90,58 +131,161 @@ std::string metres(double from, double to) {
   return shown(from) + " to " + shown(to) + " m";
 }
 
-void tell(const HeightField& heights, const std::string& path, const Cuts& across, const Cuts& down, bool padded,
-          const RunContext& run) {
-  const GridFrame& frame = heights.frame();
+void tell(const Plan& plan, const RunContext& run) {
+  const GridFrame& frame = plan.raster.frame;
+  const Cuts &across = plan.across, &down = plan.down;
   const std::string count = std::to_string(across.count()) + " x " + std::to_string(down.count());
   run.say(count + " tiles cover x " + metres(frame.west_m, frame.east_m()) + " and y " +
-          metres(frame.south_m(), frame.north_m) + "; " + file_name(tiles_manifest(path)) + " lists them");
+          metres(frame.south_m(), frame.north_m) + "; " + file_name(tiles_manifest(plan.path)) + " lists them" +
+          (plan.engine_numbers ? " with the numbers to type in" : ""));
+  if (plan.options.engine == Engine::unreal && confuses_unreal(plan.path))
+    run.say("Unreal takes digits after x, y, u or v in a name for a tile's number: give the files another name than '" +
+            std::filesystem::path(plan.path).stem().string() + "'");
   if (across.padding() + down.padding() == 0) return;
   const std::string last = "the last tiles in the east have " + std::to_string(across.length(across.count() - 1)) +
                            " columns of ground and those in the south " +
                            std::to_string(down.length(down.count() - 1)) + " rows, of " +
                            std::to_string(across.tile_size);
-  run.say(last + (padded ? "; the rest of them repeats the terrain's edge" : ": they are smaller files"));
+  std::string rest = plan.padded ? "; the rest of them repeats the terrain's edge" : ": they are smaller files";
+  if (plan.options.engine)
+    rest += "; a terrain of " + std::to_string(frame.width + across.padding()) + " x " +
+            std::to_string(frame.height + down.padding()) + " cells would fill them";
+  run.say(last + rest);
+}
+
+HeightRange range_to_code(const RasterExtremes& extremes) {
+  const HeightRange range = extremes.range;
+  return range.high_m - range.low_m < 1.0 ? HeightRange{range.low_m - 0.5, range.high_m + 0.5} : range;
+}
+
+void check_mask(const RasterExtremes& extremes) {
+  if (extremes.range.low_m < 0.0 || extremes.range.high_m > 1.0)
+    throw InvalidArgument("field", "its values from " + format_number(extremes.range.low_m) + " to " +
+                                       format_number(extremes.range.high_m) +
+                                       " are no mask from 0 to 1: make one of it, or leave engine away");
+}
+
+/// Settles what all tiles share: one range, and what the engine is told.
+void settle_range(Plan& plan, const std::optional<RasterExtremes>& known, const RunContext& run) {
+  const bool integer = is_integer(plan.path);
+  if (!plan.options.engine && (!integer || plan.write.range)) {
+    if (integer) coding_range(Grid<float>(GridFrame{1, 1}, 0.0F), plan.write.range);  // checks it
+    return;
+  }
+  const RasterExtremes extremes = known ? *known : extremes_of(plan.raster, run);
+  if (extremes.known_cells == 0) throw InvalidArgument("heights", "none of the cells has a value");
+  if (extremes.unknown_cells > 0 && !can_hold_voids(plan.path))
+    throw InvalidArgument("heights", std::to_string(extremes.unknown_cells) + " cells have no value to write");
+  if (!plan.options.engine) {
+    plan.write.range = range_to_code(extremes);
+  } else if (!plan.raster.heights) {
+    check_mask(extremes);
+    plan.write.range.reset();
+  } else {
+    GridFrame samples = plan.raster.frame;
+    samples.width = samples.height = plan.options.tile_size;
+    plan.engine_numbers = engine_sidecar(samples, extremes.range, *plan.options.engine, plan.path,
+                                         {.range = plan.write.range, .provenance = plan.write.provenance});
+  }
+}
+
+void write_one(const Plan& plan, const Tile& tile) {
+  const int size = plan.options.tile_size;
+  const bool whole = tile.width == size && tile.height == size;
+  const Grid<float> cells = cut(plan.raster, tile, plan.padded ? size : tile.width, plan.padded ? size : tile.height);
+  WriteOptions write = plan.write;
+  write.ground_width = plan.padded && !whole ? tile.width : 0;
+  write.ground_height = plan.padded && !whole ? tile.height : 0;
+  if (plan.options.engine && !plan.raster.heights) return write_mask(cells, tile.path, write);
+  if (!plan.engine_numbers)
+    return plan.raster.heights ? write_heights(cells, tile.path, write) : write_field(cells, tile.path, write);
+  Sidecar sidecar = *plan.engine_numbers;
+  const HeightRange extremes = known_range(cells);
+  sidecar.frame = cells.frame();
+  sidecar.min_m = extremes.low_m;
+  sidecar.max_m = extremes.high_m;
+  sidecar.ground_width = write.ground_width;
+  sidecar.ground_height = write.ground_height;
+  for (const ImportNumber& number : tile_place(tile, plan.across.count(), plan.down.count(), plan.raster.frame,
+                                               plan.options, sidecar.range.value_or(HeightRange{})))
+    sidecar.import.push_back(number);
+  write_engine_samples(cells, *plan.options.engine, sidecar, tile.path);
 }
 
 }  // namespace
 
+WindowedRaster windows_of(const Grid<float>& raster, bool heights) {
+  return {raster.frame(),
+          [&raster](int column, int row, int width, int height) {
+            Grid<float> part(raster.frame().window(column, row, width, height));
+            for (int y = 0; y < height; ++y) {
+              const auto from = raster.row(row + y).subspan(static_cast<size_t>(column), static_cast<size_t>(width));
+              std::copy(from.begin(), from.end(), part.row(y).begin());
+            }
+            return part;
+          },
+          heights};
+}
+
+RasterExtremes extremes_of(const WindowedRaster& raster, const RunContext& run) {
+  constexpr int kBand = 64;
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+  RasterExtremes extremes;
+  for (int row = 0; row < raster.frame.height; row += kBand) {
+    run.check_cancelled();
+    const Grid<float> band = raster.window(0, row, raster.frame.width, std::min(kBand, raster.frame.height - row));
+    for (const float z : band.cells()) {
+      if (std::isinf(z)) throw InvalidArgument("heights", "a cell is not finite");
+      if (std::isnan(z)) {
+        ++extremes.unknown_cells;
+        continue;
+      }
+      ++extremes.known_cells;
+      low = std::min(low, z);
+      high = std::max(high, z);
+    }
+    run.report(static_cast<double>(row) / raster.frame.height);
+  }
+  if (extremes.known_cells > 0) extremes.range = {low, high};
+  return extremes;
+}
+
 std::string tiles_manifest(const std::string& path) { return stem_of(path) + "_tiles.json"; }
+
+std::string tiles_pattern(const std::string& path, std::optional<Engine> engine) {
+  return stem_of(path) + (engine == Engine::unity ? "_*_*" : "_x*_y*") + extension_of(path);
+}
+
+std::vector<Tile> write_tiles(const WindowedRaster& raster, const std::string& path, const TileOptions& options,
+                              const WriteOptions& write, const RunContext& run,
+                              const std::optional<RasterExtremes>& extremes) {
+  const int size = options.tile_size;
+  if (size < 2) throw InvalidArgument("tile_size", std::to_string(size) + " is below 2");
+  if (raster.frame.cells() == 0) throw InvalidArgument("heights", "there are no cells");
+  check_engine_tiles(options);
+  if (options.engine) check_engine_path(path, *options.engine, raster.heights);
+  const int stride = options.share_border ? size - 1 : size;
+  Plan plan{.raster = raster,
+            .path = path,
+            .options = options,
+            .write = write,
+            .across = {stride, size, raster.frame.width},
+            .down = {stride, size, raster.frame.height},
+            .padded = pads(options, path)};
+  settle_range(plan, extremes, run.part(0.0, 0.2));
+  std::vector<Tile> tiles;
+  for (int y = 0; y < plan.down.count(); ++y)
+    for (int x = 0; x < plan.across.count(); ++x) tiles.push_back(plan.tile(x, y));
+  parallel_blocks(run.part(0.2, 1.0), static_cast<int64_t>(tiles.size()), 1,
+                  [&](int64_t tile, int64_t) { write_one(plan, tiles[static_cast<size_t>(tile)]); });
+  write_manifest(plan, tiles);
+  tell(plan, run);
+  return tiles;
+}
 
 std::vector<Tile> write_tiles(const HeightField& heights, const std::string& path, const TileOptions& options,
                               const WriteOptions& write, const RunContext& run) {
-  const int size = options.tile_size;
-  if (size < 2) throw InvalidArgument("tile_size", std::to_string(size) + " is below 2");
-  if (heights.empty()) throw InvalidArgument("heights", "there are no cells");
-  const std::string extension = extension_of(path);
-  WriteOptions shared = write;
-  if (extension == ".png" || extension == ".r16" || extension == ".raw")
-    shared.range = coding_range(heights, write.range);
-  const bool padded = pads(options, path);
-  const int stride = options.share_border ? size - 1 : size;
-  const Cuts across{stride, size, heights.width()}, down{stride, size, heights.height()};
-  std::vector<Tile> tiles;
-  for (int y = 0; y < down.count(); ++y) {
-    for (int x = 0; x < across.count(); ++x) {
-      run.check_cancelled();
-      const Tile tile{x,
-                      y,
-                      stem_of(path) + "_x" + std::to_string(x) + "_y" + std::to_string(y) + extension,
-                      across.begin(x),
-                      down.begin(y),
-                      across.length(x),
-                      down.length(y)};
-      const bool whole = tile.width == size && tile.height == size;
-      shared.ground_width = padded && !whole ? tile.width : 0;
-      shared.ground_height = padded && !whole ? tile.height : 0;
-      write_heights(cut(heights, tile, padded ? size : tile.width, padded ? size : tile.height), tile.path, shared);
-      tiles.push_back(tile);
-      run.report(static_cast<double>(tiles.size()) / (1.0 * across.count() * down.count()));
-    }
-  }
-  write_manifest(heights, path, options, padded, tiles, shared);
-  tell(heights, path, across, down, padded, run);
-  return tiles;
+  return write_tiles(windows_of(heights), path, options, write, run);
 }
 
 }  // namespace seamount::io

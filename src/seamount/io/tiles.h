@@ -1,13 +1,16 @@
-// Worlds larger than one image, as tiles.
+// Worlds larger than one image, as tiles, for GIS and for engines that load a world piece by piece.
 #pragma once
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
+#include "seamount/io/engine.h"
 #include "seamount/io/raster.h"
 #include "seamount/model/grid.h"
 
@@ -18,10 +21,31 @@ namespace seamount::io {
 /// padded in all others, whose readers want tiles of one size.
 enum class LastTiles { by_format, padded, smaller };
 
+/// What a raster holds: so far it is known, without its cells being kept.
+struct RasterExtremes {
+  HeightRange range;        ///< of the known cells
+  int64_t known_cells = 0;  ///< 0: `range` says nothing
+  int64_t unknown_cells = 0;
+};
+
+/// A raster that need not be in memory as a whole.
+struct WindowedRaster {
+  GridFrame frame;
+  /// `width` x `height` of its cells from (column, row) on. May be called by many threads at once.
+  std::function<Grid<float>(int column, int row, int width, int height)> window;
+  bool heights = true;  ///< metres above sea level; else any other scalar
+};
+WindowedRaster windows_of(const Grid<float>& raster, bool heights = true);
+
+/// Reads all cells once, in bands. Throws InvalidArgument{"heights"} for an infinite one. Memory: a band of 64 rows.
+RasterExtremes extremes_of(const WindowedRaster& raster, const RunContext& run);
+
 struct TileOptions {
   int tile_size = 1025;  ///< samples a side, >= 2
   LastTiles last_tiles = LastTiles::by_format;
   bool share_border = true;  ///< the last row or column of a tile is the first of the next one
+  /// The tiles are what this engine reads: sizes, codes, row order, names. Last tiles are padded.
+  std::optional<Engine> engine;
 };
 
 /// One tile: the terrain's samples from (column, row) on, `width` x `height` of them. A padded file is larger.
@@ -36,11 +60,20 @@ struct Tile {
 /// "name_tiles.json" of "name.ext".
 std::string tiles_manifest(const std::string& path);
 
-/// Cuts a terrain into tiles with its own cells, from the north-west corner on, and writes each with write_heights() as
-/// "name_x0_y0.ext" for path "name.ext", with its place. Every sample is in the tiles; 16-bit tiles share one range
-/// (that of the whole terrain unless `write.range` is set). tiles_manifest(path) says the whole extent, and of each
-/// tile its file and which samples it holds. Says the extent, and what was padded. Throws InvalidArgument{"tile_size"}
-/// for a tile_size below 2.
+/// The names of all tiles of "name.ext", '*' for digits: "name_x*_y*.ext", for Unity "name_*_*.ext".
+std::string tiles_pattern(const std::string& path, std::optional<Engine> engine);
+
+/// Cuts a raster into tiles with its own cells, from the north-west corner on, and writes each with write_heights() or
+/// write_field() as "name_x0_y0.ext" for path "name.ext", with its place; for an engine as write_for_engine() does
+/// (named as engine_tiles.h says), and fields as masks of 8 bits. Every sample is in the tiles; integer tiles share one
+/// range (that of the whole raster unless `write.range` is set). tiles_manifest(path) says the whole extent, of each
+/// tile its file and which samples it holds, and what to type into the engine. Says the extent, and what was padded.
+/// `extremes`: of the raster, if they are known already. Throws InvalidArgument{"tile_size"} for a tile_size below 2 or
+/// that the engine does not read, {"last_tiles"}, {"path"}, {"heights"} for unknown cells that a format cannot hold,
+/// {"field"} for one that is no mask. Parallel. Memory: a tile for each thread.
+std::vector<Tile> write_tiles(const WindowedRaster& raster, const std::string& path, const TileOptions& options = {},
+                              const WriteOptions& write = {}, const RunContext& run = {},
+                              const std::optional<RasterExtremes>& extremes = {});
 std::vector<Tile> write_tiles(const HeightField& heights, const std::string& path, const TileOptions& options = {},
                               const WriteOptions& write = {}, const RunContext& run = {});
 

@@ -98,7 +98,13 @@ void prepare_output(Recipe& recipe, Output& output, const Kind& kind, const std:
   output.files = format.files ? format.files(output.params, kind, output.path) : std::vector{output.path};
   if (!format.prepare) return;
   const Output written = output;
-  for (const Preparation& wanted : format.prepare(output.params, kind, output.path)) {
+  std::vector<Preparation> preparations;
+  try {
+    preparations = format.prepare(output.params, kind, output.path);
+  } catch (const InvalidArgument& error) {
+    return place.fail(error);
+  }
+  for (const Preparation& wanted : preparations) {
     Step step = preparing_step(recipe, written, wanted, kind, labels, place);
     for (const auto& [input, source] : drawn)
       if (wanted.name.empty()) step.in[input] = source;

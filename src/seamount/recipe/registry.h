@@ -84,6 +84,17 @@ struct OutputCall {
   const RunContext& run;
 };
 
+/// A raster to write that need not be in memory as a whole.
+struct WindowedCall {
+  const Kind& kind;
+  const GridFrame& frame;
+  std::function<Value(int column, int row, int width, int height)> window;  ///< so many of its cells
+  const Values& prepared;
+  std::string path;
+  io::Provenance provenance;
+  const RunContext& run;
+};
+
 /// An operator that runs before an output is written, like any step of the recipe: its inputs "terrain", "contours" ...
 /// are the value that is written, "labels" what goes with it.
 struct Preparation {
@@ -106,7 +117,12 @@ struct OutputFormat {
   std::function<Json(const Json& given, const ReadPlace&)> complete;
   std::function<void(const Json& complete_params, const OutputCall&)> write;
 
-  /// What must be made of a value before it can be written; empty: nothing.
+  /// Writes a raster window by window, the same files as write(); false: this one must be there as a whole. Empty: the
+  /// format has no such way.
+  std::function<bool(const Json& complete_params, const WindowedCall&)> write_windows;
+
+  /// What must be made of a value before it can be written; empty: nothing. Throws InvalidArgument{"path"} or another
+  /// field of the output for what cannot be written so.
   std::function<std::vector<Preparation>(const Json& complete_params, const Kind& kind, const std::string& path)>
       prepare;
   /// Names of all files that a value is written to; '*' stands for digits. Empty: the path alone.

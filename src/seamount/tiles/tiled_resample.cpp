@@ -29,20 +29,15 @@ std::string resample_refusal(const recipe::Step& step, const recipe::PlannedStep
   return params.cell_m ? "" : "only to larger cells by cell_m it is run in tiles";
 }
 
-void run_tiled_resample(World& world, size_t step, const RunContext& run) {
-  const OutputOf from = world.output_of(world.step(step).in.at("terrain"));
-  const auto frames = terrain::resample_frames(world.frame(from), params_of(world.step(step)), world.recipe().domain);
-  const geom::RowResampler resampler(frames.source, frames.target);
-  if (!resampler.averages()) throw NeedsWhole{"cells become smaller"};
-  const GridFrame& target = frames.target;
-  world.check_fits(sizeof(float) * static_cast<double>(target.cells()), recipe::step_name(world.step(step)),
-                   "makes a raster that is needed as a whole", target);
+HeightField resample_by_rows(const World& world, const OutputOf& from, const GridFrame& source, const GridFrame& target,
+                             const RunContext& run) {
+  const geom::RowResampler resampler(source, target);
   HeightField out(target);
   for (int begin = 0; begin < target.height; begin += kBand) {
     run.check_cancelled();
     const int end = std::min(begin + kBand, target.height);
     const geom::RowResampler::Rows needs = resampler.needs(begin, end);
-    HeightField rows(GridFrame{frames.source.width, needs.count, frames.source.cell_m});
+    HeightField rows(GridFrame{source.width, needs.count, source.cell_m});
     world.rows(from, needs.first, needs.count, rows.data());
     parallel_blocks({run.threads, {}, run.cancelled, {}}, end - begin, 1, [&](int64_t first, int64_t last) {
       std::vector<float> mixed;
@@ -51,7 +46,17 @@ void run_tiled_resample(World& world, size_t step, const RunContext& run) {
     });
     run.report(static_cast<double>(end) / target.height);
   }
-  world.keep({step, "terrain"}, recipe::Value::of<recipe::kinds::Terrain>(std::move(out)));
+  return out;
+}
+
+void run_tiled_resample(World& world, size_t step, const RunContext& run) {
+  const OutputOf from = world.output_of(world.step(step).in.at("terrain"));
+  const auto frames = terrain::resample_frames(world.frame(from), params_of(world.step(step)), world.recipe().domain);
+  if (!geom::RowResampler(frames.source, frames.target).averages()) throw NeedsWhole{"cells become smaller"};
+  world.check_fits(sizeof(float) * static_cast<double>(frames.target.cells()), recipe::step_name(world.step(step)),
+                   "makes a raster that is needed as a whole", frames.target);
+  world.keep({step, "terrain"}, recipe::Value::of<recipe::kinds::Terrain>(
+                                    resample_by_rows(world, from, frames.source, frames.target, run)));
 }
 
 }  // namespace seamount::tiles

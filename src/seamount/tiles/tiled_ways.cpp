@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "seamount/tiles/reduced_pictures.h"
 #include "seamount/tiles/tiled_resample.h"
 #include "seamount/tiles/tiled_water.h"
 
@@ -10,7 +11,11 @@ namespace {
 
 constexpr TiledWay kWays[] = {{.op = "hydrology.fill", .refusal = fill_refusal, .run = run_tiled_fill, .spread = true},
                               {.op = "hydrology.flow", .refusal = flow_refusal, .run = run_tiled_flow, .spread = true},
-                              {"terrain.resample", resample_refusal, run_tiled_resample}};
+                              {"terrain.resample", resample_refusal, run_tiled_resample},
+                              {"render.map", picture_refusal, run_reduced_picture},
+                              {"render.perspective", picture_refusal, run_reduced_picture},
+                              {"render.relief", picture_refusal, run_reduced_picture},
+                              {"render.texture", picture_refusal, run_reduced_picture}};
 
 }  // namespace
 

@@ -138,11 +138,11 @@ CellMesh every_cell(const HeightField& heights, const MeshDomain& domain, const 
   return mesh;
 }
 
-CellPlaces::CellPlaces(const GridFrame& frame)
-    : width_(0.5 * (frame.width - 1)),
-      height_(0.5 * (frame.height - 1)),
+CellPlaces::CellPlaces(const GridFrame& frame, LatticePoint first)
+    : width_(0.5 * (frame.width - 1) - first.x),
+      height_(0.5 * (frame.height - 1) - first.y),
       cell_m_(frame.cell_m),
-      unit_(std::exp2(std::ceil(std::log2(std::max(width_, height_) * cell_m_)) - 24)) {}
+      unit_(std::exp2(std::ceil(std::log2(0.5 * (std::max(frame.width, frame.height) - 1) * cell_m_)) - 24)) {}
 
 double CellPlaces::x(double column) const { return std::round((column - width_) * cell_m_ / unit_) * unit_; }
 double CellPlaces::y(double row) const { return std::round((height_ - row) * cell_m_ / unit_) * unit_; }

@@ -17,12 +17,15 @@ CellMesh every_cell(const HeightField& heights, const MeshDomain& domain, const 
 /// two of them, and its sum with one of them, is exact as a float.
 class CellPlaces {
  public:
-  explicit CellPlaces(const GridFrame& frame);
+  explicit CellPlaces(const GridFrame& frame) : CellPlaces(frame, {0, 0}) {}
+  /// Cells counted from `first` of the frame's, for a window of it: the same places.
+  CellPlaces(const GridFrame& frame, LatticePoint first);
   double x(double column) const;
   double y(double row) const;
 
  private:
-  double width_, height_, cell_m_, unit_;
+  double width_, height_;  ///< from the first cell counted to the middle, in cells
+  double cell_m_, unit_;
 };
 
 /// The ground: a vertex for each cell, relative to `offset`, with the normal of the full terrain there. Cells without a

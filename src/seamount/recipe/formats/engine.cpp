@@ -1,9 +1,6 @@
-// Height maps for engines, and tiles: terrain.samples brings the terrain to their samples.
+// Height maps for engines: terrain.samples brings the terrain to their samples.
 #include "seamount/io/engine.h"
 
-#include <filesystem>
-
-#include "seamount/io/tiles.h"
 #include "seamount/recipe/format.h"
 #include "seamount/recipe/formats/engine_fit.h"
 #include "seamount/recipe/formats/formats.h"
@@ -27,26 +24,6 @@ struct EngineParams {
         field(&P::low_m, "low_m", "m", between(-20000, 20000),
               "height of the lowest code; chosen with room to sculpt if absent"),
         field(&P::high_m, "high_m", "m", between(-20000, 20000), "height of the highest code; chosen if absent"));
-  }
-};
-
-struct TilesParams {
-  int tile_size = 1025;
-  io::LastTiles last_tiles = io::LastTiles::by_format;
-  bool share_border = true;
-  std::optional<double> low_m;
-  std::optional<double> high_m;
-
-  static constexpr auto fields() {
-    using P = TilesParams;
-    return std::tuple(
-        field(&P::tile_size, "tile_size", "", between(2, 16385), "samples a side of a tile"),
-        field(&P::last_tiles, "last_tiles",
-              "where the terrain is not a whole number of tiles, the last ones are padded with its edge or smaller; "
-              "by_format: smaller in .tif and .asc, padded in the others"),
-        field(&P::share_border, "share_border", "the last row and column of a tile are the first of the next one"),
-        field(&P::low_m, "low_m", "m", between(-20000, 20000), "16-bit files: height of code 0, for all tiles"),
-        field(&P::high_m, "high_m", "m", between(-20000, 20000), "16-bit files: height of code 65535, for all tiles"));
   }
 };
 
@@ -74,32 +51,6 @@ void add_engine(Registry& registry, io::Engine engine, OutputFormat row) {
   registry.add(std::move(format));
 }
 
-void add_tiles(Registry& registry) {
-  const std::vector<std::string> files = {".tif", ".asc", ".png", ".exr", ".r16", ".raw", ".r32", ".npy"};
-  OutputFormat format = make_format<TilesParams>(
-      {"tiles",
-       "the terrain cut into tiles with its own cells, one range of heights, and a list of them",
-       files,
-       {},
-       {&kinds::Terrain::kind()}},
-      [](const TilesParams& params, const OutputCall& call) {
-        const Value value =
-            io::can_hold_voids(call.path) ? call.value : call.value.without_voids(call.value.kind().name, call.run);
-        io::write_tiles(
-            value.get<kinds::Terrain>(), call.path,
-            {.tile_size = params.tile_size, .last_tiles = params.last_tiles, .share_border = params.share_border},
-            {.range = height_range(params.low_m, params.high_m), .provenance = call.provenance}, call.run);
-      });
-  format.files = [](const Json&, const Kind&, const std::string& path) {
-    const std::string extension = std::filesystem::path(path).extension().string();
-    std::vector<std::string> all = {io::tiles_manifest(path)};
-    const auto tiles = io::written_files(path.substr(0, path.size() - extension.size()) + "_x*_y*" + extension);
-    all.insert(all.end(), tiles.begin(), tiles.end());
-    return all;
-  };
-  registry.add(std::move(format));
-}
-
 }  // namespace
 
 void add_engine_formats(Registry& registry) {
@@ -111,7 +62,6 @@ void add_engine_formats(Registry& registry) {
              {"unity", "16-bit RAW for Unity terrain, with the size to type in", {".raw", ".r16"}, {}, {}});
   add_engine(registry, godot, {"godot", "EXR in metres for Godot's Terrain3D and HTerrain", {".exr", ".r16"}, {}, {}});
   add_engine(registry, blender, {"blender", "EXR in metres for a displacement modifier", {".exr"}, {}, {}});
-  add_tiles(registry);
 }
 
 }  // namespace seamount::recipe

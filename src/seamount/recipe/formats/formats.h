@@ -9,9 +9,11 @@
 namespace seamount::recipe {
 
 void add_raster_format(Registry& registry);
-void add_engine_formats(Registry& registry);  ///< and tiles
+void add_engine_formats(Registry& registry);
+void add_tiles_format(Registry& registry);
 void add_gazebo_format(Registry& registry);
 void add_mesh_format(Registry& registry);
+void add_mesh_tiles_format(Registry& registry);
 void add_splat_format(Registry& registry);
 void add_bundle_format(Registry& registry);  ///< a folder: height map, layers, texture
 void add_picture_formats(Registry& registry);

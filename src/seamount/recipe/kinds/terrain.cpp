@@ -40,8 +40,10 @@ const Kind& kinds::Terrain::kind() {
 void kinds::Terrain::add_formats(Registry& registry) {
   add_raster_format(registry);
   add_engine_formats(registry);
+  add_tiles_format(registry);
   add_gazebo_format(registry);
   add_mesh_format(registry);
+  add_mesh_tiles_format(registry);
   add_splat_format(registry);
   add_bundle_format(registry);
   add_picture_formats(registry);
