@@ -1,7 +1,7 @@
 // The 3D view: where its eye is, what ground is under a pixel, and what is drawn over it.
 import { ContentInk } from "./content_ink";
 import type { Projector } from "./drape";
-import { heightAt, hiddenBehind, pickGround, type DetailGround } from "./detail_ground";
+import { dryAt, heightAt, hiddenBehind, pickGround, type DetailGround } from "./detail_ground";
 import { windowOfWorld, type Seen, type Source, type Window } from "./detail_window";
 import type { Under } from "./ground_pointer";
 import type { HeightField } from "./heights";
@@ -194,7 +194,8 @@ export class WorldView {
   private surfaceHeight(x: number, y: number): number {
     const known = this.field === null ? null : heightAt(this.field, this.known, x, y);
     const height = known ?? (this.field?.inSea === true ? 0 : this.field?.min ?? 0);
-    return this.options().water ? Math.max(0, height) : height;
+    const flooded = this.options().water && height < 0 && !(this.field !== null && dryAt(this.field, this.known, x, y));
+    return flooded ? 0 : height;
   }
 
   private ground(px: number, py: number): Vector | null {
@@ -229,7 +230,7 @@ export class WorldView {
 
   private box(field: HeightField, r: Rectangle = field.rectangle): Box {
     const raise = this.options().exaggeration;
-    const low = this.options().water ? Math.max(0, field.min) : field.min;
+    const low = this.options().water ? Math.max(field.lowestDry, field.min) : field.min;
     return {
       low: [r.west, r.south, raise * low], high: [r.east, r.north, raise * (low + 0.4 * Math.max(0, field.max - low))],
     };

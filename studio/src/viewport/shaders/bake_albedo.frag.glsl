@@ -6,6 +6,9 @@ uniform float cell_m;
 uniform float scale;  // cells of this picture a cell of the heights
 uniform float coarse_m, finer;  // cells of the whole ground, and how many levels coarser those are than these
 uniform vec2 middle;  // of this ground beside that of the whole, metres east and south
+#ifdef DRY
+uniform sampler2D dry;  // 1: no sea, however low
+#endif
 uniform bool tropical;
 uniform float snow_line, tree_line;
 out vec4 result;
@@ -28,7 +31,8 @@ vec3 rock(vec4 s, float slope, Breakup n) {
   return mix(dark, stained, shade);
 }
 
-vec3 land(vec2 p, vec4 s, float deep, float slope, Breakup n) {
+// `shore`: height over a sea that is near.
+vec3 land(vec2 p, vec4 s, float shore, float deep, float slope, Breakup n) {
   float z = s.a;
   float warmth = (tropical ? 25.0 : 11.0) - 0.0065 * max(z, 0.0);
   vec2 broad_rise = textureLod(surface, p, 5.0 + finer).xy;
@@ -40,7 +44,7 @@ vec3 land(vec2 p, vec4 s, float deep, float slope, Breakup n) {
   float uneven = slope + 0.30 * n.medium + 0.26 * n.fine - 0.5 * hollow;
   float cold = ramp(-1.0, 1.0, (z - tree_line) / 260.0 + 1.1 * n.medium + 0.7 * n.broad);
   float grip = 0.55 * ramp(-0.2, 1.0, water) * ramp(14.0, 22.0, warmth);
-  float forest = ramp(-0.75, 0.35, water) * (1.0 - ramp(0.72, 1.08, uneven - grip)) * (1.0 - cold) * ramp(1.0, 6.0, z + 2.5 * n.medium);
+  float forest = ramp(-0.75, 0.35, water) * (1.0 - ramp(0.72, 1.08, uneven - grip)) * (1.0 - cold) * ramp(1.0, 6.0, shore + 2.5 * n.medium);
   float herb = ramp(-2.5, -0.6, water + 0.9 * n.fine) * (1.0 - ramp(0.80, 1.25, uneven - grip)) * ramp(-9.0, -1.0, warmth + 6.0 * n.medium);
   float rocky = ramp(0.62, 1.0, uneven - 0.5 * grip);
 
@@ -61,10 +65,10 @@ vec3 land(vec2 p, vec4 s, float deep, float slope, Breakup n) {
   float snow = ramp(-160.0, 240.0, over) * (1.0 - ramp(0.90, 1.40, slope + 0.30 * n.medium + 0.22 * n.fine));
   ground = mix(ground, mix(vec3(0.830, 0.855, 0.890), vec3(0.600, 0.640, 0.680), 0.5 * ramp(300.0, -100.0, over)), snow);
 
-  float built = ramp(5.0, 2.4, z + 1.5 * n.medium) * ramp(0.20, 0.07, slope) * ramp(-0.30, 0.05, n.broad + 0.3 * n.medium + 1.5 * hollow);
+  float built = ramp(5.0, 2.4, shore + 1.5 * n.medium) * ramp(0.20, 0.07, slope) * ramp(-0.30, 0.05, n.broad + 0.3 * n.medium + 1.5 * hollow);
   vec3 sand = tropical ? kSand : kColdSand;
-  ground = mix(ground, mix(sand, mix(kWetSand, 0.6 * sand, 0.5), ramp(0.8, 0.1, z)), built);
-  float spray = ramp(9.0, 2.0, z + 4.0 * n.medium) * ramp(0.15, 0.5, slope) * (1.0 - built);
+  ground = mix(ground, mix(sand, mix(kWetSand, 0.6 * sand, 0.5), ramp(0.8, 0.1, shore)), built);
+  float spray = ramp(9.0, 2.0, shore + 4.0 * n.medium) * ramp(0.15, 0.5, slope) * (1.0 - built);
   ground = mix(ground, vec3(0.055, 0.048, 0.042), 0.8 * spray);
   return (1.0 + 0.22 * n.fine) * ground;
 }
@@ -113,6 +117,12 @@ void main() {
   vec2 place = (gl_FragCoord.xy / scale - 0.5 * size) * cell_m + middle;
   Breakup n = Breakup(noise_at(mat2(0.92, 0.39, -0.39, 0.92) * place, 2400.0), noise_at(mat2(0.6, 0.8, -0.8, 0.6) * place, max(170.0, 3.2 * coarse_m)), noise_at(mat2(0.28, 0.96, -0.96, 0.28) * place, max(18.0, 2.1 * cell_m)));
   float slope = length(s.xy), deep = 1.6 * concavity(p, s.a, 4.0 + finer);
-  vec3 colour = mix(sea_floor(s, slope, n), land(p, s, deep, slope, n), clamp01((s.a + 0.3) / 0.6));
+  float shore = s.a, up = clamp01((s.a + 0.3) / 0.6);
+#ifdef DRY
+  // Around hollows there are no beaches.
+  shore = mix(shore, 1000.0, ramp(0.0, 0.04, textureLod(dry, p, 4.0 + finer).r));
+  up = max(up, ramp(0.4, 0.6, textureLod(dry, p, 0.0).r));
+#endif
+  vec3 colour = mix(sea_floor(s, slope, n), land(p, s, shore, deep, slope, n), up);
   result = vec4(sqrt(clamp(colour, 0.0, 1.0)), openness(p));
 }
