@@ -6,7 +6,7 @@ import {
   type WebGLRenderTarget, type WebGLRenderer,
 } from "three";
 import { Bake, target } from "./bake";
-import { climateOf } from "./climate";
+import { climateOf, type ClimateChoice } from "./climate";
 import type { DetailGround } from "./detail_ground";
 import { dryTexture, nowhere } from "./dry_texture";
 import type { HeightField } from "./heights";
@@ -78,7 +78,8 @@ export class GroundTextures {
     this.albedoBake = new Bake(albedoShader, {
       surface: { value: null }, dry: { value: nowhere }, noise: { value: noise }, cell_m: { value: 1 },
       scale: { value: 1 }, coarse_m: { value: 1 },
-      finer: { value: 0 }, middle: { value: [0, 0] }, tropical: { value: true },
+      finer: { value: 0 }, middle: { value: [0, 0] }, warmth_c: { value: 25 }, rain_mm: { value: 2000 },
+      latitude: { value: 18 }, rain_from: { value: [1, 0] }, low_m: { value: 0 }, basalt: { value: true },
       snow_line: { value: 5000 }, tree_line: { value: 3900 },
     });
     this.lightBake = new Bake(lightShader, {
@@ -128,6 +129,11 @@ export class GroundTextures {
     if (shadowsToo) this.lightFits = false;
   }
 
+  /** The climate is another. */
+  recolour(): void {
+    for (const { fine, quick } of this.sets) fine.albedoFits = quick.albedoFits = false;
+  }
+
   /** Everything that the 3D view needs is there. */
   get fits(): boolean {
     const fine = this.sets[0]?.fine;
@@ -154,7 +160,7 @@ export class GroundTextures {
   /** Colours in their light, for the 3D view. After shape(). A moving view keeps the shadows that there were. */
   colour(field: HeightField, options: ViewOptions, style: number, quick: boolean, within: Within | null = null): void {
     const ground = this.ground!;
-    if (!ground.albedoFits) this.bakeAlbedo(ground, field, within?.ground ?? null);
+    if (!ground.albedoFits) this.bakeAlbedo(ground, field, options.climate, within?.ground ?? null);
     if (this.light === null || (!quick && !this.lightFits)) this.bakeLight(ground, field, options, within);
     if (!ground.litFits) this.bakeLit(ground, options, style);
   }
@@ -166,9 +172,9 @@ export class GroundTextures {
     for (const bake of [this.surfaceBake, this.albedoBake, this.lightBake, this.litBake]) bake.dispose();
   }
 
-  private bakeAlbedo(ground: Ground, field: HeightField, within: DetailGround | null): void {
+  private bakeAlbedo(ground: Ground, field: HeightField, chosen: ClimateChoice, within: DetailGround | null): void {
     const whole = within?.coarse ?? field, cell_m = field.width_m / ground.surface.width;
-    const { uniforms } = this.albedoBake, climate = climateOf(whole.frame, whole.inSea);
+    const { uniforms } = this.albedoBake, climate = climateOf(whole.frame, whole.inSea, chosen);
     uniforms.surface!.value = ground.surface.texture;
     uniforms.dry!.value = this.dry;
     uniforms.cell_m!.value = cell_m;
@@ -176,7 +182,13 @@ export class GroundTextures {
     uniforms.finer!.value = within?.levels ?? 0;
     uniforms.middle!.value = [field.centre[0] - whole.centre[0], whole.centre[1] - field.centre[1]];
     uniforms.scale!.value = ground.albedo.width / ground.surface.width;
-    uniforms.tropical!.value = climate.tropical;
+    uniforms.warmth_c!.value = climate.seaLevel_c;
+    uniforms.rain_mm!.value = climate.rain_mm;
+    uniforms.latitude!.value = climate.latitude;
+    const from = (climate.windFrom_deg * Math.PI) / 180;
+    uniforms.rain_from!.value = [Math.sin(from), Math.cos(from)];
+    uniforms.low_m!.value = Math.max(0, whole.min);
+    uniforms.basalt!.value = climate.basalt;
     uniforms.snow_line!.value = climate.snowLine;
     uniforms.tree_line!.value = climate.treeLine;
     this.albedoBake.into(this.renderer, ground.albedo, [this.low === null ? "" : "DRY"]);

@@ -261,3 +261,10 @@ function border(values: Float32Array, columns: number, rows: number): [number, n
   for (let y = 0; y < rows; ++y) [values[y * columns]!, values[(y + 1) * columns - 1]!].forEach(add);
   return [below / Math.max(1, count), below > 0 ? depth / below : 0];
 }
+
+/** Whether two lie in about the same place. */
+export function sameRectangle(a: HeightField, b: HeightField): boolean {
+  const near = (p: number, q: number): boolean => Math.abs(p - q) < 0.02 * Math.max(a.width_m, b.width_m);
+  return near(a.frame.west, b.frame.west) && near(a.frame.north, b.frame.north) &&
+    near(a.width_m, b.width_m) && near(a.height_m, b.height_m);
+}

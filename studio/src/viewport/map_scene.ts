@@ -32,9 +32,11 @@ export interface MapPicture {
 
 export class MapScene {
   /** The map may show other ground than the 3D view. */
-  readonly ground: Pick<SharedUniforms, "heights" | "surface" | "lit" | "dry" | "cell_m" | "overlay_place"> = {
+  readonly ground: Pick<
+    SharedUniforms, "heights" | "surface" | "lit" | "dry" | "cell_m" | "overlay" | "overlay_place"
+  > = {
     heights: { value: null }, surface: { value: null }, lit: { value: null }, dry: { value: nowhere },
-    cell_m: { value: 1 },
+    cell_m: { value: 1 }, overlay: { value: null },
     overlay_place: { value: [0, 0, 1, 1] },
   };
   private readonly scene = new Scene();
@@ -70,7 +72,8 @@ export class MapScene {
     u.water!.value = water;
     // Cells that are larger than pixels are sampled finely.
     const names = [
-      u.overlay_strength!.value > 0 ? "OVERLAY" : "", detail !== null ? "DETAIL" : "",
+      u.overlay_strength!.value > 0 ? "OVERLAY" : "",
+      detail !== null && u.overlay_fine!.value === true ? "FINE_OVERLAY" : "", detail !== null ? "DETAIL" : "",
       field.dry !== null || (detail?.field.dry ?? null) !== null ? "DRY" : "",
       pixel_m < 1.5 * (detail?.cell_m ?? frame.cell_m) ? "SMOOTH" : "",
     ];

@@ -17,6 +17,8 @@ export interface SharedUniforms {
   cell_m: IUniform<number>;
   ground_style: IUniform<number>;
   overlay: IUniform<Texture | null>;
+  overlay_detail: IUniform<Texture | null>;
+  overlay_fine: IUniform<boolean>;
   overlay_place: IUniform<[number, number, number, number]>;
   overlay_strength: IUniform<number>;
   overlay_sharp: IUniform<number>;
@@ -37,6 +39,7 @@ export function sharedUniforms(noise: Texture): SharedUniforms {
   return {
     heights: { value: null }, surface: { value: null }, lit: { value: null }, dry: { value: nowhere },
     noise: { value: noise }, cell_m: { value: 1 }, ground_style: { value: 0 }, overlay: { value: null },
+    overlay_detail: { value: null }, overlay_fine: { value: false },
     overlay_place: { value: [0, 0, 1, 1] }, overlay_strength: { value: 0 }, overlay_sharp: { value: 0 },
     contour_m: { value: 0 },
     contour_colour: { value: new Vector3(0.02, 0.015, 0.01) },
@@ -64,6 +67,12 @@ export function showOverlay(u: SharedUniforms, overlay: OverlayTexture, field: H
   u.overlay_place.value = overlay.placeOn(field.frame);
   u.overlay_sharp.value = overlay.sharp ? 1 : 0;
   u.overlay_strength.value = overlay.texture === null ? 0 : 0.8;
+}
+
+/** Tells the shaders of the overlay of a window of finer ground, or of none. */
+export function showOverlayDetail(u: SharedUniforms, texture: Texture | null): void {
+  u.overlay_detail.value = texture ?? u.overlay.value;
+  u.overlay_fine.value = texture !== null;
 }
 
 /** Number of a style of the ground in the shaders. */

@@ -178,6 +178,7 @@ export class WorldScene {
     const names = [
       ...dry, detail !== null ? "DETAIL" : "", fine ? "FINE" : "", magnified ? "SMOOTH" : "",
       this.uniforms.overlay_strength!.value > 0 ? "OVERLAY" : "",
+      detail !== null && this.uniforms.overlay_fine!.value === true ? "FINE_OVERLAY" : "",
       this.uniforms.contour_m!.value > 0 ? "CONTOURS" : "",
     ].filter((name) => name !== "");
     const ground = this.variant("ground", options.water && field.min <= 0 ? [...names, "WATER"] : names);

@@ -7,6 +7,7 @@ import type { Under } from "./ground_pointer";
 import type { HeightField } from "./heights";
 import type { Rectangle } from "./map_camera";
 import type { ViewOptions } from "./options";
+import type { OverlayWindow } from "./overlay_keeper";
 import type { PictureRenderer, Sort } from "./picture_renderer";
 import { drawShapes } from "./shapes_ink";
 import type { GroundOverlay, OverlayShape } from "./types";
@@ -34,6 +35,7 @@ export class WorldView {
   field: HeightField | null = null;
   /** Of the cells that the terrain is computed in. */
   cell_m = 1;
+  overlayDetail: OverlayWindow | null = null;
   private known: DetailGround | null = null;
   private eye: Eye = { at: [0, -1000, 1000], azimuth: 0, pitch: -0.7 };
   private framed = true;
@@ -150,9 +152,8 @@ export class WorldView {
   ): DetailGround | null {
     const { width, height } = this.surface.pixels;
     const lens = { width: Math.ceil(width * size), height: Math.ceil(height * size), fov: fieldOfView };
-    const drawn = renderer.drawWorld(
-      field, this.known, options, overlay, this.eye, lens, jitters[this.surface.samples]!, sort,
-    );
+    const known = { ground: this.known, over: this.overlayDetail }, jitter = jitters[this.surface.samples]!;
+    const drawn = renderer.drawWorld(field, known, options, overlay, this.eye, lens, jitter, sort);
     renderer.show(this.surface, lens, sort);
     return drawn;
   }
