@@ -86,6 +86,8 @@ export interface Api {
   download(path: string): Promise<Blob>;
   exportOutputs(window: string, outputs: Output[], folder: string): Promise<{ job: string }>;
   cancel(job?: string): Promise<void>;
+  /** Has the files that steps read looked at again. */
+  refresh(): Promise<void>;
 }
 
 /** The server's refusal. */

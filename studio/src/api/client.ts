@@ -126,6 +126,7 @@ export function createClient(token: string, origin = ""): Api {
     },
     download: async (path) => (await request(`/api/download?path=${encodeURIComponent(path)}`)).blob(),
     exportOutputs: (window, outputs, folder) => post("/api/export", { window, outputs, folder }),
+    refresh: () => post("/api/refresh", {}),
     cancel: (job) => post("/api/cancel", job === undefined ? {} : { job }),
   };
 }
