@@ -12,7 +12,13 @@ export class Desk {
     browser: Browser, document: Recipe | null, size: { width?: number; height?: number } = {},
     files: { [name: string]: string } = {},
   ): Promise<Desk> {
-    const server = await Server.start(document, files);
+    return Desk.on(browser, await Server.start(document, files), size, document !== null);
+  }
+
+  /** On a server that runs. */
+  static async on(
+    browser: Browser, server: Server, size: { width?: number; height?: number } = {}, document = true,
+  ): Promise<Desk> {
     const { page, errors } = await openPage(browser, server.address, size);
     const desk = new Desk(server, page, errors);
     await page.locator("[data-key]").first().waitFor();

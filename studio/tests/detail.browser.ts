@@ -13,6 +13,7 @@ const recipe: Recipe = {
     { id: "hills", op: "terrain.noise",
       params: { kind: "ridged", height_m: 1600, wavelength_m: 12000, octaves: 12, gain: 0.6, base_m: -500 } },
     { id: "shape", op: "terrain.sculpt" },
+    { id: "stripes", op: "terrain.mask", params: { criteria: [{ tool: "noise", wavelength_m: 400 }] } },
   ],
 };
 
@@ -188,6 +189,25 @@ test("detail is there again after the graphics processor has lost what it held",
   assert.equal(await detailOf("Map"), String(cell_m));
   assert.ok(Math.abs(again.contrast - first.contrast) < 0.1 * first.contrast);
   assert.ok(Math.max(...again.colours.map((c, i) => Math.abs(c - first.colours[i]!))) < 6);
+});
+
+test("a mask that is laid over the ground is as fine as the ground", async () => {
+  const overlayOf = () => view("Map").getAttribute("data-overlay-cell");
+  assert.equal(await overlayOf(), null);
+  refused = true;  // of the mask, too: the ground's window is there
+  await desk.select("stripes");
+  await until("the mask is seen", async () => (await desk.page.locator(".view-legend").count()) > 0);
+  await desk.rest();
+  const coarse = await look();
+  refused = false;
+  await pan(-500);
+  await until("it is fine", async () => (await overlayOf()) === String(cell_m));
+  await pan(500);
+  await desk.rest();
+  const fine = await look();
+  if (process.env["LOOKS"]) await desk.page.screenshot({ path: `${process.env["LOOKS"]}/fine_mask.png` });
+  assert.ok(Math.max(...fine.colours.map((c, i) => Math.abs(c - coarse.colours[i]!))) < 20);
+  assert.ok(fine.contrast > coarse.contrast, `${coarse.contrast} -> ${fine.contrast}`);
 });
 
 test("nothing went wrong on the page", () => assert.deepEqual(desk.errors, []));

@@ -1,6 +1,8 @@
 // Scenes that grow, as a person works on them: what lives is seen in both views, objects are placed, moved, bent, held
 // and taken away, a mask says where they may be, and events lie on the line of time, which plays.
 import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
 import type { Json, Recipe, Step } from "../src/api/types";
@@ -91,6 +93,22 @@ test("what lives is seen on the map and in the 3D view, with the names of its cl
   await toggle();
   await desk.page.keyboard.press("v");
   await counts(desk);
+  await desk.close();
+});
+
+test("a catalogue that another program writes is seen when the window is come back to", async () => {
+  const desk = await open("competition", 6);
+  const mark = desk.page.getByRole("list", { name: "Objects" }).getByRole("listitem").first();
+  const colour = (): Promise<string> =>
+    mark.locator(".class-mark").evaluate((one) => getComputedStyle(one).backgroundColor);
+  const name = (await mark.innerText()).split("\n")[0]!.replace(/ /g, "_");
+  const file = join(desk.server.folder, "work/competition.json");
+  const catalogue = JSON.parse(readFileSync(file, "utf8")) as { classes: Members[] };
+  assert.notEqual(await colour(), "rgb(18, 52, 254)");
+  for (const one of catalogue.classes) if (one["name"] === name) one["colour"] = "#1234fe";
+  writeFileSync(file, JSON.stringify(catalogue));
+  await desk.page.evaluate(() => window.dispatchEvent(new Event("focus")));
+  await until("the class has its new colour", async () => (await colour()) === "rgb(18, 52, 254)");
   await desk.close();
 });
 

@@ -96,6 +96,24 @@ test("keys alone move a view", async () => {
   assert.ok(difference(first, await picture("Map")) > 2);
 });
 
+test("a climate that is chosen colours the ground, and the place's own comes back", async () => {
+  const choose = async (name: string): Promise<number[]> => {
+    await page.getByRole("button", { name: "How the ground is shown" }).click();
+    await page.getByLabel("Climate").selectOption(name);
+    if (process.env["LOOKS"]) await page.screenshot({ path: `${process.env["LOOKS"]}/climate_${name}.png` });
+    await page.keyboard.press("Escape");
+    return picture("3D view");
+  };
+  /** How much redder than green the ground is, where it is reddest. */
+  const red = (colours: number[]): number =>
+    Math.max(...colours.flatMap((r, i) => (i % 4 === 0 ? [r - colours[i + 1]!] : [])));
+  const own = await picture("3D view"), arid = await choose("arid"), polar = await choose("polar");
+  const tropical = await choose("tropical");
+  assert.ok(red(arid) > red(tropical) + 12, `${red(arid)} ${red(tropical)}`);
+  assert.ok(difference(arid, polar) > 1 && difference(tropical, polar) > 1);
+  assert.ok(difference(own, await choose("automatic")) < 0.3);
+});
+
 test("without water one sees the sea's floor", async () => {
   const first = await picture("3D view");
   await page.getByRole("button", { name: "How the ground is shown" }).click();

@@ -20,6 +20,8 @@ namespace {
 constexpr size_t kMostFiles = 500;
 constexpr size_t kMostInstances = 20000;
 constexpr int kExampleColumns = 480;
+const std::vector<std::pair<std::string, std::string>> kForEver = {
+    {"Cache-Control", "private, max-age=31536000, immutable"}};
 constexpr const char* kBlank =
     R"({"seamount": 1, "domain": {"width_m": 10240, "height_m": 10240, "cell_m": 20}, "seed": 0, "steps": []})";
 
@@ -241,29 +243,35 @@ Reply Studio::get_download(const Request& request) {
   return {.type = "application/octet-stream", .headers = {{"Content-Disposition", "attachment"}}, .file = path};
 }
 
+Reply Studio::get_raster(const std::string& key, const recipe::Value& value, const Request& request) {
+  RasterWindow window{.level = whole_number(request, "level", 0),
+                      .x = whole_number(request, "x", 0),
+                      .y = whole_number(request, "y", 0)};
+  if (request.query.contains("columns")) window.columns = whole_number(request, "columns", 0);
+  if (request.query.contains("rows")) window.rows = whole_number(request, "rows", 0);
+  RasterBytes raster = raster_bytes(value, window);
+  if (whole_number(request, "dry", 0) != 0) {
+    if (const auto dry = dry_.bytes(key, value, window)) {
+      raster.bytes += *dry;
+      raster.type += " dry";
+    }
+  }
+  Reply reply{.type = "application/octet-stream", .bytes = std::move(raster.bytes), .headers = kForEver};
+  reply.headers.emplace_back("X-Raster", fmt::format("{} {} {}", raster.columns, raster.rows, raster.type));
+  return reply;
+}
+
 Reply Studio::get_value(const std::string& key, const std::string& what, const Request& request) {
   const auto value = session()->value(key);
   if (!value) return error_reply(404, "that result is gone");
-  const std::vector<std::pair<std::string, std::string>> for_ever = {
-      {"Cache-Control", "private, max-age=31536000, immutable"}};
-  if (what == "raster") {
-    RasterWindow window{.level = whole_number(request, "level", 0),
-                        .x = whole_number(request, "x", 0),
-                        .y = whole_number(request, "y", 0)};
-    if (request.query.contains("columns")) window.columns = whole_number(request, "columns", 0);
-    if (request.query.contains("rows")) window.rows = whole_number(request, "rows", 0);
-    RasterBytes raster = raster_bytes(*value, window);
-    Reply reply{.type = "application/octet-stream", .bytes = std::move(raster.bytes), .headers = for_ever};
-    reply.headers.emplace_back("X-Raster", fmt::format("{} {} {}", raster.columns, raster.rows, raster.type));
-    return reply;
-  }
+  if (what == "raster") return get_raster(key, *value, request);
   if (what == "picture") {
     const auto bytes = picture_bytes(*value, 4096);
-    return {.type = "image/png", .bytes = std::string(bytes.begin(), bytes.end()), .headers = for_ever};
+    return {.type = "image/png", .bytes = std::string(bytes.begin(), bytes.end()), .headers = kForEver};
   }
-  if (what == "shapes") return {.bytes = shapes_json(*value), .headers = for_ever};
-  if (what == "things") return {.bytes = things_json(*value, kMostInstances), .headers = for_ever};
-  if (what == "json") return {.bytes = report_json(*value), .headers = for_ever};
+  if (what == "shapes") return {.bytes = shapes_json(*value), .headers = kForEver};
+  if (what == "things") return {.bytes = things_json(*value, kMostInstances), .headers = kForEver};
+  if (what == "json") return {.bytes = report_json(*value), .headers = kForEver};
   return error_reply(404, "there is nothing at " + request.path);
 }
 

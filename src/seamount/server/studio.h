@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "seamount/server/dry_ground.h"
 #include "seamount/server/event_hub.h"
 #include "seamount/server/jobs.h"
 #include "seamount/server/session.h"
@@ -86,6 +87,7 @@ class Studio {
   Reply get_files(const Request& request);
   Reply get_download(const Request& request);
   Reply get_example_picture(const std::string& name);
+  Reply get_raster(const std::string& key, const recipe::Value& value, const Request& request);
   Reply get_value(const std::string& key, const std::string& what, const Request& request);
   Reply post_edits(const Request& request);
   Reply post_undo(const Request& request);
@@ -109,6 +111,7 @@ class Studio {
   std::shared_ptr<Session> session_;
   std::mutex pictures_;
   std::map<std::string, std::string> small_pictures_;
+  DryGround dry_;
   Jobs jobs_{hub_};
 };
 

@@ -100,6 +100,11 @@ RasterBytes raster_bytes(const recipe::Value& value, const RasterWindow& window)
   throw_wrong_kind(value, "a raster");
 }
 
+std::string mask_bytes(const GridFrame& frame, const RasterWindow& window, const std::function<bool(int, int)>& holds) {
+  const auto put = [&](int x, int y, char* out) { *out = holds(x, y) ? '\xff' : '\0'; };
+  return cut_out(frame, window, "u8", 1, put).bytes;
+}
+
 std::optional<std::pair<float, float>> raster_range(const recipe::Value& value) {
   const Grid<float>* grid = scalar_of(value);
   if (grid == nullptr) return std::nullopt;

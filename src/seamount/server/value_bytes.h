@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,9 @@ struct RasterBytes {
 /// A window of a terrain, field, current or label map. Throws InvalidArgument for a window outside, IncompatibleInputs
 /// for a value that is no raster. Linear in the window.
 RasterBytes raster_bytes(const recipe::Value& value, const RasterWindow& window);
+
+/// The same of cells for which holds() is true of column and row, 255, and 0 elsewhere. Throws InvalidArgument.
+std::string mask_bytes(const GridFrame& frame, const RasterWindow& window, const std::function<bool(int, int)>& holds);
 
 /// Range of the known values of a terrain or field; nothing for other values or where none is known. Linear.
 std::optional<std::pair<float, float>> raster_range(const recipe::Value& value);

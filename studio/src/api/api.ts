@@ -10,6 +10,8 @@ export interface RasterPart {
   y?: number;
   columns?: number;
   rows?: number;
+  /** Of heights: 1 asks which of them are dry though they lie below the sea. */
+  dry?: 1;
 }
 
 export interface RasterData {
@@ -17,6 +19,8 @@ export interface RasterData {
   rows: number;
   /** Currents: two a cell, east and north. */
   values: Float32Array | Uint8Array;
+  /** 255 on ground below the sea that is no sea, and on land that touches it, else 0. Absent: all water is sea. */
+  dry?: Uint8Array;
 }
 
 export interface ExampleInfo {
@@ -82,6 +86,8 @@ export interface Api {
   download(path: string): Promise<Blob>;
   exportOutputs(window: string, outputs: Output[], folder: string): Promise<{ job: string }>;
   cancel(job?: string): Promise<void>;
+  /** Has the files that steps read looked at again. */
+  refresh(): Promise<void>;
 }
 
 /** The server's refusal. */

@@ -37,12 +37,15 @@ function partQuery(part: RasterPart): string {
   return text ? `?${text}` : "";
 }
 
-/** Reads "COLUMNS ROWS f32|u8" and the bytes that it describes. */
+/** Reads "COLUMNS ROWS f32|u8|f32x2 [dry]" and the bytes that it describes. */
 export function readRaster(header: string | null, bytes: ArrayBuffer): RasterData {
-  const [columns, rows, type] = (header ?? "").split(" ");
+  const [columns, rows, type, dry] = (header ?? "").split(" ");
   const size = { columns: Number(columns), rows: Number(rows) };
   if (!(size.columns > 0) || !(size.rows > 0)) throw new Error("A raster came without its size");
-  return { ...size, values: type === "u8" ? new Uint8Array(bytes) : new Float32Array(bytes) };
+  if (type === "u8") return { ...size, values: new Uint8Array(bytes) };
+  if (dry !== "dry") return { ...size, values: new Float32Array(bytes) };
+  const cells = size.columns * size.rows;
+  return { ...size, values: new Float32Array(bytes, 0, cells), dry: new Uint8Array(bytes, 4 * cells, cells) };
 }
 
 /** Sends bytes by the one way that tells how many are sent. */
@@ -123,6 +126,7 @@ export function createClient(token: string, origin = ""): Api {
     },
     download: async (path) => (await request(`/api/download?path=${encodeURIComponent(path)}`)).blob(),
     exportOutputs: (window, outputs, folder) => post("/api/export", { window, outputs, folder }),
+    refresh: () => post("/api/refresh", {}),
     cancel: (job) => post("/api/cancel", job === undefined ? {} : { job }),
   };
 }

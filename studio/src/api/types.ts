@@ -257,7 +257,9 @@ export interface Frame {
 
 // GET /api/values/KEY/raster?level=L&x=X&y=Y&columns=C&rows=R : every 2^L-th cell of each row and column, those from
 //   (X, Y) of that level on; left out: all. f32 little endian, row-major, NaN unknown; labels are u8
-//   (0 mountain, 1 beach, 2 lagoon, 3 reef, 4 abyss). Header X-Raster: "COLUMNS ROWS f32|u8". 404: the key is gone.
+//   (0 mountain, 1 beach, 2 lagoon, 3 reef, 4 abyss). Header X-Raster: "COLUMNS ROWS f32|u8|f32x2". 404: key gone.
+//   ?dry=1, of heights: where ground below the sea is no sea the header ends in " dry", and behind the heights is a
+//   byte a cell, 255 there and on land that touches it.
 //   Currents: two f32 a cell, east and north.
 // GET /api/values/KEY/picture : PNG of an image value.
 // GET /api/values/KEY/shapes : GeoJSON-like {type: "FeatureCollection"} in the document's metres, for drawing,

@@ -1,7 +1,8 @@
 // The classes of the catalogue that a scene grows by: for choices of classes, and for the colours of objects.
-import { signal, type ReadonlySignal } from "@preact/signals";
-import type { Json, ParamInfo, Recipe, Schema } from "../api/types";
+import { effect, signal } from "@preact/signals";
+import type { Json, ParamInfo, Recipe, Schema, ValueEvent } from "../api/types";
 import { connectionsOf, stepOf } from "./connections";
+import { filesLooked } from "./files_looked";
 import { isObject } from "./pointer";
 import type { DocumentState, Studio } from "./studio";
 
@@ -56,11 +57,21 @@ export function fromFolder(document: Pick<DocumentState, "file">, file: string):
   return parts.join("/");
 }
 
+/** A file that a step's classes are of, and which results of that step there were when it was read last. */
+interface Use {
+  step: string;
+  path: string;
+  newest: string;
+}
+
 class CatalogueShelf {
   private readonly files = signal<ReadonlyMap<string, readonly CatalogueClass[]>>(new Map());
-  private readonly asked = new Set<string>();
+  private readonly uses = new Map<string, Use>();
+  private looked = filesLooked.peek();
 
-  constructor(private readonly studio: Studio) {}
+  constructor(private readonly studio: Studio) {
+    effect(() => this.look(studio.values.value, filesLooked.value));
+  }
 
   /** Reads signals; [] until they are known. */
   classes(step: string): readonly CatalogueClass[] {
@@ -68,12 +79,24 @@ class CatalogueShelf {
     const file = catalogueFile(document.recipe, this.studio.schema, step);
     const path = file === null ? null : fromFolder(document, file);
     if (path === null) return [];
-    const known = (this.files as ReadonlySignal<ReadonlyMap<string, readonly CatalogueClass[]>>).value.get(path);
-    if (!known && !this.asked.has(path)) {
-      this.asked.add(path);
+    const name = `${step} ${path}`;
+    if (!this.uses.has(name)) {
+      this.uses.set(name, { step, path, newest: newestOf(this.studio.values.peek(), step) });
       void this.fetch(path);
     }
-    return known ?? [];
+    return this.files.value.get(path) ?? [];
+  }
+
+  /** Reads again what may be another by now: files were written, or a step has another result. */
+  private look(values: Values, looked: number): void {
+    const paths = new Set<string>();
+    for (const use of this.uses.values()) {
+      const newest = newestOf(values, use.step);
+      if (looked !== this.looked || (newest !== "" && newest !== use.newest)) paths.add(use.path);
+      if (newest !== "") use.newest = newest;
+    }
+    this.looked = looked;
+    for (const path of paths) void this.fetch(path);
   }
 
   private async fetch(path: string): Promise<void> {
@@ -83,8 +106,18 @@ class CatalogueShelf {
     } catch {
       // Not to be read from here: names are typed then.
     }
-    this.files.value = new Map(this.files.peek()).set(path, classes);
+    const files = this.files.peek();
+    if (JSON.stringify(files.get(path)) === JSON.stringify(classes)) return;
+    this.files.value = new Map(files).set(path, classes);
   }
+}
+
+type Values = ReadonlyMap<string, ValueEvent>;
+
+/** Keys of the full results of a step: another file makes others. */
+function newestOf(values: Values, step: string): string {
+  return [...values.values()].filter(({ source, coarse }) => !coarse && source.startsWith(`${step}.`))
+    .map(({ source, key }) => `${source} ${key}`).sort().join("\n");
 }
 
 const shelves = new WeakMap<Studio, CatalogueShelf>();

@@ -237,6 +237,10 @@ export class FakeServer implements Api {
     });
   }
 
+  refresh(): Promise<void> {
+    return this.answer("refresh", null, () => undefined);
+  }
+
   cancel(): Promise<void> {
     return this.answer("cancel", null, () => undefined);
   }

@@ -1,7 +1,7 @@
 // What the engine has computed of the sources that this window wants, and the rasters that were fetched of them.
 import { signal } from "@preact/signals";
 import { ApiError, Disconnected } from "../api/api";
-import type { Api, ValueForm } from "../api/api";
+import type { Api, RasterPart, ValueForm } from "../api/api";
 import type { EngineState, Frame, Json, ValueEvent } from "../api/types";
 import type { Raster } from "../viewport/types";
 
@@ -76,7 +76,7 @@ const kStateEvery_ms = 120;
 export class Results {
   readonly engine = signal<EngineState>({ revision: 0, settled: true, coarse: false, fraction: 1, steps: [] });
   readonly values = signal<ReadonlyMap<string, ValueEvent>>(new Map());
-  private rasters = new PromiseCache<Raster>((raster) => raster.values.byteLength);
+  private rasters = new PromiseCache<Raster>((raster) => raster.values.byteLength + (raster.dry?.byteLength ?? 0));
   private contents = new PromiseCache<Json>(jsonBytes);
   private wants = new Map<string, readonly string[]>();
   private asked = "";
@@ -127,10 +127,12 @@ export class Results {
     if (!value || !frame || !isRaster(value.kind)) return null;
     try {
       return await this.rasters.get(`${value.key}/${level}`, async () => {
-        const { columns, rows, values } = await this.api.raster(value.key, level === 0 ? {} : { level });
+        const part: RasterPart = { ...(level === 0 ? {} : { level }), ...(value.kind === "terrain" ? { dry: 1 } : {}) };
+        const { columns, rows, values, dry } = await this.api.raster(value.key, part);
         const range = { min: value.min ?? 0, max: value.max ?? 0 };
         return {
           key: value.key, frame: frameOfLevel(frame, level, columns, rows), values, coarse: value.coarse, ...range,
+          ...(dry === undefined ? {} : { dry }),
         };
       });
     } catch (error) {

@@ -12,26 +12,39 @@ type Uniforms = { [name: string]: IUniform };
 export class Bake {
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
-  private readonly material: RawShaderMaterial;
+  private readonly mesh = new Mesh<PlaneGeometry, RawShaderMaterial>(new PlaneGeometry(2, 2));
+  private readonly variants = new Map<string, RawShaderMaterial>();
 
-  constructor(shader: string, readonly uniforms: Uniforms) {
-    this.material = new RawShaderMaterial({
-      glslVersion: GLSL3, vertexShader: bakeVertex, fragmentShader: common + shader, uniforms, depthTest: false,
-      depthWrite: false,
-    });
-    const mesh = new Mesh(new PlaneGeometry(2, 2), this.material);
-    mesh.frustumCulled = false;
-    this.scene.add(mesh);
+  constructor(private readonly shader: string, readonly uniforms: Uniforms) {
+    this.mesh.frustumCulled = false;
+    this.scene.add(this.mesh);
   }
 
-  into(renderer: WebGLRenderer, target: WebGLRenderTarget): void {
+  /** `defines`: what the shader is to do besides; empty words say nothing. */
+  into(renderer: WebGLRenderer, target: WebGLRenderTarget, defines: readonly string[] = []): void {
+    this.mesh.material = this.variant(defines.filter((name) => name !== ""));
     renderer.setRenderTarget(target);
     renderer.render(this.scene, this.camera);
     renderer.setRenderTarget(null);
   }
 
   dispose(): void {
-    this.material.dispose();
+    this.mesh.geometry.dispose();
+    for (const material of this.variants.values()) material.dispose();
+  }
+
+  private variant(defines: readonly string[]): RawShaderMaterial {
+    const key = defines.join(" ");
+    let made = this.variants.get(key);
+    if (made === undefined) {
+      const head = defines.map((name) => `#define ${name}\n`).join("");
+      made = new RawShaderMaterial({
+        glslVersion: GLSL3, vertexShader: bakeVertex, fragmentShader: head + common + this.shader,
+        uniforms: this.uniforms, depthTest: false, depthWrite: false,
+      });
+      this.variants.set(key, made);
+    }
+    return made;
   }
 }
 

@@ -20,9 +20,10 @@ export class DetailGround {
 
   constructor(
     readonly coarse: HeightField, source: Source, readonly window: Window, values: Float32Array | Uint8Array,
+    dry?: Uint8Array,
   ) {
     const frame = frameOfWindow(source, window), from = coarse.frame;
-    this.field = new HeightField(frame, values, source.key, false);
+    this.field = new HeightField(frame, values, source.key, false, dry ?? null);
     const { width_m, height_m } = this.field;
     this.place = [
       (from.west - frame.west) / width_m, (frame.north - from.north) / height_m,
@@ -89,6 +90,14 @@ export function heightAt(field: HeightField, detail: DetailGround | null, x: num
   if (weight === 0 || height === null) return height;
   const fine = detail!.field.at(x, y);
   return fine === null ? null : height + weight * (fine - height);
+}
+
+/** Whether ground below the sea is dry at a place: as in the shaders. */
+export function dryAt(field: HeightField, detail: DetailGround | null, x: number, y: number): boolean {
+  const weight = detail?.weight(x, y) ?? 0;
+  if (field.dry === null && (weight === 0 || detail!.field.dry === null)) return false;
+  const coarse = field.dryShare(x, y);
+  return (weight === 0 ? coarse : coarse + weight * (detail!.field.dryShare(x, y) - coarse)) > 0.5;
 }
 
 /** Where a ray meets the ground, of which a part may be known finely. */

@@ -7,7 +7,7 @@ import type { HeightField } from "./heights";
 
 /** Windows have at most so many cells a side; the map's may be longer and narrower. Of a window there are the heights
  * twice and, per cell, 11 bytes of gradients and, in 3D, 9 of colours: 62 MB in
- * software and 225 MB else for both views. */
+ * software and 225 MB else for both views; two bytes a cell more where ground below the sea is dry. */
 export function mostDetailCells(view: "map" | "world", software: boolean): number {
   return view === "map" ? (software ? 1280 : 2304) : software ? 1024 : 2048;
 }
@@ -68,10 +68,10 @@ export class DetailKeeper {
     while (this.wanted !== null && this.source !== null && this.coarse !== null && !sameWindow(this.wanted, this.has)) {
       const { wanted: window, source, coarse } = this, { level, x, y, columns, rows } = window;
       try {
-        const { values } = await this.api.raster(source.key, { level, x, y, columns, rows });
+        const { values, dry } = await this.api.raster(source.key, { level, x, y, columns, rows, dry: 1 });
         // Where the view moves on it is better than nothing, where it came back it is not.
         if (this.source !== source || this.wanted === null || sameWindow(this.wanted, this.has)) continue;
-        this.view.detail = new DetailGround(coarse, source, window, values);
+        this.view.detail = new DetailGround(coarse, source, window, values, dry);
         this.came();
       } catch {
         // The result is gone: a newer one is announced. Or the server is: the page says so elsewhere.

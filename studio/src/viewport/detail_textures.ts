@@ -46,6 +46,7 @@ export function showDetail(u: SharedUniforms, detail: DetailGround | null, of: D
   u.detail_strength.value = detail === null ? 0 : 1;
   u.detail_heights.value = detail === null ? u.heights.value : of.textures.heights;
   u.detail_surface.value = detail === null ? u.surface.value : of.textures.surface;
+  u.detail_dry.value = detail === null ? u.dry.value : of.textures.dry;
   u.detail_lit.value = detail === null ? u.lit.value : of.textures.lit;
   if (detail === null) return;
   u.detail_cell_m.value = detail.cell_m;

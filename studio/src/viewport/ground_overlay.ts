@@ -5,7 +5,7 @@ import {
 } from "three";
 import type { Frame } from "../api/types";
 import { fieldColour, labelColours, labelNames, type Colour } from "./tints";
-import type { GroundOverlay, Raster } from "./types";
+import type { GroundOverlay, GroundPointer, Raster } from "./types";
 
 export interface Legend {
   /** A bar from min to max, or swatches. */
@@ -17,6 +17,16 @@ const slopeColours: readonly [string, Colour][] = [
   ["0\u00b0", [199, 212, 189]], ["15\u00b0", [237, 219, 133]], ["25\u00b0", [235, 143, 71]],
   ["40\u00b0", [189, 56, 56]], ["60\u00b0", [92, 33, 77]],
 ];
+
+/** Region at a place, where labels are laid over the ground. */
+export function labelAt(overlay: GroundOverlay, place: GroundPointer | null): string | null {
+  if (place === null || overlay.overlay !== "labels") return null;
+  const { frame, values } = overlay.raster;
+  const column = Math.floor((place.x - frame.west) / frame.cell_m);
+  const row = Math.floor((frame.north - place.y) / frame.cell_m);
+  if (column < 0 || row < 0 || column >= frame.columns || row >= frame.rows) return null;
+  return labelNames[values[row * frame.columns + column]!] ?? null;
+}
 
 export function legendOf(overlay: GroundOverlay): Legend | null {
   switch (overlay.overlay) {
@@ -69,7 +79,7 @@ export class OverlayTexture {
       return;
     }
     const { raster } = overlay;
-    const key = `${overlay.overlay} ${raster.key} ${raster.frame.columns} ${raster.min} ${raster.max}`;
+    const key = `${overlay.overlay} ${raster.key} ${raster.min} ${raster.max} ${Object.values(raster.frame).join(" ")}`;
     if (key === this.shownKey) return;
     const texture = new DataTexture(
       overlayPixels(raster), raster.frame.columns, raster.frame.rows, RGBAFormat, UnsignedByteType,

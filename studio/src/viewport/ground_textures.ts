@@ -6,8 +6,9 @@ import {
   type WebGLRenderTarget, type WebGLRenderer,
 } from "three";
 import { Bake, target } from "./bake";
-import { climateOf } from "./climate";
+import { climateOf, type ClimateChoice } from "./climate";
 import type { DetailGround } from "./detail_ground";
+import { dryTexture, nowhere } from "./dry_texture";
 import type { HeightField } from "./heights";
 import { lamps } from "./light";
 import { sunVector, type ViewOptions } from "./options";
@@ -59,11 +60,11 @@ export class GroundTextures {
   private readonly sets: Set[] = [];
   private ground: Ground | null = null;
   private light: WebGLRenderTarget | null = null;
+  private low: DataTexture | null = null;
   private lightFits = false;
   private readonly surfaceBake: Bake;
   private readonly albedoBake: Bake;
   private readonly lightBake: Bake;
-  private readonly lightWithinBake: Bake;
   private readonly litBake: Bake;
 
   constructor(
@@ -75,21 +76,22 @@ export class GroundTextures {
       result_size: { value: [1, 1] },
     });
     this.albedoBake = new Bake(albedoShader, {
-      surface: { value: null }, noise: { value: noise }, cell_m: { value: 1 }, scale: { value: 1 },
-      coarse_m: { value: 1 },
-      finer: { value: 0 }, middle: { value: [0, 0] }, tropical: { value: true },
+      surface: { value: null }, dry: { value: nowhere }, noise: { value: noise }, cell_m: { value: 1 },
+      scale: { value: 1 }, coarse_m: { value: 1 },
+      finer: { value: 0 }, middle: { value: [0, 0] }, warmth_c: { value: 25 }, rain_mm: { value: 2000 },
+      latitude: { value: 18 }, rain_from: { value: [1, 0] }, low_m: { value: 0 }, basalt: { value: true },
       snow_line: { value: 5000 }, tree_line: { value: 3900 },
     });
-    const light = {
-      surface: { value: null }, cell_m: { value: 1 }, exaggeration: { value: 1 },
+    this.lightBake = new Bake(lightShader, {
+      surface: { value: null }, dry: { value: nowhere }, cell_m: { value: 1 }, exaggeration: { value: 1 },
       floor_m: { value: 0 }, to_sun: { value: [0, 0, 1] }, light_size: { value: [1, 1] },
-      around: { value: null }, around_place: { value: [0, 0, 1, 1] }, finer: { value: 0 },
-    };
-    this.lightBake = new Bake(lightShader, light);
-    this.lightWithinBake = new Bake(`#define AROUND\n${lightShader}`, light);
+      around: { value: null }, around_dry: { value: nowhere }, around_place: { value: [0, 0, 1, 1] },
+      finer: { value: 0 },
+    });
     const none = { value: null };
     this.litBake = new Bake(overlayShader + litShader, {
-      surface: { ...none }, albedo: { ...none }, lights: { ...none }, exaggeration: { value: 1 }, floor_m: { value: 0 },
+      surface: { ...none }, dry: { value: nowhere }, albedo: { ...none }, lights: { ...none },
+      exaggeration: { value: 1 }, floor_m: { value: 0 },
       to_sun: { value: [0, 0, 1] }, sun_light: { value: [1, 1, 1] }, sky_light: { value: [1, 1, 1] },
       ground_style: { value: 0 },
     });
@@ -105,11 +107,18 @@ export class GroundTextures {
     return this.ground?.lit.texture ?? null;
   }
 
+  /** Where low ground is dry. */
+  get dry(): Texture {
+    return this.low ?? nowhere;
+  }
+
   /** Another height field: nothing that was baked fits it. */
   upload(field: HeightField): void {
     const set = this.setOf(field.columns, field.rows);
     set.heights.image = { data: field.values as Float32Array<ArrayBuffer>, width: field.columns, height: field.rows };
     set.heights.needsUpdate = true;
+    this.low?.dispose();
+    this.low = field.dry === null ? null : dryTexture(field.dry, field.columns, field.rows);
     for (const ground of [set.fine, set.quick]) ground.surfaceFits = ground.albedoFits = ground.litFits = false;
     this.lightFits = false;
   }
@@ -118,6 +127,11 @@ export class GroundTextures {
   relight(shadowsToo: boolean): void {
     for (const { fine, quick } of this.sets) fine.litFits = quick.litFits = false;
     if (shadowsToo) this.lightFits = false;
+  }
+
+  /** The climate is another. */
+  recolour(): void {
+    for (const { fine, quick } of this.sets) fine.albedoFits = quick.albedoFits = false;
   }
 
   /** Everything that the 3D view needs is there. */
@@ -146,7 +160,7 @@ export class GroundTextures {
   /** Colours in their light, for the 3D view. After shape(). A moving view keeps the shadows that there were. */
   colour(field: HeightField, options: ViewOptions, style: number, quick: boolean, within: Within | null = null): void {
     const ground = this.ground!;
-    if (!ground.albedoFits) this.bakeAlbedo(ground, field, within?.ground ?? null);
+    if (!ground.albedoFits) this.bakeAlbedo(ground, field, options.climate, within?.ground ?? null);
     if (this.light === null || (!quick && !this.lightFits)) this.bakeLight(ground, field, options, within);
     if (!ground.litFits) this.bakeLit(ground, options, style);
   }
@@ -154,24 +168,30 @@ export class GroundTextures {
   dispose(): void {
     for (const set of this.sets.splice(0)) disposeSet(set);
     this.light?.dispose();
-    for (const bake of [this.surfaceBake, this.albedoBake, this.lightBake, this.lightWithinBake, this.litBake]) {
-      bake.dispose();
-    }
+    this.low?.dispose();
+    for (const bake of [this.surfaceBake, this.albedoBake, this.lightBake, this.litBake]) bake.dispose();
   }
 
-  private bakeAlbedo(ground: Ground, field: HeightField, within: DetailGround | null): void {
+  private bakeAlbedo(ground: Ground, field: HeightField, chosen: ClimateChoice, within: DetailGround | null): void {
     const whole = within?.coarse ?? field, cell_m = field.width_m / ground.surface.width;
-    const { uniforms } = this.albedoBake, climate = climateOf(whole.frame, whole.inSea);
+    const { uniforms } = this.albedoBake, climate = climateOf(whole.frame, whole.inSea, chosen);
     uniforms.surface!.value = ground.surface.texture;
+    uniforms.dry!.value = this.dry;
     uniforms.cell_m!.value = cell_m;
     uniforms.coarse_m!.value = within === null ? cell_m : whole.frame.cell_m;
     uniforms.finer!.value = within?.levels ?? 0;
     uniforms.middle!.value = [field.centre[0] - whole.centre[0], whole.centre[1] - field.centre[1]];
     uniforms.scale!.value = ground.albedo.width / ground.surface.width;
-    uniforms.tropical!.value = climate.tropical;
+    uniforms.warmth_c!.value = climate.seaLevel_c;
+    uniforms.rain_mm!.value = climate.rain_mm;
+    uniforms.latitude!.value = climate.latitude;
+    const from = (climate.windFrom_deg * Math.PI) / 180;
+    uniforms.rain_from!.value = [Math.sin(from), Math.cos(from)];
+    uniforms.low_m!.value = Math.max(0, whole.min);
+    uniforms.basalt!.value = climate.basalt;
     uniforms.snow_line!.value = climate.snowLine;
     uniforms.tree_line!.value = climate.treeLine;
-    this.albedoBake.into(this.renderer, ground.albedo);
+    this.albedoBake.into(this.renderer, ground.albedo, [this.low === null ? "" : "DRY"]);
     ground.albedoFits = true;
     ground.litFits = false;
   }
@@ -184,20 +204,23 @@ export class GroundTextures {
       this.light?.dispose();
       this.light = target(width, height, false, false);
     }
-    const bake = within === null ? this.lightBake : this.lightWithinBake, { uniforms } = bake;
+    const { uniforms } = this.lightBake;
     if (within !== null) {
       const [x, y, across, down] = within.ground.place;
       uniforms.around!.value = within.around.surface;
+      uniforms.around_dry!.value = within.around.dry;
       uniforms.around_place!.value = [-x / across, -y / down, 1 / across, 1 / down];
       uniforms.finer!.value = within.ground.levels;
     }
     uniforms.surface!.value = ground.surface.texture;
+    uniforms.dry!.value = this.dry;
     uniforms.cell_m!.value = field.width_m / ground.surface.width;
     uniforms.exaggeration!.value = options.exaggeration;
     uniforms.floor_m!.value = options.water ? 0 : -1e9;
     uniforms.to_sun!.value = sunVector(options.sun);
     uniforms.light_size!.value = [width, height];
-    bake.into(this.renderer, this.light);
+    const dry = this.low !== null || (within?.around.low ?? null) !== null;
+    this.lightBake.into(this.renderer, this.light, [within === null ? "" : "AROUND", dry ? "DRY" : ""]);
     this.lightFits = true;
     ground.litFits = false;
   }
@@ -205,6 +228,7 @@ export class GroundTextures {
   private bakeLit(ground: Ground, options: ViewOptions, style: number): void {
     const { uniforms } = this.litBake, light = lamps(options.sun);
     uniforms.surface!.value = ground.surface.texture;
+    uniforms.dry!.value = this.dry;
     uniforms.albedo!.value = ground.albedo.texture;
     uniforms.lights!.value = this.light!.texture;
     uniforms.exaggeration!.value = options.exaggeration;
@@ -213,7 +237,7 @@ export class GroundTextures {
     uniforms.sun_light!.value = light.sun;
     uniforms.sky_light!.value = light.sky;
     uniforms.ground_style!.value = style;
-    this.litBake.into(this.renderer, ground.lit);
+    this.litBake.into(this.renderer, ground.lit, [this.low === null ? "" : "DRY"]);
     ground.litFits = true;
   }
 

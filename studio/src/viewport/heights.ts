@@ -15,6 +15,8 @@ export interface TreeLevel {
   rows: number;
   low: Float32Array;
   high: Float32Array;
+  /** 1: a block has dry ground below the sea. Absent: none has. */
+  dry?: Uint8Array;
 }
 
 export class HeightField {
@@ -22,6 +24,9 @@ export class HeightField {
   readonly rows: number;
   readonly min: number;
   readonly max: number;
+  /** Of the sea's floor and of dry ground, 0 or less. */
+  readonly lowestSea: number;
+  readonly lowestDry: number;
   /** Finest first; the last has one block. */
   readonly tree: readonly TreeLevel[];
   /** Root mean square tangent of slopes that are not nearly level. */
@@ -39,21 +44,25 @@ export class HeightField {
     values: Float32Array | Uint8Array,
     readonly key: string,
     readonly coarse: boolean,
+    /** 255: ground that is dry though it may lie below the sea, else 0; null: there is none. */
+    readonly dry: Uint8Array | null = null,
   ) {
     this.columns = frame.columns;
     this.rows = frame.rows;
     this.known = values;
     this.values = filled(values, frame.columns);
     this.tree = buildTree(this.values, this.columns, this.rows);
+    if (dry !== null) markDry(this.tree, dry, this.columns, this.rows);
     const root = this.tree[this.tree.length - 1]!;
     this.min = root.low[0]!;
     this.max = root.high[0]!;
     this.typicalSlope = typicalSlope(this.values, this.columns, this.rows, frame.cell_m);
+    [this.lowestSea, this.lowestDry] = lowest(this.values, dry, this.min);
     [this.seaBorder, this.borderDepth] = border(this.values, this.columns, this.rows);
   }
 
   static of(raster: Raster): HeightField {
-    return new HeightField(raster.frame, raster.values, raster.key, raster.coarse);
+    return new HeightField(raster.frame, raster.values, raster.key, raster.coarse, raster.dry ?? null);
   }
 
   get width_m(): number {
@@ -68,11 +77,11 @@ export class HeightField {
   }
   /** Around what stands over the sea or close under its surface; all where that is little. */
   get dryRectangle(): Rectangle {
-    const { columns, rows, high } = this.tree[0]!, side = blockCells * this.frame.cell_m;
+    const { columns, rows, high, dry } = this.tree[0]!, side = blockCells * this.frame.cell_m;
     let left = columns, right = -1, top = rows, bottom = -1;
     for (let y = 0; y < rows; ++y) {
       for (let x = 0; x < columns; ++x) {
-        if (high[y * columns + x]! < -25) continue;
+        if (high[y * columns + x]! < -25 && dry?.[y * columns + x] !== 1) continue;
         left = Math.min(left, x);
         right = Math.max(right, x);
         top = Math.min(top, y);
@@ -107,16 +116,36 @@ export class HeightField {
     return Number.isNaN(this.known[row * this.columns + column]!) ? null : this.sample(u, v);
   }
 
+  /** How dry the ground at a place is, 0 to 1: bilinear. */
+  dryShare(x: number, y: number): number {
+    if (this.dry === null) return 0;
+    return bilinear(this.dry, this.columns, this.rows, ...this.cellsOf(x, y)) / 255;
+  }
+
+  /** Of the ground or, where that is lower and not dry, of water at a level; in block coordinates. */
+  surface(u: number, v: number, water: number): number {
+    const height = this.sample(u, v);
+    if (height >= water) return height;
+    return this.dry !== null && bilinear(this.dry, this.columns, this.rows, u, v) > 127 ? height : water;
+  }
+
   /** Bilinear, in block coordinates, clamped to the border. */
   sample(u: number, v: number): number {
-    const x = Math.min(this.columns - 1, Math.max(0, u - 0.5)), y = Math.min(this.rows - 1, Math.max(0, v - 0.5));
-    const column = Math.min(this.columns - 2, Math.floor(x)), row = Math.min(this.rows - 2, Math.floor(y));
-    if (column < 0 || row < 0) return this.values[Math.floor(y) * this.columns + Math.floor(x)]!;
-    const s = x - column, t = y - row, i = row * this.columns + column, below = i + this.columns;
-    const h = this.values;
-    const top = h[i]! + s * (h[i + 1]! - h[i]!), bottom = h[below]! + s * (h[below + 1]! - h[below]!);
-    return top + t * (bottom - top);
+    return bilinear(this.values, this.columns, this.rows, u, v);
   }
+
+  private cellsOf(x: number, y: number): [number, number] {
+    return [(x - this.frame.west) / this.frame.cell_m, (this.frame.north - y) / this.frame.cell_m];
+  }
+}
+
+function bilinear(h: Float32Array | Uint8Array, columns: number, rows: number, u: number, v: number): number {
+  const x = Math.min(columns - 1, Math.max(0, u - 0.5)), y = Math.min(rows - 1, Math.max(0, v - 0.5));
+  const column = Math.min(columns - 2, Math.floor(x)), row = Math.min(rows - 2, Math.floor(y));
+  if (column < 0 || row < 0) return h[Math.floor(y) * columns + Math.floor(x)]!;
+  const s = x - column, t = y - row, i = row * columns + column, below = i + columns;
+  const top = h[i]! + s * (h[i + 1]! - h[i]!), bottom = h[below]! + s * (h[below + 1]! - h[below]!);
+  return top + t * (bottom - top);
 }
 
 function filled(values: Float32Array | Uint8Array, columns: number): Float32Array {
@@ -174,6 +203,36 @@ function buildTree(values: Float32Array, columns: number, rows: number): TreeLev
   return levels;
 }
 
+/** Tells the blocks of a tree which of their cells, and of those around, are dry below the sea. */
+function markDry(tree: readonly TreeLevel[], dry: Uint8Array, columns: number, rows: number): void {
+  const finest = tree[0]!, marks = (finest.dry = new Uint8Array(finest.columns * finest.rows));
+  for (let by = 0; by < finest.rows; ++by) {
+    const y0 = Math.max(0, by * blockCells - 1), y1 = Math.min(rows - 1, (by + 1) * blockCells);
+    for (let bx = 0; bx < finest.columns; ++bx) {
+      const x0 = Math.max(0, bx * blockCells - 1), x1 = Math.min(columns - 1, (bx + 1) * blockCells);
+      let any = false;
+      for (let y = y0; y <= y1 && !any; ++y) any = dry.subarray(y * columns + x0, y * columns + x1 + 1).includes(255);
+      marks[by * finest.columns + bx] = any ? 1 : 0;
+    }
+  }
+  for (let k = 1; k < tree.length; ++k) {
+    const from = tree[k - 1]!, to = tree[k]!, marked = (to.dry = new Uint8Array(to.columns * to.rows));
+    from.dry!.forEach((mark, i) => {
+      if (mark === 1) marked[(Math.floor(i / from.columns) >> 1) * to.columns + ((i % from.columns) >> 1)] = 1;
+    });
+  }
+}
+
+function lowest(values: Float32Array, dry: Uint8Array | null, min: number): [number, number] {
+  if (dry === null) return [Math.min(0, min), 0];
+  let sea = 0, ground = 0;
+  values.forEach((h, i) => {
+    if (dry[i] === 0) sea = Math.min(sea, h);
+    else ground = Math.min(ground, h);
+  });
+  return [sea, ground];
+}
+
 function typicalSlope(values: Float32Array, columns: number, rows: number, cell_m: number): number {
   const step = Math.max(1, Math.floor(Math.sqrt((columns * rows) / 65536)));
   let sum = 0, count = 0;
@@ -201,4 +260,11 @@ function border(values: Float32Array, columns: number, rows: number): [number, n
   for (let x = 0; x < columns; ++x) [values[x]!, values[(rows - 1) * columns + x]!].forEach(add);
   for (let y = 0; y < rows; ++y) [values[y * columns]!, values[(y + 1) * columns - 1]!].forEach(add);
   return [below / Math.max(1, count), below > 0 ? depth / below : 0];
+}
+
+/** Whether two lie in about the same place. */
+export function sameRectangle(a: HeightField, b: HeightField): boolean {
+  const near = (p: number, q: number): boolean => Math.abs(p - q) < 0.02 * Math.max(a.width_m, b.width_m);
+  return near(a.frame.west, b.frame.west) && near(a.frame.north, b.frame.north) &&
+    near(a.width_m, b.width_m) && near(a.height_m, b.height_m);
 }

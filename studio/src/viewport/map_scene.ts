@@ -3,6 +3,7 @@ import {
   GLSL3, Mesh, OrthographicCamera, PlaneGeometry, RawShaderMaterial, Scene, Vector3, type IUniform, type WebGLRenderer,
 } from "three";
 import type { DetailGround } from "./detail_ground";
+import { nowhere } from "./dry_texture";
 import type { HeightField } from "./heights";
 import type { MapEye, Size } from "./map_camera";
 import common from "./shaders/common.glsl";
@@ -31,8 +32,11 @@ export interface MapPicture {
 
 export class MapScene {
   /** The map may show other ground than the 3D view. */
-  readonly ground: Pick<SharedUniforms, "heights" | "surface" | "lit" | "cell_m" | "overlay_place"> = {
-    heights: { value: null }, surface: { value: null }, lit: { value: null }, cell_m: { value: 1 },
+  readonly ground: Pick<
+    SharedUniforms, "heights" | "surface" | "lit" | "dry" | "cell_m" | "overlay" | "overlay_place"
+  > = {
+    heights: { value: null }, surface: { value: null }, lit: { value: null }, dry: { value: nowhere },
+    cell_m: { value: 1 }, overlay: { value: null },
     overlay_place: { value: [0, 0, 1, 1] },
   };
   private readonly scene = new Scene();
@@ -59,14 +63,18 @@ export class MapScene {
       (0.5 * size.width * eye.pixel_m) / field.width_m, (-0.5 * size.height * eye.pixel_m) / field.height_m,
     ];
     u.pixel_m!.value = pixel_m;
-    const { min, max } = tinted;
-    const scale = water ? tintScale(min, max) : { deepest: 1, base: min, top: Math.max(max, min + 1) };
+    const { min, max, lowestSea, lowestDry } = tinted;
+    const scale = water
+      ? tintScale(lowestSea < 0 ? lowestSea : min, max, lowestDry)
+      : { deepest: 1, base: min, top: Math.max(max, min + 1) };
     (u.tint_scale!.value as Vector3).set(scale.deepest, scale.base, scale.top);
     (u.paper!.value as Vector3).set(...paper);
     u.water!.value = water;
     // Cells that are larger than pixels are sampled finely.
     const names = [
-      u.overlay_strength!.value > 0 ? "OVERLAY" : "", detail !== null ? "DETAIL" : "",
+      u.overlay_strength!.value > 0 ? "OVERLAY" : "",
+      detail !== null && u.overlay_fine!.value === true ? "FINE_OVERLAY" : "", detail !== null ? "DETAIL" : "",
+      field.dry !== null || (detail?.field.dry ?? null) !== null ? "DRY" : "",
       pixel_m < 1.5 * (detail?.cell_m ?? frame.cell_m) ? "SMOOTH" : "",
     ];
     this.mesh.material = this.variant(names.filter((name) => name !== ""));

@@ -10,6 +10,7 @@ import { fitted, toGround, toScreen, visible, type MapEye, type Rectangle } from
 import { drawFurniture } from "./map_furniture";
 import { MapMover } from "./map_mover";
 import type { ViewOptions } from "./options";
+import type { OverlayWindow } from "./overlay_keeper";
 import type { PictureRenderer, Sort } from "./picture_renderer";
 import { drawShapes } from "./shapes_ink";
 import type { GroundOverlay, OverlayShape, Raster } from "./types";
@@ -25,6 +26,7 @@ export class MapView {
   inkStale = true;
   field: HeightField | null = null;
   detail: DetailGround | null = null;
+  overlayDetail: OverlayWindow | null = null;
   /** Of the cells that the terrain is computed in. */
   cell_m = 1;
   private eye: MapEye = { x: 0, y: 0, pixel_m: 1 };
@@ -107,9 +109,8 @@ export class MapView {
   ): DetailGround | null {
     const { width, height } = this.surface.pixels;
     const pixels = { width: Math.ceil(width * size), height: Math.ceil(height * size) };
-    const drawn = renderer.drawMap(
-      field, this.detail, options, overlay, this.eye, this.surface, pixels, paperOf(this.surface.element), sort,
-    );
+    const known = { ground: this.detail, over: this.overlayDetail }, paper = paperOf(this.surface.element);
+    const drawn = renderer.drawMap(field, known, options, overlay, this.eye, this.surface, pixels, paper, sort);
     renderer.show(this.surface, pixels, sort);
     return drawn;
   }

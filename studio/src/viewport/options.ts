@@ -1,4 +1,5 @@
 // How the views show the ground: what a person sets in the view's own controls. Never part of a recipe.
+import type { ClimateChoice } from "./climate";
 
 /** texture: natural ground; relief: one pale stone; slope: steepness in colours; contours: natural with height
  * lines. */
@@ -13,6 +14,8 @@ export interface ViewOptions {
   /** Bearing the sun stands at, clockwise from north, and its height over the horizon. */
   sun: { azimuth_deg: number; elevation_deg: number };
   ground: GroundStyle;
+  /** That natural ground grows in. */
+  climate: ClimateChoice;
   /** Kilometre lines over the map. */
   grid: boolean;
   navigation: NavigationPreset;
@@ -24,6 +27,7 @@ export const defaultOptions: ViewOptions = {
   water: true,
   sun: { azimuth_deg: 300, elevation_deg: 33 },
   ground: "texture",
+  climate: "automatic",
   grid: false,
   navigation: "blender",
 };

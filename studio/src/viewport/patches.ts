@@ -20,7 +20,7 @@ export interface PatchView {
   /** Planes a x + b y + c z + d >= 0 around what is seen, in the same system; four numbers each. */
   planes: ArrayLike<number>;
   exaggeration: number;
-  /** Nothing below is drawn: 0 where there is water, else -Infinity. */
+  /** Nothing below is drawn but dry ground: 0 where there is water, else -Infinity. */
   floor: number;
   /** About so many patches are wanted at most. */
   budget: number;
@@ -79,11 +79,12 @@ function choose(field: HeightField, view: PatchView, range: number, finest: numb
     if (column >= tree.columns || row >= tree.rows) return;
     const i = row * tree.columns + column, side = patchCells * 2 ** level * cell;
     let least = tree.low[i]!, greatest = tree.high[i]!;
+    const dry = tree.dry?.[i] === 1 || (view.detail?.field.dry ?? null) !== null, floor = dry ? -Infinity : view.floor;
     if (view.detail) [least, greatest] = view.detail.bounds(x * side, y * side, side, least, greatest);
     const outermost = x === 0 || y === 0 || (x + 1) * side >= field.width_m || (y + 1) * side >= field.height_m;
-    if (greatest <= view.floor && !(view.walls && outermost)) return;
-    const low = view.exaggeration * Math.max(view.floor, least);
-    const high = view.exaggeration * Math.max(view.floor, greatest);
+    if (greatest <= floor && !(view.walls && outermost)) return;
+    const low = view.exaggeration * Math.max(floor, least);
+    const high = view.exaggeration * Math.max(floor, greatest);
     const box = [x * side, y * side, low, (x + 1) * side, (y + 1) * side, high];
     if (!seen(view.planes, box)) return;
     if (level === finest || distance(view.eye, box) >= rangeOf(level - 1)) return put(level, x, y);

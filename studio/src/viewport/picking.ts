@@ -66,7 +66,7 @@ function descend(w: Walk, level: number, x: number, y: number, begin: number, en
 }
 
 function above(w: Walk, t: number): number {
-  return w.z + t * w.dz - Math.max(w.floor, w.field.sample(w.u + t * w.du, w.v + t * w.dv));
+  return w.z + t * w.dz - w.field.surface(w.u + t * w.du, w.v + t * w.dv, w.floor);
 }
 
 function march(w: Walk, begin: number, end: number): number | null {

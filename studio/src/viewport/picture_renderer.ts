@@ -1,7 +1,8 @@
 // The one WebGL renderer of both views and what it holds: textures of the ground, the scene of the 3D view, the map.
-import { WebGLRenderer, type DataTexture } from "three";
+import { WebGLRenderer, type DataTexture, type Texture } from "three";
 import type { DetailGround } from "./detail_ground";
 import { DetailTextures, showDetail } from "./detail_textures";
+import { sameWindow } from "./detail_window";
 import { GroundTextures, type TextureBudget } from "./ground_textures";
 import { OverlayTexture } from "./ground_overlay";
 import type { HeightField } from "./heights";
@@ -9,7 +10,10 @@ import { visible, type MapEye, type Size } from "./map_camera";
 import { MapScene } from "./map_scene";
 import { noiseTexture } from "./noise_texture";
 import type { ViewOptions } from "./options";
-import { sharedUniforms, showOverlay, showTextures, styleNumber, type SharedUniforms } from "./shared_uniforms";
+import {
+  sharedUniforms, showOverlay, showOverlayDetail, showTextures, styleNumber, type SharedUniforms,
+} from "./shared_uniforms";
+import type { OverlayWindow } from "./overlay_keeper";
 import { Pace } from "./pace";
 import { contourInterval } from "./ticks";
 import type { GroundOverlay } from "./types";
@@ -19,6 +23,12 @@ import { WorldScene } from "./world_scene";
 
 /** What a frame was: of a moving view, of one at rest as good as it gets, or neither. */
 export type Sort = "quick" | "fine" | "plain";
+
+/** What a view has of a part of the ground, and of what is laid over it there. */
+export interface Known {
+  ground: DetailGround | null;
+  over: OverlayWindow | null;
+}
 
 export class PictureRenderer {
   readonly canvas: OffscreenCanvas;
@@ -40,6 +50,11 @@ export class PictureRenderer {
   private readonly map: MapScene;
   private readonly mapDetail: DetailTextures;
   private readonly worldDetail: DetailTextures;
+  /** Of the windows that the views have. */
+  private readonly mapOverlay = new OverlayTexture();
+  private readonly worldOverlay = new OverlayTexture();
+  /** Cells of the overlay in the window that was drawn last; null: it has none of its own. */
+  overlayCell_m: number | null = null;
 
   constructor(restored: () => void) {
     this.canvas = new OffscreenCanvas(4, 4);
@@ -119,6 +134,12 @@ export class PictureRenderer {
     this.worldDetail.textures.relight(shadowsToo);
   }
 
+  /** The climate is another. */
+  recolour(): void {
+    this.textures.recolour();
+    this.worldDetail.textures.recolour();
+  }
+
   updateOverlay(overlay: GroundOverlay, field: HeightField | null): void {
     this.overlay.update(overlay);
     if (field !== null) showOverlay(this.shared, this.overlay, field);
@@ -126,14 +147,15 @@ export class PictureRenderer {
 
   /** The detail that is drawn. */
   drawWorld(
-    field: HeightField, known: DetailGround | null, options: ViewOptions, overlay: GroundOverlay, eye: Eye, lens: Lens,
-    jitter: readonly [number, number], sort: Sort,
+    field: HeightField, { ground: known, over }: Known, options: ViewOptions, overlay: GroundOverlay, eye: Eye,
+    lens: Lens, jitter: readonly [number, number], sort: Sort,
   ): DetailGround | null {
     const style = styleNumber(options.ground, overlay);
     this.textures.colour(field, options, style, sort === "quick");
     const ready = known !== null && this.worldDetail.colour(known, this.textures, options, style, this.hurry(sort));
     const detail = ready ? known : null;
     showDetail(this.shared, detail, this.worldDetail);
+    showOverlayDetail(this.shared, this.overlayOf(this.worldOverlay, detail, over, overlay));
     this.begin(lens, sort);
     this.shared.ground_style.value = style;
     // Lines are as far apart as suits the whole terrain, not the changing distance.
@@ -149,7 +171,7 @@ export class PictureRenderer {
 
   /** The detail that is drawn. */
   drawMap(
-    field: HeightField, known: DetailGround | null, options: ViewOptions, overlay: GroundOverlay, eye: MapEye,
+    field: HeightField, { ground: known, over }: Known, options: ViewOptions, overlay: GroundOverlay, eye: MapEye,
     size: Size, pixels: Size, paper: readonly [number, number, number], sort: Sort,
   ): DetailGround | null {
     const detail = known !== null && this.mapDetail.shape(known, this.hurry(sort)) ? known : null;
@@ -161,7 +183,10 @@ export class PictureRenderer {
     // What lies wholly in the window is drawn of it alone: that costs no more than the whole ground does.
     const alone = detail !== null && detail.covers(visible(eye, size)), ground = alone ? detail.field : field;
     showTextures(this.map.ground, alone ? this.mapDetail.textures : this.textures, ground);
-    this.map.ground.overlay_place.value = this.overlay.placeOn(ground.frame);
+    const fine = this.overlayOf(this.mapOverlay, detail, over, overlay), whole = alone && fine !== null;
+    this.map.ground.overlay.value = whole ? fine : this.shared.overlay.value;
+    this.map.ground.overlay_place.value = whole ? [0, 0, 1, 1] : this.overlay.placeOn(ground.frame);
+    showOverlayDetail(this.shared, fine);
     showDetail(this.shared, alone ? null : detail, this.mapDetail);
     const pixel_m = (eye.pixel_m * size.width) / pixels.width;
     this.map.render(
@@ -169,6 +194,19 @@ export class PictureRenderer {
       { field: ground, detail: alone ? null : detail, tinted: field, eye, size, pixel_m, water: options.water, paper },
     );
     return detail;
+  }
+
+  /** Of the window that is drawn; null: the whole one's will do. */
+  private overlayOf(
+    texture: OverlayTexture, detail: DetailGround | null, over: OverlayWindow | null, overlay: GroundOverlay,
+  ): Texture | null {
+    const raster = overlay.overlay === "labels" || overlay.overlay === "field" ? overlay.raster : null;
+    const fits = detail !== null && over !== null && over.raster.key === raster?.key &&
+      sameWindow(detail.window, over.window);
+    this.overlayCell_m = fits ? over.raster.frame.cell_m : null;
+    if (!fits || raster === null) return null;
+    texture.update({ overlay: overlay.overlay as "labels" | "field", raster: over.raster });
+    return texture.texture;
   }
 
   /** What was drawn last, on its way to the page. */
@@ -179,7 +217,7 @@ export class PictureRenderer {
 
   dispose(): void {
     for (const textures of [this.textures, this.mapDetail.textures, this.worldDetail.textures]) textures.dispose();
-    this.overlay.dispose();
+    for (const overlay of [this.overlay, this.mapOverlay, this.worldOverlay]) overlay.dispose();
     this.world.dispose();
     this.map.dispose();
     this.noise.dispose();

@@ -58,8 +58,9 @@ function roundUp(x: number): number {
   return Math.ceil(x / (2 * step) - 1e-9) * 2 * step;
 }
 
-export function tintScale(min: number, max: number): TintScale {
-  const base = min > 0.35 * max ? min : 0;
+/** `dry`: of the lowest dry ground below the sea, or 0. */
+export function tintScale(min: number, max: number, dry = 0): TintScale {
+  const base = dry < 0 ? -roundUp(Math.max(1, -dry)) : min > 0.35 * max ? min : 0;
   return {
     deepest: roundUp(Math.max(1, -min)),
     base,
@@ -68,8 +69,8 @@ export function tintScale(min: number, max: number): TintScale {
 }
 
 /** Place of a height on the ramp. */
-export function tintPlace(scale: TintScale, height: number): number {
-  if (height < 0) return 0.5 - 0.5 * Math.min(
+export function tintPlace(scale: TintScale, height: number, dry = false): number {
+  if (height < 0 && !dry) return 0.5 - 0.5 * Math.min(
     1, Math.log1p(-height / kneeDepth) / Math.log1p(scale.deepest / kneeDepth),
   );
   return 0.5 + 0.5 * Math.min(1, Math.max(0, (height - scale.base) / Math.max(1e-3, scale.top - scale.base)));

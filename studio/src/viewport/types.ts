@@ -7,6 +7,8 @@ export interface Raster {
   frame: Frame;
   /** Heights or another scalar, row-major from the north-west; or labels. */
   values: Float32Array | Uint8Array;
+  /** Of heights: 255 where ground below the sea is dry, and on land that touches it. Absent: nowhere. */
+  dry?: Uint8Array;
   coarse: boolean;
   min: number;
   max: number;

@@ -1,6 +1,7 @@
 // What can be done with the views, as actions: for shortcuts, the palette and the sheet.
-import { Box, Grid3x3, Home, Mountain, Scan, Waves } from "lucide-preact";
+import { Box, Grid3x3, Home, Mountain, Scan, Thermometer, Waves } from "lucide-preact";
 import type { Action } from "../actions/registry";
+import { climateNames } from "./climate";
 import type { GroundStyle, ViewOptions } from "./options";
 import type { Viewport } from "./viewport";
 
@@ -39,6 +40,10 @@ export function viewActions(viewport: Viewport): Action[] {
       id: `view.style_${style}`, title: `Ground: ${name.toLowerCase()}`, group, icon: Mountain,
       words: "texture relief steepness height lines",
       checked: () => options.value.ground === style, run: () => change({ ground: style }),
+    })),
+    ...climateNames.map(([climate, name, about]): Action => ({
+      id: `view.climate_${climate}`, title: `Climate: ${name.toLowerCase()}`, group, icon: Thermometer, words: about,
+      checked: () => options.value.climate === climate, run: () => change({ climate }),
     })),
     {
       id: "view.higher", title: "More exaggeration", group, words: "vertical height scale",

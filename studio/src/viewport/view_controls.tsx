@@ -4,6 +4,7 @@ import { Home, SlidersHorizontal } from "lucide-preact";
 import { render } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { lifeShown } from "./content";
+import { climateNames, type ClimateChoice } from "./climate";
 import type { ViewOptions } from "./options";
 import { styleNames } from "./view_actions";
 import type { Viewport } from "./viewport";
@@ -86,6 +87,15 @@ function Controls({ viewport }: { viewport: Viewport }) {
               </button>
             ))}
           </div>
+          <label class="view-slider view-choice" title={climateNames.find(([name]) => name === now.climate)?.[2]}>
+            <span>Climate</span>
+            <select
+              value={now.climate}
+              onChange={(event) => change({ climate: event.currentTarget.value as ClimateChoice })}
+            >
+              {climateNames.map(([climate, name]) => <option key={climate} value={climate}>{name}</option>)}
+            </select>
+          </label>
           <Slider
             name="Heights"
             low={0.5}

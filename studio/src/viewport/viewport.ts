@@ -10,17 +10,17 @@ import { DetailKeeper, mostDetailCells } from "./detail_keeper";
 import { sourceOf } from "./detail_window";
 import { Follower, mostCells } from "./follower";
 import { Gestures } from "./gestures";
-import { HeightField } from "./heights";
+import { HeightField, sameRectangle } from "./heights";
 import { legendElement } from "./legend";
-import { legendOf } from "./ground_overlay";
+import { labelAt, legendOf } from "./ground_overlay";
 import { MapView } from "./map_view";
 import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./options";
+import { OverlayKeeper } from "./overlay_keeper";
 import { PenStrokes } from "./pen_strokes";
 import { PictureRenderer } from "./picture_renderer";
 import { ProfileBox } from "./profile_box";
 import type { GroundOverlay, GroundPointer, OverlayShape, PenTarget, Raster } from "./types";
 import type { Things } from "./things";
-import { labelNames } from "./tints";
 import { viewActions } from "./view_actions";
 import { mountControls } from "./view_controls";
 import { WorldView } from "./world_view";
@@ -41,11 +41,19 @@ const otherAfter_ms = 250;
 
 type View = MapView | WorldView;
 
+/** What a picture shows that is not yet on the page. */
+interface Untold {
+  view: View;
+  field: HeightField;
+  detail_m: number | null;
+  overlay_m: number | null;
+}
+
 export class Viewport {
   /** What is under the pointer, in either view. */
   readonly pointer: Signal<GroundPointer | null> = signal(null);
   /** Region under the pointer, where labels are laid over the ground. */
-  readonly label: ReadonlySignal<string | null> = computed(() => this.labelAt(this.pointer.value));
+  readonly label: ReadonlySignal<string | null> = computed(() => labelAt(this.activeOverlay, this.pointer.value));
   /** Metres a pixel of the map. */
   readonly scale: Signal<number> = signal(1);
   readonly options: Signal<ViewOptions> = signal(defaultOptions);
@@ -59,6 +67,8 @@ export class Viewport {
   private readonly followers: Follower[] = [];
   /** Of the map and of the 3D view. */
   private readonly details: DetailKeeper[];
+  /** The same of what is laid over the ground. */
+  private readonly overlays: OverlayKeeper[];
   private readonly stops: (() => void)[] = [];
   private field: HeightField | null = null;
   private readonly strokes = new PenStrokes(
@@ -76,7 +86,7 @@ export class Viewport {
   /** The view that the pointer was in last. */
   private ahead: View;
   private readonly drawnQuickly = new Set<View>();
-  private readonly untold: { view: View; field: HeightField; detail_m: number | null }[] = [];
+  private readonly untold: Untold[] = [];
   private request = 0;
   private restTimer = 0;
   private upload_ms = 0;
@@ -99,6 +109,7 @@ export class Viewport {
     }
     this.details = (["map", "world"] as const).map((name) =>
       new DetailKeeper(studio.api, this[name], mostDetailCells(name, software), () => this.detailCame(this[name])));
+    this.overlays = [this.map, this.world].map((view) => new OverlayKeeper(studio.api, view, () => this.dirty(view)));
     const bigger = (): HTMLElement =>
       this.map.surface.area >= this.world.surface.area ? mapElement : worldElement;
     this.profile = new ProfileBox(bigger, (x, y) => this.heightAt(x, y), (place) => {
@@ -106,7 +117,7 @@ export class Viewport {
       this.ink();
     });
     const terrain = (raster: Raster | null, value: ValueEvent | null): void => this.terrain(raster, value);
-    const overlay = (raster: Raster | null, value: ValueEvent | null): void => this.overlaid(raster, value?.kind ?? "");
+    const overlay = (raster: Raster | null, value: ValueEvent | null): void => this.overlaid(raster, value);
     this.followers.push(
       new Follower(studio, (shown: Shown) => shown.terrain, terrain, mostCells(software)),
       new Follower(studio, (shown: Shown) => shown.overlay, overlay),
@@ -126,6 +137,7 @@ export class Viewport {
       const now = this.options.value;
       const relit = now.sun !== before.sun || now.water !== before.water || now.exaggeration !== before.exaggeration;
       if (now.exaggeration !== before.exaggeration) this.world.rescale(now.exaggeration / before.exaggeration);
+      if (now.climate !== before.climate) this.renderer.recolour();
       if (relit || now.ground !== before.ground) this.renderer.relight(relit);
       before = now;
       this.dirty(this.map, this.world);
@@ -197,7 +209,7 @@ export class Viewport {
 
   /** Resolves once both views show the present state, at rest. */
   async settled(): Promise<void> {
-    while (this.request !== 0 || this.restTimer !== 0 || this.details.some(({ busy }) => busy)) {
+    while (this.request !== 0 || this.restTimer !== 0 || [...this.details, ...this.overlays].some(({ busy }) => busy)) {
       await new Promise((done) => setTimeout(done, 20));
     }
   }
@@ -206,7 +218,7 @@ export class Viewport {
     cancelAnimationFrame(this.request);
     clearTimeout(this.restTimer);
     for (const stop of this.stops) stop();
-    const many = [...this.followers, ...this.details, ...this.gestures];
+    const many = [...this.followers, ...this.details, ...this.overlays, ...this.gestures];
     for (const part of [this.profile, ...many, this.map, this.world, this.renderer]) {
       part.dispose();
     }
@@ -234,6 +246,7 @@ export class Viewport {
     view.inkStale = true;
     this.profile.update();
     this.dirty(view);
+    for (const keeper of this.overlays) void keeper.seek();
   }
 
   /** As finely as either view knows it. */
@@ -248,13 +261,15 @@ export class Viewport {
     this.frameAll();
   }
 
-  private overlaid(raster: Raster | null, kind: string): void {
+  private overlaid(raster: Raster | null, value: ValueEvent | null): void {
+    const kind = value?.kind ?? "";
     this.map.current = kind === "current" ? raster : null;
     this.map.inkStale = true;
     const none = raster === null || (kind !== "labels" && kind !== "field");
     this.shownOverlay = none
       ? { overlay: "none" }
       : { overlay: kind === "labels" ? "labels" : "field", raster: raster! };
+    for (const keeper of this.overlays) keeper.follow(none ? null : raster, value?.frame ?? null);
     this.applyOverlay();
   }
 
@@ -269,16 +284,6 @@ export class Viewport {
     this.contentShapes = shapes;
     this.ink();
     this.dirty(this.map, this.world);
-  }
-
-  private labelAt(place: GroundPointer | null): string | null {
-    const overlay = this.activeOverlay;
-    if (place === null || overlay.overlay !== "labels") return null;
-    const { frame, values } = overlay.raster;
-    const column = Math.floor((place.x - frame.west) / frame.cell_m);
-    const row = Math.floor((frame.north - place.y) / frame.cell_m);
-    if (column < 0 || row < 0 || column >= frame.columns || row >= frame.rows) return null;
-    return labelNames[values[row * frame.columns + column]!] ?? null;
   }
 
   private applyOverlay(): void {
@@ -350,9 +355,11 @@ export class Viewport {
   /** On the page, for who measures it: which result is seen in the views that were drawn last. */
   private tellDrawn(): void {
     const told = this.untold.splice(0);
-    for (const { view: { surface }, field, detail_m } of told) {
-      if (detail_m === null) delete surface.element.dataset["detailCell"];
-      else surface.element.dataset["detailCell"] = String(detail_m);
+    for (const { view: { surface }, field, detail_m, overlay_m } of told) {
+      for (const [name, cell_m] of [["detailCell", detail_m], ["overlayCell", overlay_m]] as const) {
+        if (cell_m === null) delete surface.element.dataset[name];
+        else surface.element.dataset[name] = String(cell_m);
+      }
       surface.element.dataset["coarse"] = String(field.coarse);
       surface.element.dataset["key"] = field.key;
     }
@@ -390,7 +397,7 @@ export class Viewport {
     for (const view of now) {
       const detail = view.draw(renderer, field, options, this.activeOverlay, moving ? pace.quickSize : 1, sort);
       if (moving) this.drawnQuickly.add(view);
-      this.untold.push({ view, field, detail_m: detail?.cell_m ?? null });
+      this.untold.push({ view, field, detail_m: detail?.cell_m ?? null, overlay_m: renderer.overlayCell_m });
     }
     renderer.endFrame(sort);
     return true;
@@ -405,10 +412,4 @@ export class Viewport {
   private wanted(view: View, moving: boolean): number {
     return moving ? 1 : this.renderer.pace.samples(view.samples());
   }
-}
-
-function sameRectangle(a: HeightField, b: HeightField): boolean {
-  const near = (p: number, q: number): boolean => Math.abs(p - q) < 0.02 * Math.max(a.width_m, b.width_m);
-  return near(a.frame.west, b.frame.west) && near(a.frame.north, b.frame.north) &&
-    near(a.width_m, b.width_m) && near(a.height_m, b.height_m);
 }

@@ -26,6 +26,13 @@ import type { Things } from "./things";
 import { ThingsMesh } from "./things_mesh";
 import { axes, viewPlanes, type Eye, type Lens } from "./world_camera";
 
+const light = common + detailShader + skyShader + overlayShader + groundFragment;
+/** Of vertices and pixels; both are told what a picture needs. */
+const shaders = {
+  ground: [groundVertex, light], sea: [seaVertex, light], wall: [groundVertex, common + skyShader + wallFragment],
+  wire: [groundVertex, common + wireFragment],
+} as const;
+
 const hazeDepth = 0.022;
 
 export class WorldScene {
@@ -35,7 +42,6 @@ export class WorldScene {
   private readonly uniforms: { [name: string]: IUniform };
   private readonly plain: RawShaderMaterial[] = [];
   private readonly variants = new Map<string, RawShaderMaterial>();
-  private readonly wall: RawShaderMaterial;
   private readonly ground: Mesh;
   private readonly sea: Mesh;
   private readonly wire: Mesh;
@@ -56,16 +62,13 @@ export class WorldScene {
       right: { value: new Vector3() }, upward: { value: new Vector3() }, pixel_angle: { value: 1 },
       sun_path: { value: 1 }, wire_colour: { value: [1, 1, 1, 0.22] },
     };
-    this.wall = this.material(detailShader + groundVertex, common + skyShader + wallFragment);
     this.ground = this.mesh(this.geometry, [], 0);
     this.sea = this.mesh(new PlaneGeometry(2, 2), [], 1);
     this.sea.geometry.addGroup(0, Infinity, 0);
     const skyMaterial = this.material(skyVertex, common + skyShader + skyFragment);
     skyMaterial.depthWrite = false;
     this.mesh(new PlaneGeometry(2, 2), skyMaterial, 2);
-    const wireMaterial = this.material(detailShader + groundVertex, common + wireFragment);
-    wireMaterial.wireframe = wireMaterial.transparent = true;
-    this.wire = this.mesh(this.geometry, wireMaterial, 3);
+    this.wire = this.mesh(this.geometry, [], 3);
     this.camera.up.set(0, 0, 1);
   }
 
@@ -83,9 +86,8 @@ export class WorldScene {
   ): void {
     const [cx, cy] = field.centre;
     const local: [number, number, number] = [eye.at[0] - cx, eye.at[1] - cy, eye.at[2]];
-    const above = Math.max(
-      1, local[2] - options.exaggeration * Math.max(0, heightAt(field, detail, eye.at[0], eye.at[1]) ?? 0),
-    );
+    const below = heightAt(field, detail, eye.at[0], eye.at[1]) ?? 0;
+    const above = Math.max(1, local[2] - options.exaggeration * Math.max(field.lowestDry, below));
     this.place(eye, local, lens, field, above, jitter);
     this.light(field, options, lens);
     const origin = [field.frame.west, field.frame.north] as const;
@@ -172,25 +174,27 @@ export class WorldScene {
     field: HeightField, detail: DetailGround | null, options: ViewOptions, above: number, fine: boolean,
   ): void {
     const magnified = fine && above * this.uniforms.pixel_angle!.value * 1.6 < (detail?.cell_m ?? field.frame.cell_m);
+    const dry = options.water && (field.dry !== null || (detail?.field.dry ?? null) !== null) ? ["DRY"] : [];
     const names = [
-      detail !== null ? "DETAIL" : "", fine ? "FINE" : "", magnified ? "SMOOTH" : "",
+      ...dry, detail !== null ? "DETAIL" : "", fine ? "FINE" : "", magnified ? "SMOOTH" : "",
       this.uniforms.overlay_strength!.value > 0 ? "OVERLAY" : "",
+      detail !== null && this.uniforms.overlay_fine!.value === true ? "FINE_OVERLAY" : "",
       this.uniforms.contour_m!.value > 0 ? "CONTOURS" : "",
     ].filter((name) => name !== "");
-    const ground = this.variant(
-      detailShader + groundVertex, options.water && field.min <= 0 ? [...names, "WATER"] : names,
-    );
-    this.ground.material = cutAround(field, options) ? [ground, this.wall] : [ground];
-    this.sea.material = [this.variant(seaVertex, [...names.filter((name) => name !== "CONTOURS"), "PLANE"])];
+    const ground = this.variant("ground", options.water && field.min <= 0 ? [...names, "WATER"] : names);
+    this.ground.material = cutAround(field, options) ? [ground, this.variant("wall", dry)] : [ground];
+    this.sea.material = [this.variant("sea", [...names.filter((name) => name !== "CONTOURS"), "PLANE"])];
+    this.wire.material = this.variant("wire", dry);
   }
 
-  private variant(vertex: string, defines: string[]): RawShaderMaterial {
-    const key = defines.join(" ");
+  private variant(of: keyof typeof shaders, defines: string[]): RawShaderMaterial {
+    const key = [of, ...defines].join(" ");
     let made = this.variants.get(key);
     if (made === undefined) {
-      const head = defines.map((name) => `#define ${name}\n`).join("");
-      made = this.material(vertex, head + common + detailShader + skyShader + overlayShader + groundFragment);
-      if (defines.includes("PLANE")) {
+      const head = defines.map((name) => `#define ${name}\n`).join(""), [vertex, fragment] = shaders[of];
+      made = this.material(head + detailShader + vertex, head + fragment);
+      if (of === "wire") made.wireframe = made.transparent = true;
+      if (of === "sea") {
         made.polygonOffset = true;
         made.polygonOffsetFactor = made.polygonOffsetUnits = 2;
       }
@@ -218,7 +222,7 @@ export class WorldScene {
   }
 }
 
-/** The ground is cut at its edges: no sea goes on there. */
+/** The ground is cut at its edges: no sea goes on there, or land reaches them. */
 function cutAround(field: HeightField, options: ViewOptions): boolean {
-  return !field.inSea || !options.water;
+  return field.seaBorder < 1 || !options.water;
 }

@@ -1,12 +1,13 @@
 // The 3D view: where its eye is, what ground is under a pixel, and what is drawn over it.
 import { ContentInk } from "./content_ink";
 import type { Projector } from "./drape";
-import { heightAt, hiddenBehind, pickGround, type DetailGround } from "./detail_ground";
+import { dryAt, heightAt, hiddenBehind, pickGround, type DetailGround } from "./detail_ground";
 import { windowOfWorld, type Seen, type Source, type Window } from "./detail_window";
 import type { Under } from "./ground_pointer";
 import type { HeightField } from "./heights";
 import type { Rectangle } from "./map_camera";
 import type { ViewOptions } from "./options";
+import type { OverlayWindow } from "./overlay_keeper";
 import type { PictureRenderer, Sort } from "./picture_renderer";
 import { drawShapes } from "./shapes_ink";
 import type { GroundOverlay, OverlayShape } from "./types";
@@ -34,6 +35,7 @@ export class WorldView {
   field: HeightField | null = null;
   /** Of the cells that the terrain is computed in. */
   cell_m = 1;
+  overlayDetail: OverlayWindow | null = null;
   private known: DetailGround | null = null;
   private eye: Eye = { at: [0, -1000, 1000], azimuth: 0, pitch: -0.7 };
   private framed = true;
@@ -150,9 +152,8 @@ export class WorldView {
   ): DetailGround | null {
     const { width, height } = this.surface.pixels;
     const lens = { width: Math.ceil(width * size), height: Math.ceil(height * size), fov: fieldOfView };
-    const drawn = renderer.drawWorld(
-      field, this.known, options, overlay, this.eye, lens, jitters[this.surface.samples]!, sort,
-    );
+    const known = { ground: this.known, over: this.overlayDetail }, jitter = jitters[this.surface.samples]!;
+    const drawn = renderer.drawWorld(field, known, options, overlay, this.eye, lens, jitter, sort);
     renderer.show(this.surface, lens, sort);
     return drawn;
   }
@@ -194,7 +195,8 @@ export class WorldView {
   private surfaceHeight(x: number, y: number): number {
     const known = this.field === null ? null : heightAt(this.field, this.known, x, y);
     const height = known ?? (this.field?.inSea === true ? 0 : this.field?.min ?? 0);
-    return this.options().water ? Math.max(0, height) : height;
+    const flooded = this.options().water && height < 0 && !(this.field !== null && dryAt(this.field, this.known, x, y));
+    return flooded ? 0 : height;
   }
 
   private ground(px: number, py: number): Vector | null {
@@ -229,7 +231,7 @@ export class WorldView {
 
   private box(field: HeightField, r: Rectangle = field.rectangle): Box {
     const raise = this.options().exaggeration;
-    const low = this.options().water ? Math.max(0, field.min) : field.min;
+    const low = this.options().water ? Math.max(field.lowestDry, field.min) : field.min;
     return {
       low: [r.west, r.south, raise * low], high: [r.east, r.north, raise * (low + 0.4 * Math.max(0, field.max - low))],
     };

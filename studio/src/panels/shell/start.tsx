@@ -2,6 +2,7 @@
 import { render } from "preact";
 import type { JSX } from "preact";
 import { ApiError } from "../../api/api";
+import { lookOnReturn } from "../../document/files_looked";
 import { openStudio } from "../../document/open_studio";
 import { createClient, takeToken } from "../../api/client";
 import type { Api } from "../../api/api";
@@ -34,6 +35,7 @@ export async function start(root: HTMLElement, api: Api | null): Promise<void> {
   }
   try {
     const studio = await openStudio(api);
+    lookOnReturn(api, window);
     show(<App studio={studio} />);
   } catch (error) {
     const refused = error instanceof ApiError && error.status === 401;

@@ -48,11 +48,12 @@ function shader(raster: Raster): (column: number, row: number) => number {
   };
 }
 
-function terrainColour(raster: Raster): (value: number, light: number) => Colour {
-  return (value, light) => {
-    const colour = value < 0 ? ramp(SEA, value / Math.min(-1e-9, raster.min))
+function terrainColour(raster: Raster): (value: number, light: number, dry: boolean) => Colour {
+  return (value, light, dry) => {
+    const flooded = value < 0 && !dry;
+    const colour = flooded ? ramp(SEA, value / Math.min(-1e-9, raster.min))
       : ramp(LAND, (value - Math.max(0, raster.min)) / Math.max(1e-9, raster.max - Math.max(0, raster.min)));
-    const strength = value < 0 ? 0.75 + 0.35 * light : 0.5 + 0.72 * light;
+    const strength = flooded ? 0.75 + 0.35 * light : 0.5 + 0.72 * light;
     return [colour[0] * strength, colour[1] * strength, colour[2] * strength];
   };
 }
@@ -67,12 +68,12 @@ export function pictureOf(raster: Raster, kind: string, width: number, height: n
   for (let py = 0; py < height; ++py) {
     for (let px = 0; px < width; ++px) {
       const [column, row] = cell(px, py);
-      const value = raster.values[row * raster.frame.columns + column]!;
+      const index = row * raster.frame.columns + column, value = raster.values[index]!;
       let colour = NOTHING;
       if (raster.values instanceof Uint8Array) colour = LABELS[value] ?? NOTHING;
       else if (Number.isFinite(value)) {
         const grey = 30 + (210 * (value - raster.min)) / range;
-        colour = light ? terrain(value, light(column, row)) : [grey, grey, grey];
+        colour = light ? terrain(value, light(column, row), raster.dry?.[index] === 255) : [grey, grey, grey];
       }
       pixels.set([colour[0], colour[1], colour[2], 255], (py * width + px) * 4);
     }

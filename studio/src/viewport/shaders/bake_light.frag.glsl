@@ -13,12 +13,25 @@ uniform vec4 around_place;  // places of this ground times zw plus xy are places
 uniform float finer;        // levels
 #endif
 
-float raised(vec2 p, float level) {
-  float height = textureLod(surface, p, level).a;
-#ifdef AROUND
-  if (p != clamp(p, 0.0, 1.0)) height = textureLod(around, p * around_place.zw + around_place.xy, max(0.0, level - finer)).a;
+#ifdef DRY
+uniform sampler2D dry, around_dry;
 #endif
-  return exaggeration * max(floor_m, height);
+
+float raised(vec2 p, float level) {
+  float height = textureLod(surface, p, level).a, water = floor_m;
+#ifdef DRY
+  if (textureLod(dry, p, level).r > 0.5) water = -1e9;
+#endif
+#ifdef AROUND
+  if (p != clamp(p, 0.0, 1.0)) {
+    vec2 q = p * around_place.zw + around_place.xy;
+    height = textureLod(around, q, max(0.0, level - finer)).a;
+#ifdef DRY
+    water = textureLod(around_dry, q, max(0.0, level - finer)).r > 0.5 ? -1e9 : floor_m;
+#endif
+  }
+#endif
+  return exaggeration * max(water, height);
 }
 
 bool beyond(vec2 p) {

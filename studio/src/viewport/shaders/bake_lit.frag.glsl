@@ -1,6 +1,9 @@
 // Ground in its light, view-independent: reflectance times light over that of level open ground, as the square root of
 // half of it. Under water: the floor's. Alpha: how open to swell.
 uniform sampler2D surface, albedo, lights;
+#ifdef DRY
+uniform sampler2D dry;
+#endif
 uniform float exaggeration, floor_m;
 uniform vec3 to_sun, sun_light, sky_light;
 uniform int ground_style;  // 0 natural, 1 one stone, 2 steepness
@@ -16,6 +19,9 @@ void main() {
   if (ground_style == 2) colour = slope_colour(slope) * 0.55;
   vec3 level = to_sun.z * sun_light + sky_light;
   bool flooded = s.a < floor_m;
+#ifdef DRY
+  flooded = flooded && texture(dry, p).r <= 0.5;
+#endif
   vec2 gradient = flooded ? vec2(0.25 * s.xy) : s.xy * exaggeration;
   vec3 normal = normalize(vec3(-gradient, 1.0));
   float facing = max(0.0, dot(normal, to_sun)) * light.r;

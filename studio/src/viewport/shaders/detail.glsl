@@ -14,6 +14,17 @@ float detail_weight(vec2 q) {
   return detail_strength * t * t * (3.0 - 2.0 * t);
 }
 
+#ifdef DRY
+uniform sampler2D dry, detail_dry;
+
+// Share of dry ground: what lies below the sea there is no sea where it is above a half. As dryAt().
+float dry_at(vec2 uv) {
+  float share = textureLod(dry, uv, 0.0).r;
+  vec2 q = detail_at(uv);
+  return mix(share, textureLod(detail_dry, q, 0.0).r, detail_weight(q));
+}
+#endif
+
 // Bilinear, at a place in cells; not left to the sampler, whose fractions are coarse.
 float height_of(sampler2D heights, vec2 cells) {
   ivec2 last = textureSize(heights, 0) - 1;

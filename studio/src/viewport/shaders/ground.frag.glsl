@@ -5,6 +5,7 @@
 //   FINE      refraction, short waves, grain: for pictures at rest, and always where there is a graphics processor
 //   SMOOTH    cells are larger than pixels
 //   DETAIL    there is a window of finer ground
+//   DRY       some ground below 0 is no sea
 //   OVERLAY, CONTOURS
 in vec3 place;
 in float skirt;
@@ -121,9 +122,12 @@ void main() {
   to_eye /= far;
   vec3 level = max(0.02, to_sun.z) * sun_light + sky_light;
   vec4 s = surface_at(uv), ground = lit_at(uv);
+#if defined(PLANE) && defined(DRY)
+  if (uv == clamp(uv, 0.0, 1.0) && dry_at(uv) > 0.5) discard;
+#endif
 #ifdef PLANE
   float beyond = length(max(abs(place.xy) - half_size, 0.0)) / (2.0 * max(half_size.x, half_size.y));
-  float outside = ramp(0.0, 0.12, beyond);
+  float outside = max(ramp(0.0, 0.12, beyond), step(1e-6, beyond) * ramp(-2.0, 0.0, s.a));  // no shore goes on
   vec3 light = sea(uv, s, ground, to_eye, far, level, outside);
 #else
   float outside = 0.0;
@@ -131,6 +135,9 @@ void main() {
   vec3 light = land(s, ground, to_eye, far, level);
 #ifdef WATER
   float wet = clamp01(0.5 - (s.a - 0.02) / change);
+#ifdef DRY
+  wet *= step(dry_at(uv), 0.5);
+#endif
   light = mix(light, sea(uv, s, ground, to_eye, far, level, 0.0), wet);
 #endif
 #endif

@@ -20,8 +20,12 @@ float height_at(vec2 d) {
 }
 
 vec3 placed(vec2 d) {
-  vec2 half_size = 0.5 * cell_m * vec2(textureSize(heights, 0));
-  return vec3(d.x * cell_m - half_size.x, half_size.y - d.y * cell_m, exaggeration * max(floor_m, height_at(d)));
+  vec2 cells = vec2(textureSize(heights, 0)), half_size = 0.5 * cell_m * cells;
+  float height = height_at(d), water = floor_m;
+#ifdef DRY
+  if (dry_at(d / cells) > 0.5) water = -1e9;
+#endif
+  return vec3(d.x * cell_m - half_size.x, half_size.y - d.y * cell_m, exaggeration * max(water, height));
 }
 
 void main() {

@@ -14,10 +14,10 @@ uniform sampler2D detail_surface;
 
 float fine_height(sampler2D of, vec2 p) { return height_of(of, p * vec2(textureSize(of, 0))); }
 
-vec3 tint(float height) {
+vec3 tint(float height, bool flooded) {
   float sea = 0.5 - 0.5 * clamp01(log(1.0 + max(0.0, -height) / 12.0) / log(1.0 + tint_scale.x / 12.0));
   float land = 0.5 + 0.5 * clamp01((height - tint_scale.y) / max(1e-3, tint_scale.z - tint_scale.y));
-  return linear(texture(tints, vec2(height <= 0.0 && water ? sea : land, 0.5)).rgb);
+  return linear(texture(tints, vec2(flooded ? sea : land, 0.5)).rgb);
 }
 
 vec3 shaded(vec3 colour, float shade) {
@@ -50,10 +50,15 @@ void main() {
   float shade = s.b;
   // Water flattens the relief of its floor.
   bool flooded = water && height <= 0.0;
+  float sea_near = 1.0;
+#ifdef DRY
+  sea_near = step(dry_at(clamped), 0.5);
+  flooded = flooded && sea_near > 0.5;
+#endif
   if (flooded) shade = mix(1.0, shade, 0.35 + 0.25 * exp(height / 40.0));
   // Models of dry land have 0 for the sea, whose depth is unknown.
-  float unknown = ramp(0.05, 0.0, abs(height)) * ramp(0.003, 0.0, abs(s.x) + abs(s.y));
-  vec3 colour = tint(height - 60.0 * unknown);
+  float unknown = sea_near * ramp(0.05, 0.0, abs(height)) * ramp(0.003, 0.0, abs(s.x) + abs(s.y));
+  vec3 colour = tint(height - 60.0 * unknown, flooded || (water && unknown > 0.0));
   if (ground_style == 1) colour = vec3(0.585, 0.585, 0.58);
   if (ground_style == 2) colour = slope_colour(length(s.xy));
 #ifdef OVERLAY
@@ -64,7 +69,7 @@ void main() {
   colour = mix(colour, flooded ? vec3(0.04, 0.12, 0.20) : vec3(0.13, 0.08, 0.04), 0.5 * contours(height, change));
   if (water) {
     float coast = clamp01(1.3 - abs(height) / change);
-    colour = mix(colour, vec3(0.03, 0.06, 0.10), 0.7 * coast * (1.0 - unknown) * ramp(6.0, 1.0, texels));
+    colour = mix(colour, vec3(0.03, 0.06, 0.10), 0.7 * coast * sea_near * (1.0 - unknown) * ramp(6.0, 1.0, texels));
   }
   vec2 out_px = max(max(-uv, uv - 1.0), 0.0) * vec2(textureSize(heights, 0)) / texels;
   float outside = clamp01(max(out_px.x, out_px.y));

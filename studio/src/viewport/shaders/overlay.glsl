@@ -2,17 +2,20 @@
 uniform sampler2D overlay;
 uniform vec4 overlay_place;  // places of the ground (0 to 1) times zw plus xy
 uniform float overlay_strength;
+#ifdef FINE_OVERLAY
+uniform sampler2D overlay_detail;  // the window of finer ground has a finer one, too
+#endif
 uniform float contour_m;  // 0: none
 uniform vec3 contour_colour;
 
 uniform float overlay_sharp;  // 1: cells are regions with borders, not values
 
 // Regions between whose cells there are smooth borders without steps: of the four cells around, what has most weight.
-vec4 regions(vec2 q) {
-  ivec2 last = textureSize(overlay, 0) - 1;
+vec4 regions(sampler2D t, vec2 q) {
+  ivec2 last = textureSize(t, 0) - 1;
   vec2 at = q * vec2(last + 1) - 0.5, whole = floor(at), f = at - whole;
   ivec2 a = clamp(ivec2(whole), ivec2(0), last), b = clamp(ivec2(whole) + 1, ivec2(0), last);
-  vec4 c[4] = vec4[4](texelFetch(overlay, a, 0), texelFetch(overlay, ivec2(b.x, a.y), 0), texelFetch(overlay, ivec2(a.x, b.y), 0), texelFetch(overlay, b, 0));
+  vec4 c[4] = vec4[4](texelFetch(t, a, 0), texelFetch(t, ivec2(b.x, a.y), 0), texelFetch(t, ivec2(a.x, b.y), 0), texelFetch(t, b, 0));
   float w[4] = float[4]((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
   vec4 sum = vec4(0.0);
   float all = 0.0;
@@ -28,9 +31,15 @@ vec4 regions(vec2 q) {
   return sum / max(all, 1e-6);
 }
 
+vec4 overlay_in(sampler2D t, vec2 q) { return overlay_sharp > 0.5 ? regions(t, q) : texture(t, q); }
+
 vec4 overlay_at(vec2 p) {
   vec2 q = p * overlay_place.zw + overlay_place.xy;
-  vec4 c = overlay_sharp > 0.5 ? regions(q) : texture(overlay, q);
+  vec4 c = overlay_in(overlay, q);
+#ifdef FINE_OVERLAY
+  vec2 d = detail_at(p);
+  c = mix(c, overlay_in(overlay_detail, d), detail_weight(d));
+#endif
   vec2 inside = step(vec2(0.0), q) * step(q, vec2(1.0));
   // Square for the display's curve: near enough for legends, and cheap.
   vec3 colour = c.rgb / max(c.a, 1e-3);
