@@ -1,6 +1,7 @@
 # Debian packages, by `cpack -G DEB` or the target `debian`: the components of an installation, each with what it depends on.
 #   seamount           the program, the studio's page, recipes, data, networks
 #   seamount-training  the part of it that trains networks, where libtorch is there
+#   seamount-ranks     the part of it that runs a recipe on several processes or machines, where MPI is there
 #   python3-seamount   `import seamount` for the system's Python
 #   libseamount-dev    headers and static libraries, with a package file for CMake
 # What is linked is found by dpkg-shlibdeps; what is opened by name, or needed by a compiler, is said here.
@@ -19,7 +20,7 @@ set(CPACK_COMPONENTS_ALL program library)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME seamount)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS fonts-dejavu-core)  # letters on pictures
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "xdg-utils, seamount-training ${same_version}, python3-seamount ${same_version}")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "xdg-utils, seamount-training ${same_version}, seamount-ranks ${same_version}, python3-seamount ${same_version}")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
     "${PROJECT_DESCRIPTION}
 A few strokes, contours or a real coastline become islands, mountain ranges,
@@ -47,6 +48,17 @@ if(TARGET seamount_training)
   set(CPACK_DEBIAN_TRAINING_PACKAGE_DEPENDS "seamount ${same_version}")
   set(CPACK_DEBIAN_TRAINING_DESCRIPTION "Terrain authoring: training of networks
 With it `seamount train` trains the networks of learned operators, by libtorch.")
+endif()
+
+if(TARGET seamount_ranks)
+  list(APPEND CPACK_COMPONENTS_ALL ranks)
+  set(CPACK_DEBIAN_RANKS_PACKAGE_NAME seamount-ranks)
+  set(CPACK_DEBIAN_RANKS_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_RANKS_PACKAGE_DEPENDS "seamount ${same_version}")
+  set(CPACK_DEBIAN_RANKS_PACKAGE_RECOMMENDS openmpi-bin)
+  set(CPACK_DEBIAN_RANKS_DESCRIPTION "Terrain authoring: worlds on several machines
+With it `mpirun -n 4 seamount run RECIPE --tiles 4096` spreads a recipe over
+processes, by Open MPI.")
 endif()
 
 if(TARGET seamount_python)
@@ -77,7 +89,7 @@ include(CPack)
 # All packages into the build folder: ninja -C build/dev debian.
 get_property(modules GLOBAL PROPERTY SEAMOUNT_MODULES)
 set(packaged ${modules})
-foreach(target seamount seamount_training seamount_python_types)
+foreach(target seamount seamount_training seamount_ranks seamount_python_types)
   if(TARGET ${target})
     list(APPEND packaged ${target})
   endif()

@@ -1,6 +1,5 @@
 // Runs the studio's tests: `node test.mjs unit` those beside the sources (*.test.ts), `node test.mjs browser` those
-// that
-// drive the real server and Chromium (*.browser.ts); further words choose files whose path holds one of them.
+// that drive the real server and Chromium (*.browser.ts); further words choose files whose path holds one of them.
 import { build } from "esbuild";
 import { spawnSync } from "node:child_process";
 import { readdirSync, rmSync } from "node:fs";

@@ -17,7 +17,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 # The packages, with the list of packages/ that holds what each may depend on, and a file that each brings.
 PACKAGES = {"seamount": ("run", "bin/seamount"), "libseamount-dev": ("run", "include/seamount/ops/island/build.h"),
             "python3-seamount": ("python", "lib/python3/dist-packages/seamount/__init__.py"),
-            "seamount-training": ("test", "lib/seamount/seamount_training.so")}
+            "seamount-training": ("test", "lib/seamount/seamount_training.so"),
+            "seamount-ranks": ("test", "lib/seamount/seamount_ranks.so")}
 HIDDEN = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c", 'mount -t tmpfs none "$0" && exec "$@"', str(ROOT)]
 USE_PYTHON = """
 import seamount as sm

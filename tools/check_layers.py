@@ -19,7 +19,8 @@ MAY_INCLUDE = {
 # Libraries that only some folders may know, by the beginning of their headers' names.
 ONLY_IN = {
     "tbb/": "base recipe",
-    "thread>": "base server",
+    "thread>": "base server tiles/mpi",
+    "mpi.h": "tiles/mpi",
     "httplib": "server",
     "nlohmann/": "io recipe server",
     "gdal": "io",

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "command_line.h"
 #include "seamount/recipe/executor.h"
+#include "seamount/tiles/ranks.h"
 
 namespace seamount::app {
 
@@ -32,7 +34,8 @@ std::atomic<bool>& cancel_flag();
 /// A context with the flags' threads, Ctrl-C, and a progress line on stderr if that is a terminal.
 class Session {
  public:
-  explicit Session(const RunFlags& flags);
+  /// `quiet`: without progress and notes, which another rank shows.
+  explicit Session(const RunFlags& flags, bool quiet = false);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -48,8 +51,14 @@ void print_message(std::string_view line) noexcept;
 /// JSON as it is printed, of text that may be no UTF-8.
 std::string shown(const recipe::Json& json);
 
-/// Runs a recipe and prints its summary: written files to stdout (or JSON), timings to stderr.
-void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder, const RunFlags& flags);
+/// Runs a recipe and prints its summary: written files to stdout (or JSON), timings to stderr. `ranks`: who run it in
+/// tiles together, of which rank 0 prints; nullptr: this process alone.
+void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder, const RunFlags& flags,
+                    tiles::Ranks* ranks = nullptr);
+
+/// Calls work(ranks) where the process was started as one of several by mpirun, work(nullptr) where it was not. What
+/// one rank throws ends all, and is said by rank 0 alone. Throws InvalidArgument for several without --tiles.
+void run_as_ranks(const RunFlags& flags, const std::function<void(tiles::Ranks* ranks)>& work);
 
 /// Beginnings of JSON pointers into a document that was made from flags, and the flags that they came from.
 using FlagNames = std::vector<std::pair<std::string, std::string>>;

@@ -53,7 +53,8 @@ void write_sheets(const Flags& flags, const Sweep& sweep, const std::vector<std:
   }
 }
 
-void run_sweep(const Flags& flags, const std::function<recipe::Recipe(const std::vector<std::string>&)>& read) {
+void run_sweep(const Flags& flags, const std::function<recipe::Recipe(const std::vector<std::string>&)>& read,
+               tiles::Ranks* ranks) {
   if (flags.out.empty()) throw InvalidArgument("--out", "a folder name is needed");
   const Sweep sweep = parse_sweeps(flags.sweeps);
   std::vector<recipe::Recipe> runs;  // all are checked before the first begins
@@ -66,11 +67,12 @@ void run_sweep(const Flags& flags, const std::function<recipe::Recipe(const std:
   if (flags.sheet && pictures.empty())
     throw InvalidArgument("--sheet",
                           "the recipe has no output that is a picture: add one \"as\": \"perspective\" or \"map\"");
+  const bool first = ranks == nullptr || ranks->first();
   for (size_t k = 0; k < runs.size(); ++k) {
-    print_message(fmt::format("{:04}: {}", k + 1, sweep.runs[k].caption));
-    run_and_report(runs[k], run_folder(flags, k), flags);
+    if (first) print_message(fmt::format("{:04}: {}", k + 1, sweep.runs[k].caption));
+    run_and_report(runs[k], run_folder(flags, k), flags, ranks);
   }
-  if (flags.sheet) write_sheets(flags, sweep, pictures);
+  if (flags.sheet && first) write_sheets(flags, sweep, pictures);
 }
 
 }  // namespace
@@ -103,9 +105,12 @@ void add_run_command(Command program, const recipe::Registry& registry) {
                                  {.sets = sets, .seed = flags->seed, .size = flags->size, .tiled = flags->tiles > 0},
                                  registry, {.cancelled = &cancel_flag()});
     };
-    if (!flags->sweeps.empty()) return run_sweep(*flags, read);
-    if (flags->sheet) throw InvalidArgument("--sheet", "is for the pictures of a --sweep");
-    run_and_report(read(flags->sets), flags->out, *flags);
+    if (flags->sheet && flags->sweeps.empty()) throw InvalidArgument("--sheet", "is for the pictures of a --sweep");
+    run_as_ranks(*flags, [&](tiles::Ranks* ranks) {
+      if (ranks != nullptr) tiles::by_first(*ranks, [&] { read(flags->sets); });  // what is wrong is said by rank 0
+      if (!flags->sweeps.empty()) return run_sweep(*flags, read, ranks);
+      run_and_report(read(flags->sets), flags->out, *flags, ranks);
+    });
   });
 }
 

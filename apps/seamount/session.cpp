@@ -11,6 +11,7 @@
 #include "app.h"
 #include "seamount/base/printable.h"
 #include "seamount/tiles/run.h"
+#include "seamount/tiles/spread.h"
 
 namespace seamount::app {
 namespace {
@@ -80,9 +81,10 @@ void add_run_flags(Command command, RunFlags& flags) {
   command.add_switch("--json", flags.json, "print the summary as JSON");
 }
 
-Session::Session(const RunFlags& flags) {
+Session::Session(const RunFlags& flags, bool quiet) {
   run_.threads = flags.threads;
   run_.cancelled = &cancel_flag();
+  if (quiet) return;
   run_.note = [](const std::string& line) {
     if (current_line()) current_line()->clear();
     print_message("note: " + line);
@@ -148,20 +150,25 @@ recipe::Recipe parse_made_recipe(const recipe::Json& document, const std::string
   }
 }
 
-void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder, const RunFlags& flags) {
+void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder, const RunFlags& flags,
+                    tiles::Ranks* ranks) {
   if (out_folder.empty()) throw InvalidArgument("--out", "a folder name is needed");
   const auto start = Clock::now();
   recipe::ExecuteOptions options{.out_folder = out_folder};
   if (flags.no_cache) options.cache_folder.clear();
   constexpr double kGigabyte = 1e9;
   const tiles::TileOptions tiled{out_folder, options.cache_folder, flags.tiles,
-                                 static_cast<uint64_t>(flags.memory_gb.value_or(0.0) * kGigabyte)};
+                                 static_cast<uint64_t>(flags.memory_gb.value_or(0.0) * kGigabyte), ranks};
+  const bool quiet = ranks != nullptr && !ranks->first();
   recipe::ExecuteReport report;
   {
-    const Session session(flags);
+    RunFlags own = flags;
+    if (ranks != nullptr && own.threads == 0) own.threads = tiles::threads_of(*ranks);
+    const Session session(own, quiet);
     report = flags.tiles > 0 ? tiles::execute(recipe, tiled, session.run())
                              : recipe::execute(recipe, options, session.run());
   }
+  if (quiet) return;
   for (const recipe::StepReport& step : report.steps) {
     print_message(
         fmt::format("{:>8.3f} s  {} ({}){}", step.seconds, step.id, step.op, step.cached ? ", from the cache" : ""));

@@ -22,7 +22,8 @@ std::string reason(int error) { return std::generic_category().message(error); }
 
 }  // namespace
 
-void write_atomically(const std::string& path, const std::function<void(const std::string& temporary)>& write) {
+void write_atomically(const std::string& path, const std::function<void(const std::string& temporary)>& write,
+                      Durable durable) {
   if (path.empty()) throw WriteError("(no name)", "a file name is needed");
   const fs::path target = path;
   if (!target.has_filename()) throw WriteError(path, "is a folder, not a file name");
@@ -39,9 +40,9 @@ void write_atomically(const std::string& path, const std::function<void(const st
     throw WriteError(error.path(), std::string(error.what()).substr(error.path().size() + 2));
   }
   take_over_mode(temporary, mode, path);
-  sync_to_disk(temporary, path);
+  if (durable == Durable::at_once) sync_to_disk(temporary, path);
   if (::rename(temporary.c_str(), target.c_str()) != 0) throw WriteError(path, "cannot be written: " + reason(errno));
-  sync_to_disk(folder, path);
+  if (durable == Durable::at_once) sync_to_disk(folder, path);
 }
 
 void write_bytes(const std::string& path, std::span<const uint8_t> bytes) {

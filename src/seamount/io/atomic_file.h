@@ -13,12 +13,17 @@
 
 namespace seamount::io {
 
+/// Is a file on the disk when it appears, or soon after? The latter is for files of the cache with checksums, which may
+/// be damaged when the machine's power fails, not when the program is killed.
+enum class Durable { at_once, later };
+
 /// Calls write(temporary) and renames what it wrote to `path`. Missing parent folders are created. The temporary file
 /// has the same name, in a private folder beside it (private_folder.h). A file that is replaced hands its mode on.
 /// Whatever fails (write() itself, a full disk, a folder or a link in the way, an earlier file that is read-only), no
 /// temporary stays, the earlier file stays as it was, and WriteError{path} is thrown; other exceptions of write() pass
 /// through.
-void write_atomically(const std::string& path, const std::function<void(const std::string& temporary)>& write);
+void write_atomically(const std::string& path, const std::function<void(const std::string& temporary)>& write,
+                      Durable durable = Durable::at_once);
 
 /// The same for bytes at hand.
 void write_bytes(const std::string& path, std::span<const uint8_t> bytes);

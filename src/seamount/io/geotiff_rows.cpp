@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "seamount/base/parallel.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/gdal_call.h"
 #include "seamount/io/geotiff_tags.h"
@@ -18,7 +19,7 @@ bool any_unknown(const float* cells, size_t count) {
   return std::any_of(cells, cells + count, [](float z) { return std::isnan(z); });
 }
 
-DatasetPtr create(const GdalCall& call, const std::string& path, const GridFrame& frame, bool bytes) {
+DatasetPtr create(const GdalCall& call, const std::string& path, const GridFrame& frame, bool bytes, int threads) {
   CPLStringList how;
   how.SetNameValue("TILED", "YES");
   how.SetNameValue("BLOCKXSIZE", std::to_string(kBlock).c_str());
@@ -27,6 +28,7 @@ DatasetPtr create(const GdalCall& call, const std::string& path, const GridFrame
   how.SetNameValue("ZLEVEL", "4");
   how.SetNameValue("PREDICTOR", bytes ? "1" : "3");
   how.SetNameValue("BIGTIFF", "IF_SAFER");
+  how.SetNameValue("NUM_THREADS", std::to_string(threads).c_str());  // the bytes do not hang on it
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   DatasetPtr made(
       driver->Create(path.c_str(), frame.width, frame.height, 1, bytes ? GDT_Byte : GDT_Float32, how.List()));
@@ -93,7 +95,7 @@ void write_geotiff_rows(const GridFrame& frame, CellMeaning meaning, const RowSo
     GdalCall call(path);
     call.hide(temporary);
     const std::string plain = cloud_optimised ? temporary + ".rows.tif" : temporary;
-    DatasetPtr dataset = create(call, plain, frame, bytes);
+    DatasetPtr dataset = create(call, plain, frame, bytes, thread_count(run));
     tag_place(*dataset, frame, provenance);
     if (meaning == CellMeaning::heights) tag_heights(*dataset);
     if (meaning == CellMeaning::regions) tag_regions(*dataset);

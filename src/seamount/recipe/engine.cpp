@@ -11,6 +11,8 @@
 #include "seamount/base/background.h"
 #include "seamount/recipe/engine_view.h"
 #include "seamount/recipe/output_files.h"
+#include "seamount/recipe/standing.h"
+#include "seamount/recipe/step_times.h"
 
 namespace seamount::recipe {
 namespace {
@@ -20,13 +22,8 @@ using Clock = std::chrono::steady_clock;
 /// How long an export takes to notice that it should stop.
 constexpr int kPollMilliseconds = 5;
 
-std::string message_of(const std::exception_ptr& failure) {
-  try {
-    std::rethrow_exception(failure);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
+/// A full result that takes less is not preceded by a coarse one, once a gesture is over.
+constexpr double kSoon_s = 0.25;
 
 Digest key_of(const Digest& step, const std::string& port) {
   return Hasher().number(step.high).number(step.low).text(port).digest();
@@ -61,10 +58,10 @@ class Engine::Work {
   Work& operator=(const Work&) = delete;
 
   std::vector<Change> edit(const std::vector<Edit>& edits, const std::string& gesture, const std::string& label,
-                           const std::string& author) {
+                           const std::string& author, bool ends) {
     const std::lock_guard lock(mutex_);
     std::vector<Change> changes = document_.apply(edits, gesture, label, author);
-    if (!changes.empty()) request(gesture);
+    if (!changes.empty()) request(ends ? "" : gesture);
     return changes;
   }
 
@@ -175,7 +172,7 @@ class Engine::Work {
     if (coarse_recipe) make_view(coarse, coarse_recipe, wanted);
     lock.lock();
     std::vector<View> views;
-    if (coarse_recipe) {
+    if (coarse_recipe && !(wants_full && gesture_.empty() && comes_soon(full))) {
       if (const View* going_on = coarse_in_flight()) views.push_back(*going_on);
       views.push_back(coarse);
     }
@@ -195,6 +192,12 @@ class Engine::Work {
     std::vector<Source> targets;
     for (const auto& [asked, source] : view.sources) targets.push_back(source);
     view.plan = std::make_shared<const Plan>(make_plan(recipe, targets, files_));
+  }
+
+  /// Whether a full result needs no coarse one before it, which would only take time from it.
+  bool comes_soon(const View& full) const {
+    const auto seconds = times_.expected(*full.plan, scheduler_.ahead(*full.plan));
+    return seconds && *seconds < kSoon_s;
   }
 
   /// The coarse result that is being computed for the gesture that still goes on: a view follows the pen only if it is
@@ -233,6 +236,7 @@ class Engine::Work {
   void collect() {
     for (const View& view : views_) {
       for (const auto& [asked, source] : view.sources) keep_newest(view, asked, source);
+      if (!view.coarse) times_.learn(*view.plan, scheduler_);
     }
   }
 
@@ -246,8 +250,6 @@ class Engine::Work {
     if (const auto value = values->find(source.port); value != values->end())
       latest_[asked] = {{value->second, view.revision, view.coarse, key_of(planned.key, source.port)}, planned.key};
   }
-
-  StepState state_of(const Plan& plan, size_t index, bool ahead) const;
 
   const EngineOptions options_;
   mutable std::mutex mutex_;
@@ -263,44 +265,12 @@ class Engine::Work {
   std::vector<std::string> ids_;
   std::vector<std::shared_ptr<const Plan>> exports_;
   std::map<Source, Latest> latest_;
+  StepTimes times_;
   FileSnapshots files_;
   std::mutex calling_;
   Scheduler scheduler_;  // the threads of these two use all of the above
   Background planner_;
 };
-
-StepState Engine::Work::state_of(const Plan& plan, size_t index, bool ahead) const {
-  const Step& step = plan.recipe->steps[index];
-  const PlannedStep& planned = plan.steps[index];
-  StepState state{.id = step.id, .op = step.op->name};
-  if (planned.defect) {
-    state.standing = !step.incomplete.empty()     ? Standing::incomplete
-                     : planned.defect_of == index ? Standing::failed
-                                                  : Standing::blocked;
-    state.message = step.incomplete.empty() ? message_of(planned.defect) : step.incomplete;
-    return state;
-  }
-  const StepProgress progress = scheduler_.progress(planned.key);
-  state.fraction = progress.fraction;
-  state.seconds = progress.seconds;
-  state.cached = progress.cached;
-  state.notes = progress.notes;
-  using Stage = StepProgress::Stage;
-  if (progress.stage == Stage::failed) {
-    state.standing = Standing::failed;
-    state.message = message_of(progress.failure);
-  } else if (progress.stage == Stage::done) {
-    state.standing = Standing::fresh;
-  } else if (progress.stage == Stage::running) {
-    state.standing = Standing::running;
-  } else if (planned.needed && !ahead) {  // all that follows from it is there
-    state.standing = Standing::fresh;
-    state.cached = true;
-  } else {
-    state.standing = planned.needed && !paused_ ? Standing::queued : Standing::stale;
-  }
-  return state;
-}
 
 EngineState Engine::Work::state() const {
   const std::lock_guard lock(mutex_);
@@ -318,7 +288,7 @@ EngineState Engine::Work::state() const {
   std::map<std::string, StepState> by_id;
   std::map<std::string, std::string> broken;  // steps without a result to come, and why
   for (size_t i = 0; i < plan.steps.size(); ++i) {
-    StepState step = state_of(plan, i, ahead[i]);
+    StepState step = state_of(plan, i, scheduler_.progress(plan.steps[i].key), ahead[i], paused_);
     for (const size_t from : plan.steps[i].reads) {
       const std::string& id = plan.recipe->steps[from].id;
       const bool open = step.standing == Standing::queued || step.standing == Standing::stale;
@@ -374,11 +344,11 @@ Engine::Engine(Document document, EngineOptions options)
 Engine::~Engine() = default;
 
 std::vector<Change> Engine::edit(const Edit& edit, const std::string& gesture) {
-  return work_->edit({edit}, gesture, "", "");
+  return work_->edit({edit}, gesture, "", "", false);
 }
 std::vector<Change> Engine::edit(const std::vector<Edit>& edits, const std::string& gesture, const std::string& label,
-                                 const std::string& author) {
-  return work_->edit(edits, gesture, label, author);
+                                 const std::string& author, bool ends) {
+  return work_->edit(edits, gesture, label, author, ends);
 }
 bool Engine::undo() { return work_->travel(&Document::undo); }
 bool Engine::redo() { return work_->travel(&Document::redo); }

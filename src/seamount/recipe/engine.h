@@ -86,10 +86,12 @@ class Engine {
   Engine& operator=(const Engine&) = delete;
 
   // The document. Each change makes out-of-date work stop at once; within a gesture the coarse result that is being
-  // computed is still finished, so that a view follows the pen however fast edits come. Throws what Document throws.
+  // computed is still finished, so that a view follows the pen however fast edits come. `ends`: a gesture is over with
+  // these edits; what will be there in full in a quarter of a second then gets no coarse result before it. Throws what
+  // Document throws.
   std::vector<Change> edit(const Edit& edit, const std::string& gesture = "");
   std::vector<Change> edit(const std::vector<Edit>& edits, const std::string& gesture = "",
-                           const std::string& label = "", const std::string& author = "");
+                           const std::string& label = "", const std::string& author = "", bool ends = false);
   bool undo();
   bool redo();
   Document document() const;

@@ -243,6 +243,34 @@ void wait_until_running(Engine& engine, const std::string& id) {
   ASSERT_EQ(step(engine, id).standing, Standing::running);
 }
 
+TEST(Engine, WhatComesInAMomentGetsNoCoarseResultOnceAGestureIsOver) {
+  std::mutex mutex;
+  std::set<std::pair<uint64_t, bool>> seen;  // revision, coarse
+  Engine* watched = nullptr;
+  EngineOptions options = quick();
+  options.coarse_cells = 16;
+  options.changed = [&] {
+    const std::lock_guard lock(mutex);
+    const auto value = watched == nullptr ? std::nullopt : watched->value(kReef);
+    if (value) seen.emplace(value->revision, value->coarse);
+  };
+  Engine engine(document(kSmall), options);
+  {
+    const std::lock_guard lock(mutex);
+    watched = &engine;
+  }
+  engine.want({kReef}, Quality::coarse_then_full);  // how long it takes is not known yet
+  engine.wait();
+  engine.edit({set_parameter("reef", "subsidence", 0.3)}, "drag");
+  engine.wait();
+  engine.edit({set_parameter("reef", "subsidence", 0.4)}, "drag", "", "", true);
+  engine.wait();
+  const std::lock_guard lock(mutex);
+  watched = nullptr;
+  EXPECT_THAT(seen, ElementsAre(std::pair(0U, false), std::pair(0U, true), std::pair(1U, false), std::pair(1U, true),
+                                std::pair(2U, false)));
+}
+
 TEST(Engine, AChangeBelowDoesNotStopARunningStepAndAChangeAboveDoes) {
   Engine engine(document(kSlow), quick());
   engine.want({kMap}, Quality::full);

@@ -14,11 +14,10 @@
 namespace seamount::recipe {
 namespace {
 
-HeightField made(const std::string& name, const Json& params, uint64_t seed) {
+HeightField made(const std::string& name, const Json& params, uint64_t seed, Values in = {}) {
   const Extent extent{128, 96, 500};
   const Operator& op = *standard_registry().find_operator(name);
-  Values in;
-  if (name == "learned.island") in["labels"] = example_values(extent).at("labels");
+  if (name == "learned.island" && in.empty()) in["labels"] = example_values(extent).at("labels");
   Diagnostics diagnostics;
   const Json complete = op.complete(params, {"", diagnostics});
   EXPECT_TRUE(diagnostics.empty());
@@ -44,6 +43,44 @@ TEST(ShippedNetworks, AreSoundInEitherPrecision) {
     EXPECT_EQ(other, made(name, {{"precision", "automatic"}}, 3)) << name;
     EXPECT_NE(plain, made(name, {{"precision", "f32"}}, 4)) << name;
   }
+}
+
+/// A round island with its reef.
+LabelMap round_island() {
+  LabelMap labels(GridFrame::centred(128, 128, 160), Region::abyss);
+  for (int y = 0; y < 128; ++y) {
+    for (int x = 0; x < 128; ++x) {
+      const double r = std::hypot(labels.frame().x(x), labels.frame().y(y));
+      labels(x, y) = r < 2400   ? Region::mountain
+                     : r < 2800 ? Region::beach
+                     : r < 4000 ? Region::lagoon
+                     : r < 4600 ? Region::reef
+                                : Region::abyss;
+    }
+  }
+  return labels;
+}
+
+/// Mean eastward place of the land.
+double land_east_m(const HeightField& z) {
+  double sum = 0;
+  int cells = 0;
+  for (int y = 0; y < z.height(); ++y) {
+    for (int x = 0; x < z.width(); ++x) {
+      if (z(x, y) <= 0) continue;
+      sum += z.frame().x(x);
+      ++cells;
+    }
+  }
+  return sum / cells;
+}
+
+TEST(ShippedNetworks, IslandsYieldToTheirWind) {
+  const Values in = {{"labels", Value::of<kinds::Labels>(round_island())}};
+  const Json west_wind = {{{"points", {{-8000, 0}, {8000, 0}}}, {"width_m", 3000}, {"strength_m", 1500}}};
+  const HeightField still = made("learned.island", Json::object(), 3, in),
+                    bent = made("learned.island", {{"strokes", west_wind}}, 3, in);
+  EXPECT_GT(land_east_m(bent), land_east_m(still) + 300);
 }
 
 /// Ground that no training shows: hills of another noise.

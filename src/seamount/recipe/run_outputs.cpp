@@ -23,8 +23,7 @@ namespace fs = std::filesystem;
 void write_staged(const Recipe& recipe, const Output& output, const io::StagedFolder& staged,
                   const std::function<const Value&(const Source&)>& value, const RowsWriter& by_rows,
                   const RunContext& run) {
-  const io::Provenance provenance{std::string("Seamount ") + kVersion, fs::path(recipe.file).filename().string(),
-                                  recipe.seed.value};
+  const io::Provenance provenance = provenance_of(recipe);
   try {
     if (by_rows && by_rows(output, staged.path(output.path), provenance, run)) return;
     Values prepared;
@@ -153,6 +152,10 @@ std::vector<OutputReport> write_all(const Recipe& recipe, const std::string& out
 }
 
 }  // namespace
+
+io::Provenance provenance_of(const Recipe& recipe) {
+  return {std::string("Seamount ") + kVersion, fs::path(recipe.file).filename().string(), recipe.seed.value};
+}
 
 std::vector<OutputReport> write_outputs(const Recipe& recipe, const std::string& out_folder,
                                         const std::function<const Value&(const Source&)>& value,

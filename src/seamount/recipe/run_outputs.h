@@ -21,6 +21,9 @@ struct OutputReport {
 using RowsWriter = std::function<bool(const Output& output, const std::string& path, const io::Provenance& provenance,
                                       const RunContext& run)>;
 
+/// What the files of a recipe's outputs say made them.
+io::Provenance provenance_of(const Recipe& recipe);
+
 /// Writes all outputs side by side below a private folder in `out_folder` and moves them into place at the end. `value`
 /// gives the value of a source; `part` the context of output i, for its progress. Throws what writers throw, with
 /// "output 'x': " before it and final file names in it; then nothing has changed. What they say is passed on with the

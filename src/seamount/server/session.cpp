@@ -123,10 +123,10 @@ void Session::check_base(const Asker& asker) const {
 }
 
 std::string Session::edit(const Asker& asker, const std::vector<recipe::Edit>& edits, const std::string& gesture,
-                          const std::string& label) {
+                          const std::string& label, bool ends) {
   const std::lock_guard lock(editing_);
   check_base(asker);
-  const std::vector<recipe::Change> changes = engine_->edit(edits, gesture, label, asker.window);
+  const std::vector<recipe::Change> changes = engine_->edit(edits, gesture, label, asker.window, ends);
   std::string event = announce(asker, changes, label);
   if (!changes.empty()) remember([&](Journal& journal) { journal.edit(edits, gesture, label, asker.window); });
   return event;

@@ -68,7 +68,7 @@ class Session {
   // Each returns its document event, which all windows get, once it is safe. Throws OutOfDate, RecipeError,
   // InvalidArgument; WriteError where the edit is in force but the journal could not be written.
   std::string edit(const Asker& asker, const std::vector<recipe::Edit>& edits, const std::string& gesture,
-                   const std::string& label);
+                   const std::string& label, bool ends = false);
   std::string replace_text(const Asker& asker, const std::string& text);
   /// "" where there is nothing to take back, or to do again.
   std::string undo(const Asker& asker);

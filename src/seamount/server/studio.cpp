@@ -38,6 +38,12 @@ class Body {
   std::string text_or(const char* name, const std::string& absent) const {
     return json_.contains(name) ? text(name) : absent;
   }
+  bool flag(const char* name) const {
+    const auto found = json_.find(name);
+    if (found == json_.end()) return false;
+    if (!found->is_boolean()) throw InvalidArgument(name, "is true or false");
+    return found->get<bool>();
+  }
   double number_or(const char* name, double absent) const {
     const auto found = json_.find(name);
     if (found == json_.end()) return absent;
@@ -264,7 +270,7 @@ Reply Studio::get_value(const std::string& key, const std::string& what, const R
 Reply Studio::post_edits(const Request& request) {
   const Body body(request.body);
   return {.bytes = session()->edit(body.asker(), read_edits(body.list("edits")), body.text_or("gesture", ""),
-                                   body.text_or("label", ""))};
+                                   body.text_or("label", ""), body.flag("ends"))};
 }
 
 Reply Studio::post_undo(const Request& request) {

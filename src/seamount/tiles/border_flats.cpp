@@ -46,82 +46,97 @@ geom::OpenSides open_sides_of(const Rect& rect, const Layout& layout) {
 
 }  // namespace
 
-BorderFlats::BorderFlats(const Layout& layout, const GridFrame& frame, float sea_m, const RunContext& run)
-    : layout_(layout), frame_(frame), sea_m_(sea_m), run_(run) {}
-
-void BorderFlats::look_at(int tile, const HeightField& surface) {
-  const Rect rect = layout_.tile(tile), window = with_reach(rect, Reach::neighbourhood(1), frame_);
-  const geom::OpenSides open = open_sides_of(window, layout_);
+TileFlats find_flats(const Layout& layout, const GridFrame& frame, int tile, const HeightField& surface, float sea_m) {
+  const Rect rect = layout.tile(tile), window = with_reach(rect, Reach::neighbourhood(1), frame);
+  const geom::OpenSides open = open_sides_of(window, layout);
   const Rect own{rect.column - window.column, rect.row - window.row, rect.width, rect.height};
   Grid<uint8_t> seen(surface.frame(), uint8_t{0});
-  std::vector<int32_t> parts(static_cast<size_t>(rim_size(layout_, tile)), -1);
-  std::vector<float> heights(parts.size());
-  for (int32_t rim = 0; rim < static_cast<int32_t>(parts.size()); ++rim) {
+  const auto rims = static_cast<size_t>(rim_size(layout, tile));
+  TileFlats found{{}, std::vector<int32_t>(rims, -1), std::vector<float>(rims)};
+  for (int32_t rim = 0; rim < static_cast<int32_t>(rims); ++rim) {
     const int32_t cell = geom::rim_cell(rim, rect.width, rect.height);
     const int x = own.column + cell % rect.width, y = own.row + cell / rect.width;
-    heights[static_cast<size_t>(rim)] = surface(x, y);
-    if (seen(x, y) != 0 || !is_flat(surface, x, y, open, sea_m_)) continue;
-    const FlatCells flat(surface, y * surface.width() + x, open, sea_m_, own, seen);
-    Part part{{}, {window.column + x, window.row + y}};
+    found.height_of_rim[static_cast<size_t>(rim)] = surface(x, y);
+    if (seen(x, y) != 0 || !is_flat(surface, x, y, open, sea_m)) continue;
+    const FlatCells flat(surface, y * surface.width() + x, open, sea_m, own, seen);
+    FlatPart part{{}, {window.column + x, window.row + y}};
     for (const int32_t one : flat.cells) {
       const int cx = one % surface.width() - own.column, cy = one / surface.width() - own.row;
       part.around = united(part.around, {rect.column + cx, rect.row + cy, 1, 1});
       const int32_t number = geom::rim_number(cx, cy, rect.width, rect.height);
-      if (number >= 0) parts[static_cast<size_t>(number)] = static_cast<int32_t>(parts_.size());
+      if (number >= 0) found.part_of_rim[static_cast<size_t>(number)] = static_cast<int32_t>(found.parts.size());
     }
-    parts_.push_back(part);
+    found.parts.push_back(part);
   }
-  part_of_rim_.push_back(std::move(parts));
-  height_of_rim_.push_back(std::move(heights));
+  return found;
 }
 
-void BorderFlats::drain(const std::function<HeightField(const Rect&)>& read,
-                        const std::function<void(const GridFrame&)>& check) {
-  geom::Groups flats(static_cast<int32_t>(parts_.size()));
+BorderFlats::BorderFlats(const Layout& layout, const GridFrame& frame, float sea_m, std::vector<TileFlats> tiles)
+    : layout_(layout), frame_(frame), sea_m_(sea_m), flats_(tiles.size()), owners_(tiles.size()) {
+  std::vector<FlatPart> parts;
+  std::vector<int> tile_of;
+  for (size_t tile = 0; tile < tiles.size(); ++tile) {
+    for (int32_t& part : tiles[tile].part_of_rim)
+      if (part >= 0) part += static_cast<int32_t>(parts.size());
+    parts.insert(parts.end(), tiles[tile].parts.begin(), tiles[tile].parts.end());
+    tile_of.resize(parts.size(), static_cast<int>(tile));
+  }
+  geom::Groups groups(static_cast<int32_t>(parts.size()));
   for_each_border_pair(layout_, [&](const RimPlace& a, const RimPlace& b) {
-    const auto part = [&](const RimPlace& p) {
-      return part_of_rim_[static_cast<size_t>(p.tile)][static_cast<size_t>(p.rim)];
-    };
-    const auto height = [&](const RimPlace& p) {
-      return height_of_rim_[static_cast<size_t>(p.tile)][static_cast<size_t>(p.rim)];
-    };
-    if (part(a) < 0 || part(b) < 0 || height(a) != height(b)) return;
-    const int32_t x = flats.find(part(a)), y = flats.find(part(b));
-    if (x != y) flats.join(x, y);
+    const TileFlats &one = tiles[static_cast<size_t>(a.tile)], &other = tiles[static_cast<size_t>(b.tile)];
+    const auto i = static_cast<size_t>(a.rim), k = static_cast<size_t>(b.rim);
+    if (one.part_of_rim[i] < 0 || other.part_of_rim[k] < 0 || one.height_of_rim[i] != other.height_of_rim[k]) return;
+    const int32_t x = groups.find(one.part_of_rim[i]), y = groups.find(other.part_of_rim[k]);
+    if (x != y) groups.join(x, y);
   });
-  for (int32_t i = 0; i < static_cast<int32_t>(parts_.size()); ++i) {
-    run_.check_cancelled();
-    if (flats.find(i) != i) continue;
-    Rect around;
-    flats.for_each_member(i, [&](int32_t k) { around = united(around, parts_[static_cast<size_t>(k)].around); });
-    drain_one(around, parts_[static_cast<size_t>(i)].first, read, check);
+  for (int32_t i = 0; i < static_cast<int32_t>(parts.size()); ++i) {
+    if (groups.find(i) != i) continue;
+    const int owner = tile_of[static_cast<size_t>(i)];
+    Flat flat{{}, parts[static_cast<size_t>(i)].first};
+    groups.for_each_member(i, [&](int32_t k) {
+      flat.around = united(flat.around, parts[static_cast<size_t>(k)].around);
+      owners_[static_cast<size_t>(tile_of[static_cast<size_t>(k)])].insert(owner);
+    });
+    flats_[static_cast<size_t>(owner)].push_back(flat);
   }
 }
 
-void BorderFlats::drain_one(const Rect& around, const CellPlace& first,
-                            const std::function<HeightField(const Rect&)>& read,
-                            const std::function<void(const GridFrame&)>& check) {
-  // Two cells more: whether a neighbour drains is told by its own neighbours.
-  const Rect window = with_reach(around, Reach::neighbourhood(2), frame_);
-  check(frame_.window(window.column, window.row, window.width, window.height));
-  const HeightField surface = read(window);
-  const geom::FlowDirections codes = geom::flow_directions(surface, sea_m_, run_);
+std::vector<FlatCode> BorderFlats::drain(int tile, const std::function<HeightField(const Rect&)>& read,
+                                         const std::function<void(const GridFrame&)>& check,
+                                         const RunContext& run) const {
+  // Most are small and lie near: their ground is read once.
+  const Rect near = with_reach(layout_.tile(tile), Reach::neighbourhood(layout_.size / 4 + 3), frame_);
+  Rect common;
+  for (const Flat& flat : flats_[static_cast<size_t>(tile)])
+    if (near.contains(window_of(flat))) common = united(common, window_of(flat));
+  const HeightField ground = common.empty() ? HeightField() : read(common);
+  std::vector<FlatCode> codes;
+  for (const Flat& flat : flats_[static_cast<size_t>(tile)]) {
+    run.check_cancelled();
+    const Rect window = window_of(flat);
+    check(frame_.window(window.column, window.row, window.width, window.height));
+    drain_one(flat, common.contains(window) ? inner(ground, common, window) : read(window), run, codes);
+  }
+  return codes;
+}
+
+/// Two cells more around it: whether a neighbour drains is told by its own neighbours.
+Rect BorderFlats::window_of(const Flat& flat) const { return with_reach(flat.around, Reach::neighbourhood(2), frame_); }
+
+void BorderFlats::drain_one(const Flat& flat, const HeightField& surface, const RunContext& run,
+                            std::vector<FlatCode>& codes) const {
+  const Rect &around = flat.around, window = window_of(flat);
+  const geom::FlowDirections made = geom::flow_directions(surface, sea_m_, run);
   Grid<uint8_t> seen(surface.frame(), uint8_t{0});
   const Rect inside{around.column - window.column, around.row - window.row, around.width, around.height};
-  const int32_t from = (first.row - window.row) * window.width + first.column - window.column;
-  const FlatCells flat(surface, from, open_sides_of(window, layout_), sea_m_, inside, seen);
-  for (const int32_t cell : flat.cells) {
+  const int32_t from = (flat.first.row - window.row) * window.width + flat.first.column - window.column;
+  const FlatCells all(surface, from, open_sides_of(window, layout_), sea_m_, inside, seen);
+  for (const int32_t cell : all.cells) {
     const int column = window.column + cell % window.width, row = window.row + cell / window.width;
     const int tile = row / layout_.size * layout_.columns() + column / layout_.size;
     const Rect rect = layout_.tile(tile);
-    codes_[tile].push_back({(row - rect.row) * rect.width + column - rect.column, codes.data()[cell]});
+    codes.push_back({tile, (row - rect.row) * rect.width + column - rect.column, made.data()[cell]});
   }
-}
-
-void BorderFlats::put(int tile, geom::FlowDirections& codes) const {
-  const auto found = codes_.find(tile);
-  if (found == codes_.end()) return;
-  for (const Code& one : found->second) codes.data()[one.cell] = one.code;
 }
 
 }  // namespace seamount::tiles

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <map>
+#include <set>
 #include <vector>
 
 #include "seamount/base/run_context.h"
@@ -11,41 +11,57 @@
 
 namespace seamount::tiles {
 
+/// The part in a tile of a flat that reaches its rim.
+struct FlatPart {
+  Rect around;  ///< of the whole
+  CellPlace first;
+};
+
+/// What a tile says of them.
+struct TileFlats {
+  std::vector<FlatPart> parts;
+  std::vector<int32_t> part_of_rim;  ///< by rim number: an index in `parts`; -1: no flat
+  std::vector<float> height_of_rim;
+};
+
+/// `surface`: filled heights of the tile and a ring of one cell around it, as far as the whole goes.
+TileFlats find_flats(const Layout& layout, const GridFrame& frame, int tile, const HeightField& surface, float sea_m);
+
+/// Directions of a flat's cells in a tile.
+struct FlatCode {
+  int32_t tile;
+  int32_t cell;
+  int32_t code;
+};
+
 class BorderFlats {
  public:
-  BorderFlats(const Layout& layout, const GridFrame& frame, float sea_m, const RunContext& run);
+  /// `tiles`: what each of them says.
+  BorderFlats(const Layout& layout, const GridFrame& frame, float sea_m, std::vector<TileFlats> tiles);
 
-  /// Finds the flats that reach a tile's rim. `surface`: filled heights of the tile and a ring of one cell around it,
-  /// as far as the whole goes. Every tile, in order.
-  void look_at(int tile, const HeightField& surface);
+  /// Drains those that are a tile's: each flat belongs to the first tile that it lies in. `read` gives filled heights;
+  /// `check` may throw for a rectangle that is too large.
+  std::vector<FlatCode> drain(int tile, const std::function<HeightField(const Rect&)>& read,
+                              const std::function<void(const GridFrame&)>& check, const RunContext& run) const;
 
-  /// Drains them. `read` gives filled heights; `check` may throw for a rectangle that is too large.
-  void drain(const std::function<HeightField(const Rect&)>& read, const std::function<void(const GridFrame&)>& check);
-
-  /// Sets the directions of their cells in a tile.
-  void put(int tile, geom::FlowDirections& codes) const;
+  /// The tiles whose flats lie in a tile too.
+  const std::set<int>& owners(int tile) const { return owners_[static_cast<size_t>(tile)]; }
 
  private:
-  struct Part {
-    Rect around;  ///< of the whole
+  struct Flat {
+    Rect around;
     CellPlace first;
   };
-  struct Code {
-    int32_t cell;  ///< of its tile
-    uint8_t code;
-  };
-
-  void drain_one(const Rect& around, const CellPlace& first, const std::function<HeightField(const Rect&)>& read,
-                 const std::function<void(const GridFrame&)>& check);
+  Rect window_of(const Flat& flat) const;
+  /// `surface`: of its window.
+  void drain_one(const Flat& flat, const HeightField& surface, const RunContext& run,
+                 std::vector<FlatCode>& codes) const;
 
   const Layout& layout_;
   const GridFrame& frame_;
   float sea_m_;
-  const RunContext& run_;
-  std::vector<std::vector<int32_t>> part_of_rim_;  ///< by tile and rim number; -1: no flat
-  std::vector<std::vector<float>> height_of_rim_;
-  std::vector<Part> parts_;
-  std::map<int, std::vector<Code>> codes_;
+  std::vector<std::vector<Flat>> flats_;  ///< by the tile that they belong to
+  std::vector<std::set<int>> owners_;
 };
 
 }  // namespace seamount::tiles

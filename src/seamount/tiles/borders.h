@@ -2,6 +2,7 @@
 // (geom/water/pieces.h).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "seamount/geom/water/pieces.h"
@@ -35,6 +36,18 @@ inline CellPlace cell_place(const Layout& layout, const RimPlace& place) {
 inline int32_t rim_size(const Layout& layout, int tile) {
   const Rect rect = layout.tile(tile);
   return geom::rim_size(rect.width, rect.height);
+}
+
+/// The cells of `rect` from a grid of `window`, which contains them. Both count in the whole.
+template <class T>
+Grid<T> inner(const Grid<T>& grid, const Rect& window, const Rect& rect) {
+  Grid<T> part(grid.frame().window(rect.column - window.column, rect.row - window.row, rect.width, rect.height));
+  for (int y = 0; y < rect.height; ++y) {
+    const auto row = grid.row(rect.row - window.row + y)
+                         .subspan(static_cast<size_t>(rect.column - window.column), static_cast<size_t>(rect.width));
+    std::copy(row.begin(), row.end(), part.row(y).begin());
+  }
+  return part;
 }
 
 /// Which sides of a tile are the whole's edge.

@@ -1,8 +1,11 @@
 #include "seamount/tiles/chain.h"
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
 
 #include "seamount/base/error.h"
+#include "seamount/tiles/spread.h"
 #include "seamount/tiles/windows.h"
 
 namespace seamount::tiles {
@@ -55,8 +58,9 @@ recipe::Value Chain::input(const OutputOf& from, const Rect& rect, const std::ma
   return window_of(found->second, {rect.column - all.column, rect.row - all.row, rect.width, rect.height});
 }
 
-void Chain::make_tile(int tile, const Say& say, const RunContext& run) const {
-  std::map<size_t, Rect> needed, run_on;
+Chain::Windows Chain::windows_for(int tile) const {
+  Windows found;
+  auto& [needed, run_on] = found;
   for (size_t i = 0; i < wanted_.size(); ++i)
     needed[wanted_[i].first] = united(needed[wanted_[i].first], stored_[i]->layout().tile(tile));
   for (auto step = order_.rbegin(); step != order_.rend(); ++step) {
@@ -65,6 +69,19 @@ void Chain::make_tile(int tile, const Say& say, const RunContext& run) const {
     for (const LocalStep::Input& one : local.inputs)
       needed[one.from.first] = united(needed[one.from.first], run_on[*step]);
   }
+  return found;
+}
+
+/// What making a tile takes, about: a raster of every step, and what operators use besides.
+double Chain::bytes_for(int tile) const {
+  constexpr double kScratch = 8 * sizeof(float);  // of a cell
+  double cells = 0;
+  for (const auto& [step, on] : windows_for(tile).run_on) cells = std::max(cells, static_cast<double>(on.cells()));
+  return cells * (kScratch + sizeof(float) * static_cast<double>(order_.size()));
+}
+
+void Chain::make_tile(int tile, const Say& say, const RunContext& run) const {
+  const auto [needed, run_on] = windows_for(tile);
   Values made;
   for (const size_t step : order_) {
     run.check_cancelled();
@@ -93,18 +110,25 @@ void Chain::make_tile(int tile, const Say& say, const RunContext& run) const {
 
 void Chain::run(const Say& say, const RunContext& run) {
   const Layout layout = stored_.front()->layout();
-  for (int tile = 0; tile < layout.count(); ++tile) {
+  constexpr size_t kNone = std::numeric_limits<int64_t>::max();
+  std::atomic<size_t> unknown{kNone};
+  const auto make = [&](int tile, const RunContext& own) {
     const bool there =
         std::all_of(stored_.begin(), stored_.end(), [&](const auto& raster) { return raster->has(tile); });
     try {
-      if (!there) make_tile(tile, say, run);
-    } catch (const MeetsUnknown&) {
-      throw;
+      if (!there) make_tile(tile, say, own);
+    } catch (const MeetsUnknown& met) {
+      unknown = met.step;
+      return false;
     } catch (...) {
       rethrow_with_tile(layout.name(tile));
     }
-    run.report((tile + 1.0) / layout.count());
-  }
+    return true;
+  };
+  const int middle = layout.rows() / 2 * layout.columns() + layout.columns() / 2;
+  spread(world_.ranks(), run, layout.count(), at_once(bytes_for(middle), world_.memory_bytes(), run), make);
+  const auto met = static_cast<size_t>(lowest(world_.ranks(), static_cast<int64_t>(unknown.load())));
+  if (met != kNone) throw MeetsUnknown{met};
   for (size_t i = 0; i < wanted_.size(); ++i) world_.keep_tiles(wanted_[i], stored_[i]);
 }
 

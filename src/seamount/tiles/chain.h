@@ -21,16 +21,22 @@ class Chain {
   /// Indices of its steps, each after those that it needs.
   const std::vector<size_t>& steps() const { return order_; }
 
-  /// Called with the step and what it says of a tile.
+  /// Called with the step and what it says of a tile, from many threads.
   using Say = std::function<void(size_t step, const std::string& line)>;
 
-  /// Makes the tiles that are not on disk yet. Throws what steps throw, with the tile's place; MeetsUnknown.
+  /// Makes the tiles that are not on disk yet, as one of the ranks. Throws what steps throw, with the tile's place;
+  /// MeetsUnknown on all ranks.
   void run(const Say& say, const RunContext& run);
 
  private:
   using Values = std::map<OutputOf, recipe::Value>;
 
   void add(size_t step);
+  struct Windows {
+    std::map<size_t, Rect> needed, run_on;  ///< by step
+  };
+  Windows windows_for(int tile) const;
+  double bytes_for(int tile) const;
   void make_tile(int tile, const Say& say, const RunContext& run) const;
   recipe::Value input(const OutputOf& from, const Rect& rect, const std::map<size_t, Rect>& needed,
                       const Values& made) const;

@@ -1,7 +1,8 @@
 // Filling and flow on a raster in tiles (Barnes 2016, 2017), with the bytes of the whole: what geom::raise_inland,
 // fill_depressions, flow_directions, tilt_flats and flow_accumulation make of it.
 //
-// Every tile is read a few times; between passes stand graphs of the tiles' rims in memory, some 40 bytes a rim cell.
+// Each pass makes something of every tile, spread over ranks and threads, and leaves it on disk: rasters, and what the
+// tile says of its rim. From what all tiles say every rank makes the same graph in memory, some 40 bytes a rim cell.
 // Flats that lie across borders are drained one by one on the rectangle around them.
 #pragma once
 
@@ -14,10 +15,13 @@
 #include "seamount/geom/water/pieces.h"
 #include "seamount/model/grid.h"
 #include "seamount/tiles/borders.h"
+#include "seamount/tiles/stored_notes.h"
 #include "seamount/tiles/tiled_ways.h"
 #include "seamount/tiles/world.h"
 
 namespace seamount::tiles {
+
+class BorderFlats;
 
 class Drainage {
  public:
@@ -28,7 +32,7 @@ class Drainage {
 
   const Layout& layout() const { return layout_; }
 
-  // In this order, as far as they are wanted; each reports its own progress.
+  // In this order, as far as they are wanted, by all ranks; each reports its own progress.
   /// The filled surface, unknown cells at geom::kUnknownGround. Throws NeedsWhole for enclosed waters below sea level
   /// of a hundredth of the terrain and more, which are sea or not by the lowest way out of them.
   void fill(const RunContext& run);
@@ -39,6 +43,9 @@ class Drainage {
   /// How many cells drain through each.
   void gather(const RunContext& run);
 
+  /// Calls body(tile) for all tiles, spread over ranks and threads.
+  void each_tile(const RunContext& run, const std::function<void(int tile)>& body) const;
+
   /// A tile of the input, as it is.
   HeightField terrain(int tile) const;
   HeightField filled(int tile) const;
@@ -46,19 +53,29 @@ class Drainage {
   Grid<uint64_t> cells(int tile) const;
 
   /// Removes what was kept on disk.
-  void forget() const noexcept;
+  void forget() const;
 
  private:
+  using Raster = std::shared_ptr<const StoredRaster>;
+  using Notes = std::shared_ptr<const StoredNotes>;
+
   /// The terrain with unknown cells marked and hollows raised.
   HeightField ground(int tile) const;
   HeightField marked(int tile) const;
+  bool is_hollow(const geom::PieceWater& water) const;
   void find_hollows(const RunContext& run);
-  std::vector<geom::Spill> all_spills(const RunContext& run);
-  void fill_tiles(const std::vector<float>& levels, const RunContext& run);
+  void flood_tiles(const RunContext& run);
+  void find_levels();
   HeightField filled_window(const Rect& rect) const;
   HeightField with_ring(int tile) const;
-  void each_tile(const RunContext& run, const std::function<void(int tile)>& body) const;
-  std::shared_ptr<const StoredRaster> store(const std::string& name) const;
+  void direct_tiles(const RunContext& run);
+  BorderFlats border_flats() const;
+  void put_flats(int tile, const BorderFlats& flats) const;
+  std::vector<bool> tilt_round(const std::vector<int>& tiles);
+  void gather_tiles(const RunContext& run);
+  bool all_have(const std::function<bool()>& complete) const;
+  Raster raster(const std::string& name, const recipe::Kind& kind) const;
+  Notes notes(const std::string& name) const;
   int32_t node_of(const RimPlace& place) const { return first_node_[static_cast<size_t>(place.tile)] + place.rim; }
 
   const World& world_;
@@ -71,7 +88,11 @@ class Drainage {
   Layout layout_;
   std::vector<int32_t> first_node_;         ///< number of a tile's first rim cell among all of them, from 1 on
   std::vector<std::vector<bool>> hollows_;  ///< of each tile's waters
-  std::shared_ptr<const StoredRaster> filled_, codes_;
+  Raster flooded_, basins_;                 ///< each tile's own level, and over which rim cell (+ 1) its water leaves
+  Raster codes_, directions_;               ///< without the flats across borders, and with them
+  Notes waters_, spills_, flats_, drained_, exits_;
+  std::vector<float> levels_;       ///< by node: at which it overflows
+  std::vector<float> rims_;         ///< by node: filled heights of rims
   std::vector<float> tilted_;       ///< by node: heights of rims once they fall; empty: filled as it is
   std::vector<uint64_t> entering_;  ///< by node: what enters a tile there
 };

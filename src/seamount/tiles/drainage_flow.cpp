@@ -1,61 +1,118 @@
 // Directions, falling ground and accumulation (drainage.h).
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
+#include <mutex>
+#include <numeric>
+#include <sstream>
 
 #include "seamount/recipe/kinds.h"
+#include "seamount/recipe/value_stream.h"
 #include "seamount/tiles/border_flats.h"
 #include "seamount/tiles/drainage.h"
-#include "seamount/tiles/windows.h"
+#include "seamount/tiles/spread.h"
 
 namespace seamount::tiles {
 namespace {
 
+using recipe::kinds::Labels;
+
 /// A rectangle and a ring of one cell around it, as far as the whole goes.
 Rect ringed(const Rect& rect, const GridFrame& frame) { return with_reach(rect, Reach::neighbourhood(1), frame); }
 
-template <class T>
-Grid<T> inner(const Grid<T>& grid, const Rect& window, const Rect& rect) {
-  Grid<T> part(grid.frame().window(rect.column - window.column, rect.row - window.row, rect.width, rect.height));
-  for (int y = 0; y < rect.height; ++y) {
-    const auto row = grid.row(rect.row - window.row + y)
-                         .subspan(static_cast<size_t>(rect.column - window.column), static_cast<size_t>(rect.width));
-    std::copy(row.begin(), row.end(), part.row(y).begin());
+geom::FlowDirections codes_in(const StoredRaster& raster, const Rect& rect) {
+  const recipe::Value kept = raster.read(rect);
+  geom::FlowDirections codes(*kept.frame());
+  const auto cells = kept.get<Labels>().cells();
+  std::transform(cells.begin(), cells.end(), codes.cells().begin(), [](Region code) { return uint8_t(code); });
+  return codes;
+}
+
+void keep_codes(const StoredRaster& raster, int tile, const geom::FlowDirections& codes) {
+  LabelMap kept(codes.frame());
+  std::transform(codes.cells().begin(), codes.cells().end(), kept.cells().begin(),
+                 [](uint8_t code) { return Region(code); });
+  raster.write(tile, recipe::Value::of<Labels>(std::move(kept)));
+}
+
+/// The height of a rim's cell once the ground falls.
+struct Risen {
+  int32_t node;
+  float height;
+};
+
+/// What all ranks have found, everywhere.
+std::vector<Risen> from_all(Ranks& ranks, const std::vector<Risen>& mine) {
+  const auto bytes = [](const std::vector<Risen>& list) {
+    std::ostringstream text;
+    recipe::Writer(text).list(list);
+    return text.str();
+  };
+  const auto list = [](const std::string& text) {
+    std::istringstream in(text);
+    return recipe::Reader(in).list<Risen>();
+  };
+  std::vector<Risen> all;
+  for (const std::string& one : ranks.gather(bytes(mine))) {
+    const std::vector<Risen> more = list(one);
+    all.insert(all.end(), more.begin(), more.end());
   }
-  return part;
+  return list(ranks.share(bytes(all)));
 }
 
 }  // namespace
 
-void Drainage::direct(const RunContext& run) {
-  if (codes_->complete()) return;
-  const auto read = [this](const Rect& rect) { return filled_window(rect); };
-  BorderFlats flats(layout_, frame_, sea_m_, run_);
-  each_tile(run.part(0.0, 0.4), [&](int tile) { flats.look_at(tile, read(ringed(layout_.tile(tile), frame_))); });
-  flats.drain(read, [&](const GridFrame& around) {
-    constexpr double kBytes = 24;  // of a cell, while its flat is drained
-    world_.check_fits(kBytes * static_cast<double>(around.cells()), "a lake over the borders of tiles",
-                      "is drained as a whole", around);
-  });
-  each_tile(run.part(0.5, 1.0), [&](int tile) {
-    if (codes_->has(tile)) return;
+/// Directions within each tile, and which of its flats reach its rim.
+void Drainage::direct_tiles(const RunContext& run) {
+  each_tile(run, [&](int tile) {
+    if (flats_->has(tile) && codes_->has(tile)) return;
     const Rect rect = layout_.tile(tile), window = ringed(rect, frame_);
-    geom::FlowDirections codes = inner(geom::flow_directions(read(window), sea_m_, run_), window, rect);
-    flats.put(tile, codes);
-    ScalarField kept(codes.frame());
-    std::copy(codes.cells().begin(), codes.cells().end(), kept.cells().begin());
-    codes_->write(tile, recipe::Value::of<recipe::kinds::Field>(std::move(kept)));
+    const HeightField surface = filled_window(window);
+    keep_codes(*codes_, tile, inner(geom::flow_directions(surface, sea_m_, run_), window, rect));
+    const TileFlats found = find_flats(layout_, frame_, tile, surface, sea_m_);
+    flats_->write(tile, found.parts, found.part_of_rim, found.height_of_rim);
   });
 }
 
-geom::FlowDirections Drainage::directions(int tile) const {
-  const recipe::Value kept = codes_->read(layout_.tile(tile));
-  geom::FlowDirections codes(*kept.frame());
-  std::transform(kept.get<recipe::kinds::Field>().cells().begin(), kept.get<recipe::kinds::Field>().cells().end(),
-                 codes.cells().begin(), [](float code) { return static_cast<uint8_t>(code); });
-  return codes;
+BorderFlats Drainage::border_flats() const {
+  std::vector<TileFlats> all(static_cast<size_t>(layout_.count()));
+  for (int tile = 0; tile < layout_.count(); ++tile) {
+    TileFlats& one = all[static_cast<size_t>(tile)];
+    flats_->read(tile, one.parts, one.part_of_rim, one.height_of_rim);
+  }
+  return {layout_, frame_, sea_m_, std::move(all)};
 }
+
+void Drainage::put_flats(int tile, const BorderFlats& flats) const {
+  geom::FlowDirections codes = codes_in(*codes_, layout_.tile(tile));
+  std::vector<FlatCode> drained;
+  for (const int owner : flats.owners(tile)) {
+    drained_->read(owner, drained);
+    for (const FlatCode& one : drained)
+      if (one.tile == tile) codes.data()[one.cell] = static_cast<uint8_t>(one.code);
+  }
+  keep_codes(*directions_, tile, codes);
+}
+
+void Drainage::direct(const RunContext& run) {
+  if (all_have([&] { return directions_->complete(); })) return;
+  direct_tiles(run.part(0.0, 0.6));
+  const BorderFlats flats = border_flats();
+  const auto read = [this](const Rect& rect) { return filled_window(rect); };
+  const auto check = [this](const GridFrame& around) {
+    constexpr double kBytes = 24;  // of a cell, while its flat is drained
+    world_.check_fits(kBytes * static_cast<double>(around.cells()), "a lake over the borders of tiles",
+                      "is drained as a whole", around);
+  };
+  each_tile(run.part(0.6, 0.8), [&](int tile) {
+    if (!drained_->has(tile)) drained_->write(tile, flats.drain(tile, read, check, run_));
+  });
+  each_tile(run.part(0.8, 1.0), [&](int tile) {
+    if (!directions_->has(tile)) put_flats(tile, flats);
+  });
+}
+
+geom::FlowDirections Drainage::directions(int tile) const { return codes_in(*directions_, layout_.tile(tile)); }
 
 /// The tile's filled surface as it falls, in a ring of its neighbours' rims.
 HeightField Drainage::with_ring(int tile) const {
@@ -76,39 +133,52 @@ HeightField Drainage::with_ring(int tile) const {
   return z;
 }
 
-/// Heights along a way hang on those downstream: tiles are looked at again while the rims beside them rise.
-void Drainage::tilt(const RunContext& run) {
-  tilted_.assign(static_cast<size_t>(first_node_.back()), 0.0F);
-  each_tile(run, [&](int tile) {
-    const HeightField z = filled_window(layout_.tile(tile));
-    for (int32_t rim = 0; rim < rim_size(layout_, tile); ++rim)
-      tilted_[static_cast<size_t>(node_of({tile, rim}))] = z.data()[geom::rim_cell(rim, z.width(), z.height())];
-  });
-  std::deque<int> waiting;
-  std::vector<bool> waits(static_cast<size_t>(layout_.count()), true);
-  for (int tile = 0; tile < layout_.count(); ++tile) waiting.push_back(tile);
-  while (!waiting.empty()) {
-    run_.check_cancelled();
-    const int tile = waiting.front();
-    waiting.pop_front();
-    waits[static_cast<size_t>(tile)] = false;
+/// Lets the ground of some tiles fall, each in what was known of the rims before. Which tiles it matters to.
+std::vector<bool> Drainage::tilt_round(const std::vector<int>& tiles) {
+  std::vector<Risen> mine;
+  std::mutex finding;
+  constexpr double kBytes = 24;  // of a cell
+  const int pieces = at_once(kBytes * layout_.size * layout_.size, world_.memory_bytes(), run_);
+  spread(world_.ranks(), run_, static_cast<int>(tiles.size()), pieces, [&](int i, const RunContext&) {
+    const int tile = tiles[static_cast<size_t>(i)];
     const Rect rect = layout_.tile(tile);
     const HeightField z = inner(with_ring(tile), ringed(rect, frame_), rect);
+    const std::lock_guard lock(finding);
     for (int32_t rim = 0; rim < rim_size(layout_, tile); ++rim) {
-      float& known = tilted_[static_cast<size_t>(node_of({tile, rim}))];
-      const float risen = z.data()[geom::rim_cell(rim, z.width(), z.height())];
-      if (risen == known) continue;
-      known = risen;
-      const CellPlace at = cell_place(layout_, {tile, rim});
-      for (size_t k = 0; k < 8; ++k) {
-        const int column = at.column + geom::kFlowDx[k], row = at.row + geom::kFlowDy[k];
-        if (column < 0 || row < 0 || column >= layout_.width || row >= layout_.height) continue;
-        const int other = row / layout_.size * layout_.columns() + column / layout_.size;
-        if (other == tile || waits[static_cast<size_t>(other)]) continue;
-        waits[static_cast<size_t>(other)] = true;
-        waiting.push_back(other);
-      }
+      const int32_t node = node_of({tile, rim});
+      const float height = z.data()[geom::rim_cell(rim, z.width(), z.height())];
+      if (height != tilted_[static_cast<size_t>(node)]) mine.push_back({node, height});
     }
+    return true;
+  });
+  std::vector<bool> matters(static_cast<size_t>(layout_.count()), false);
+  for (const Risen& one : from_all(world_.ranks(), mine)) {
+    tilted_[static_cast<size_t>(one.node)] = one.height;
+    const auto next = std::upper_bound(first_node_.begin(), first_node_.end(), one.node);
+    const auto tile = static_cast<int>(next - first_node_.begin()) - 1;
+    const CellPlace at = cell_place(layout_, {tile, one.node - first_node_[static_cast<size_t>(tile)]});
+    for (size_t k = 0; k < 8; ++k) {
+      const int column = at.column + geom::kFlowDx[k], row = at.row + geom::kFlowDy[k];
+      if (column < 0 || row < 0 || column >= layout_.width || row >= layout_.height) continue;
+      const int other = row / layout_.size * layout_.columns() + column / layout_.size;
+      if (other != tile) matters[static_cast<size_t>(other)] = true;
+    }
+  }
+  return matters;
+}
+
+/// Heights along a way hang on those downstream: tiles are looked at again while the rims beside them rise.
+void Drainage::tilt(const RunContext& run) {
+  tilted_ = rims_;
+  std::vector<int> tiles(static_cast<size_t>(layout_.count()));
+  std::iota(tiles.begin(), tiles.end(), 0);
+  while (!tiles.empty()) {
+    run_.check_cancelled();
+    const std::vector<bool> matters = tilt_round(tiles);
+    tiles.clear();
+    for (int tile = 0; tile < layout_.count(); ++tile)
+      if (matters[static_cast<size_t>(tile)]) tiles.push_back(tile);
+    run.report(1.0 - static_cast<double>(tiles.size()) / layout_.count());
   }
 }
 
@@ -117,29 +187,48 @@ HeightField Drainage::filled(int tile) const {
   return tilted_.empty() ? filled_window(rect) : inner(with_ring(tile), ringed(rect, frame_), rect);
 }
 
-/// What leaves a tile at a rim cell, and the rim cell over which it leaves the next one, until all has arrived.
-void Drainage::gather(const RunContext& run) {
-  const auto nodes = static_cast<size_t>(first_node_.back());
-  entering_.assign(nodes, 0);
-  std::vector<uint64_t> leaving(nodes, 0);  // by node over which it leaves
-  std::vector<int32_t> next(nodes, -1);     // where it enters then
-  std::vector<int32_t> over(nodes, -1);     // of what enters: the node over which it leaves again
+/// Of each rim cell of a tile: over which one leaves what enters there, and, where water leaves over it, its direction
+/// and how much of the tile's own.
+void Drainage::gather_tiles(const RunContext& run) {
   each_tile(run, [&](int tile) {
+    if (exits_->has(tile)) return;
     const geom::FlowDirections codes = directions(tile);
     const std::vector<int32_t> exits = geom::rim_exits(codes);
     const Grid<uint64_t> own = geom::gather_piece(codes, std::vector<uint64_t>(exits.size(), 0), run_);
+    std::vector<uint8_t> code(exits.size());
+    std::vector<uint64_t> leaving(exits.size());
+    for (size_t rim = 0; rim < exits.size(); ++rim) {
+      const int32_t cell = geom::rim_cell(static_cast<int32_t>(rim), codes.width(), codes.height());
+      const bool leaves = exits[rim] == static_cast<int32_t>(rim);
+      code[rim] = leaves ? codes.data()[cell] : geom::kOutlet;
+      leaving[rim] = own.data()[cell];
+    }
+    exits_->write(tile, exits, code, leaving);
+  });
+}
+
+/// What leaves a tile at a rim cell, and the rim cell over which it leaves the next one, until all has arrived.
+void Drainage::gather(const RunContext& run) {
+  gather_tiles(run);
+  const auto nodes = static_cast<size_t>(first_node_.back());
+  entering_.assign(nodes, 0);
+  std::vector<uint64_t> leaving(nodes, 0), own;  // by node over which it leaves
+  std::vector<int32_t> next(nodes, -1);          // where it enters then
+  std::vector<int32_t> over(nodes, -1), exits;   // of what enters: the node over which it leaves again
+  std::vector<uint8_t> code;
+  for (int tile = 0; tile < layout_.count(); ++tile) {
+    exits_->read(tile, exits, code, own);
     for (int32_t rim = 0; rim < static_cast<int32_t>(exits.size()); ++rim) {
       const auto node = static_cast<size_t>(node_of({tile, rim}));
       const int32_t exit = exits[static_cast<size_t>(rim)];
       if (exit >= 0) over[node] = node_of({tile, exit});
-      const int32_t cell = geom::rim_cell(rim, codes.width(), codes.height());
-      if (exit != rim || codes.data()[cell] >= 8) continue;  // it does not leave here
+      const size_t k = code[static_cast<size_t>(rim)];
+      if (k >= 8) continue;  // it does not leave here
       const CellPlace at = cell_place(layout_, {tile, rim});
-      const size_t k = codes.data()[cell];
       next[node] = node_of(rim_place(layout_, at.column + geom::kFlowDx[k], at.row + geom::kFlowDy[k]));
-      leaving[node] = own.data()[cell];
+      leaving[node] = own[static_cast<size_t>(rim)];
     }
-  });
+  }
   std::vector<int32_t> waits_for(nodes, 0), ready;
   const auto follower = [&](int32_t node) { return over[static_cast<size_t>(next[static_cast<size_t>(node)])]; };
   for (int32_t node = 1; node < static_cast<int32_t>(nodes); ++node) {

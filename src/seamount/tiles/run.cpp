@@ -6,11 +6,13 @@
 #include <optional>
 
 #include "seamount/base/error.h"
+#include "seamount/base/hash.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/geotiff_rows.h"
 #include "seamount/io/private_folder.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/output_files.h"
+#include "seamount/tiles/spread_outputs.h"
 #include "seamount/tiles/steps_run.h"
 #include "seamount/tiles/windowed_outputs.h"
 #include "seamount/tiles/windows.h"
@@ -63,13 +65,16 @@ class Wholes {
   std::map<Source, recipe::Value> values_;
 };
 
-std::vector<recipe::OutputReport> write(const World& world, const std::string& out_folder, const RunContext& run) {
+std::vector<recipe::OutputReport> write(const World& world, const std::string& out_folder, const SpreadOutputs* written,
+                                        const RunContext& run) {
   Wholes wholes(world);
   std::mutex one_at_a_time;  // a writer of rows holds some
   const recipe::RowsWriter by_rows = [&](const Output& output, const std::string& path, const io::Provenance& made,
                                          const RunContext& own) {
+    const bool rows = goes_by_rows(world, output);
+    if (rows && written != nullptr) return written->move_to(output, path);
     const std::lock_guard lock(one_at_a_time);
-    if (!goes_by_rows(world, output)) return write_by_windows(world, output, path, made, std::ref(wholes), own);
+    if (!rows) return write_by_windows(world, output, path, made, std::ref(wholes), own);
     write_rows(world, output, path, made, own);
     return true;
   };
@@ -83,11 +88,38 @@ std::vector<recipe::OutputReport> write(const World& world, const std::string& o
       run, by_rows);
 }
 
+/// Ranks that see other files, or are of another version, would make tiles of another world.
+void check_same_plan(const recipe::Plan& plan, Ranks& ranks) {
+  Hasher all;
+  for (const recipe::PlannedStep& step : plan.steps)
+    if (step.needed && !step.defect) all.text(step.key.hex());
+  const std::string mine = all.digest().hex();
+  if (ranks.share(mine) != mine)
+    throw Error(
+        "what the recipe makes is not the same for all ranks: do they see the same files, and are they of one version "
+        "of Seamount?");
+}
+
 /// The innermost folder above one, which may not be there yet: on its disk there is room for results.
 fs::path existing_folder_above(const std::string& folder) {
   fs::path above = fs::absolute(folder).lexically_normal().parent_path();
   while (!fs::is_directory(above) && above.has_relative_path()) above = above.parent_path();
   return above;
+}
+
+/// The rasters among the outputs, where there are ranks to share them.
+std::optional<SpreadOutputs> written_side_by_side(const World& world, const std::string& out_folder,
+                                                  const RunContext& run) {
+  if (world.ranks().size() == 1) return std::nullopt;
+  std::vector<const Output*> rasters;
+  for (const Output& output : world.recipe().outputs)
+    if (goes_by_rows(world, output)) rasters.push_back(&output);
+  const io::Provenance made = recipe::provenance_of(world.recipe());
+  const auto write = [&](const Output& output, const std::string& path, const RunContext& own) {
+    write_rows(world, output, path, made, own);
+  };
+  return std::optional<SpreadOutputs>(std::in_place, world.ranks(), existing_folder_above(out_folder).string(),
+                                      out_folder, rasters, write, run);
 }
 
 }  // namespace
@@ -101,10 +133,14 @@ recipe::ExecuteReport execute(const recipe::Recipe& recipe, const TileOptions& o
   recipe::FileSnapshots files;
   const recipe::Plan plan = recipe::make_plan(
       std::shared_ptr<const recipe::Recipe>(std::shared_ptr<const recipe::Recipe>(), &recipe), sources, files);
+  const std::unique_ptr<Ranks> alone = options.ranks == nullptr ? one_rank() : nullptr;
+  Ranks& ranks = alone ? *alone : *options.ranks;
+  check_same_plan(plan, ranks);
   std::optional<io::PrivateFolder> temporary;
-  if (options.cache_folder.empty()) temporary.emplace(existing_folder_above(options.out_folder));
-  const fs::path folder = temporary ? temporary->path() : fs::path(options.cache_folder) / "tiles";
-  World world(plan, folder.string(), options);
+  if (options.cache_folder.empty() && ranks.first()) temporary.emplace(existing_folder_above(options.out_folder));
+  const fs::path folder = options.cache_folder.empty() ? fs::path(ranks.share(temporary ? temporary->path() : ""))
+                                                       : fs::path(options.cache_folder) / "tiles";
+  World world(plan, folder.string(), options, ranks);
   std::vector<OutputOf> wanted;
   wanted.reserve(sources.size());
   for (const Source& source : sources) wanted.push_back(world.output_of(source));
@@ -114,7 +150,8 @@ recipe::ExecuteReport execute(const recipe::Recipe& recipe, const TileOptions& o
   steps.finish(wanted);
   recipe::ExecuteReport report;
   report.steps = steps.reports();
-  report.outputs = write(world, options.out_folder, second);
+  const auto written = written_side_by_side(world, options.out_folder, second);
+  by_first(ranks, [&] { report.outputs = write(world, options.out_folder, written ? &*written : nullptr, second); });
   world.forget_tiles();
   return report;
 }

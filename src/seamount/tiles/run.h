@@ -13,6 +13,7 @@ namespace seamount::tiles {
 /// As recipe::execute(), whose reports and messages it gives. Terrains, fields and labels that are written to .tif go
 /// there row by row, with overviews; what is written otherwise must fit into memory. Tiles lie in a folder "tiles" of
 /// the cache: a run that was stopped or killed goes on with what the one before has made, and removes them at its end.
+/// With options.ranks every rank calls it; rank 0 reports, and says what operators say.
 /// Throws Error for a step or an output that does not fit, with what to do instead.
 recipe::ExecuteReport execute(const recipe::Recipe& recipe, const TileOptions& options, const RunContext& run);
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <sstream>
 
 #include "seamount/recipe/step_work.h"
+#include "seamount/recipe/value_stream.h"
 #include "seamount/tiles/tiled_ways.h"
 #include "seamount/tiles/windows.h"
 
@@ -117,7 +119,10 @@ bool StepsRun::run_tiled(size_t index) {
   const RunContext own{run_.threads, [&](double fraction) { report(fraction, 1); }, run_.cancelled,
                        [&](const std::string& line) { say(index, line); }};
   try {
-    way->run(world_, index, own);
+    if (way->spread)
+      way->run(world_, index, own);
+    else
+      run_way_by_first(*way, index, own);
   } catch (const NeedsWhole& needs) {
     world_.check_fits(need->bytes, recipe::step_name(step), "looks at everything (" + needs.why + ")", need->frame);
     return false;
@@ -127,6 +132,21 @@ bool StepsRun::run_tiled(size_t index) {
   done_.insert(index);
   reports_[index].seconds += seconds_since(start);
   return true;
+}
+
+void StepsRun::run_way_by_first(const TiledWay& way, size_t step, const RunContext& run) {
+  Ranks& ranks = world_.ranks();
+  std::string needs_whole;
+  if (ranks.first()) {
+    try {
+      way.run(world_, step, run);
+    } catch (const NeedsWhole& needs) {
+      needs_whole = needs.why.empty() ? "the raster says so" : needs.why;
+    }
+  }
+  needs_whole = ranks.share(needs_whole);
+  if (!needs_whole.empty()) throw NeedsWhole{needs_whole};
+  world_.share_kept(step);
 }
 
 std::vector<OutputOf> StepsRun::sources_of(size_t step) const {
@@ -145,41 +165,52 @@ recipe::Values StepsRun::inputs_of(size_t step) const {
   return in;
 }
 
+/// Rank 0 has the values.
 void StepsRun::keep(size_t step, const recipe::Values& values) {
-  for (const std::string& port : world_.plan().steps[step].ports) {
-    if (!world_.has({step, port})) world_.keep({step, port}, values.at(port));
+  if (world_.ranks().first()) {
+    for (const std::string& port : world_.plan().steps[step].ports) {
+      if (!world_.has({step, port})) world_.keep({step, port}, values.at(port));
+    }
   }
+  world_.share_kept(step);
   done_.insert(step);
   report(0.0, 0);
 }
 
-bool StepsRun::load(size_t step, const recipe::Cache& cache) {
+bool StepsRun::load(size_t step) {
   const recipe::Operator& op = *world_.step(step).op;
   if (!op.cached) return false;
-  const auto values = cache.load(world_.plan().steps[step].key, op.out, *world_.recipe().registry);
-  if (!values) return false;
-  for (const std::string& line : cache.notes(world_.plan().steps[step].key)) say(step, line);
+  std::optional<recipe::Values> values;
+  if (world_.ranks().first()) values = cache_.load(world_.plan().steps[step].key, op.out, *world_.recipe().registry);
+  if (!agreed(world_.ranks(), values.has_value())) return false;
+  for (const std::string& line : cache_.notes(world_.plan().steps[step].key)) say(step, line);
   reports_[step].cached = true;
-  keep(step, *values);
+  keep(step, values.value_or(recipe::Values()));
   return true;
 }
 
 void StepsRun::run_whole(size_t step) {
-  if (load(step, cache_) || run_tiled(step)) return;
+  if (load(step) || run_tiled(step)) return;
   if (const auto need = need_of(step))
     world_.check_fits(need->bytes, recipe::step_name(world_.step(step)), need->why, need->frame);
   make(sources_of(step));
   const auto start = Clock::now();
-  RunContext own{run_.threads, [&](double fraction) { report(fraction, 1); }, run_.cancelled,
-                 [&](const std::string& line) { say(step, line); }};
+  recipe::Values made;
+  if (world_.ranks().first()) made = computed(step);
+  keep(step, made);
+  reports_[step].seconds += seconds_since(start);
+}
+
+recipe::Values StepsRun::computed(size_t step) {
+  const RunContext own{run_.threads, [&](double fraction) { report(fraction, 1); }, run_.cancelled,
+                       [&](const std::string& line) { say(step, line); }};
   const recipe::PlannedStep& planned = world_.plan().steps[step];
-  const recipe::Values made = recipe::run_step(world_.recipe(), world_.step(step), inputs_of(step), own);
+  recipe::Values made = recipe::run_step(world_.recipe(), world_.step(step), inputs_of(step), own);
   for (const auto& file : planned.files) {
     if (!file->still_valid()) throw IoError(file->path(), "was written to while it was read; run again");
   }
   if (world_.step(step).op->cached) cache_.store(planned.key, made, reports_[step].notes);
-  keep(step, made);
-  reports_[step].seconds += seconds_since(start);
+  return made;
 }
 
 void StepsRun::make(const std::vector<OutputOf>& wanted) {
@@ -201,7 +232,12 @@ void StepsRun::run_chain(Chain& chain) {
   const auto start = Clock::now();
   RunContext own = run_;
   own.progress = [&](double fraction) { report(fraction, chain.steps().size()); };
-  chain.run([&](size_t step, const std::string& line) { ++tile_notes_[{step, line}]; }, own);
+  chain.run(
+      [&](size_t step, const std::string& line) {
+        const std::lock_guard lock(saying_);
+        ++tile_notes_[{step, line}];
+      },
+      own);
   const double seconds = seconds_since(start) / static_cast<double>(chain.steps().size());
   for (const size_t step : chain.steps()) {
     reports_[step].seconds += seconds;  // a chain's steps share their time
@@ -214,7 +250,25 @@ void StepsRun::say(size_t step, const std::string& line) {
   run_.say("step '" + world_.step(step).id + "': " + line);
 }
 
+/// What all ranks' tiles have said, and on how many of them.
 void StepsRun::say_tile_notes() {
+  std::ostringstream mine;
+  recipe::Writer writer(mine);
+  for (const auto& [note, count] : tile_notes_) {
+    writer.plain(static_cast<uint64_t>(note.first));
+    writer.text(note.second);
+    writer.plain(static_cast<int64_t>(count));
+  }
+  tile_notes_.clear();
+  for (const std::string& of_rank : world_.ranks().gather(mine.str())) {
+    std::istringstream bytes(of_rank);
+    recipe::Reader reader(bytes);
+    while (reader.left() > 0) {
+      const auto step = reader.plain<uint64_t>();
+      const std::string line = reader.text();
+      tile_notes_[{step, line}] += reader.plain<int64_t>();
+    }
+  }
   for (const auto& [note, count] : tile_notes_)
     say(note.first, fmt::format("{} ({} {})", note.second, count, count == 1 ? "tile" : "tiles"));
 }

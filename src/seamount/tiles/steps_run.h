@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,9 +11,12 @@
 #include "seamount/recipe/cache.h"
 #include "seamount/recipe/scheduler.h"
 #include "seamount/tiles/chain.h"
+#include "seamount/tiles/tiled_ways.h"
 
 namespace seamount::tiles {
 
+/// Every rank walks through it in the same way: steps run by windows, and in ways that are spread, by all of them; what
+/// gets everything as a whole by rank 0.
 class StepsRun {
  public:
   StepsRun(World& world, const TileOptions& options, const RunContext& run);
@@ -25,9 +29,11 @@ class StepsRun {
  private:
   void prepare_all();
   void run_whole(size_t step);
+  recipe::Values computed(size_t step);
   bool run_tiled(size_t step);
+  void run_way_by_first(const TiledWay& way, size_t step, const RunContext& run);
   std::vector<OutputOf> sources_of(size_t step) const;
-  bool load(size_t step, const recipe::Cache& cache);
+  bool load(size_t step);
   void keep(size_t step, const recipe::Values& values);
   /// What a step takes that gets its inputs as a whole. Nothing if that cannot be said before it has read a file.
   struct Need {
@@ -55,7 +61,8 @@ class StepsRun {
   std::set<size_t> forced_;  ///< local steps that have met cells without a value
   std::map<size_t, LocalStep> locals_;
   std::map<size_t, recipe::StepReport> reports_;
-  std::map<std::pair<size_t, std::string>, int> tile_notes_;  ///< how many tiles said so
+  std::map<std::pair<size_t, std::string>, int64_t> tile_notes_;  ///< how many tiles said so
+  std::mutex saying_;                                             ///< held while tiles say something
   std::set<size_t> done_;
 };
 

@@ -46,7 +46,11 @@ std::span<const uint8_t> raw(const T& value) {
 }  // namespace
 
 StoredRaster::StoredRaster(std::string folder, const recipe::Kind& kind, GridFrame whole, int tile_size)
-    : folder_(std::move(folder)), kind_(&kind), whole_(std::move(whole)), layout_(whole_, tile_size) {}
+    : folder_(std::move(folder)),
+      kind_(&kind),
+      whole_(std::move(whole)),
+      layout_(whole_, tile_size),
+      use_(std::make_unique<FolderUse>(folder_)) {}
 
 std::string StoredRaster::path_of(int tile) const {
   return (fs::path(folder_) / fmt::format("{}_{}.tile", tile / layout_.columns(), tile % layout_.columns())).string();
@@ -72,17 +76,21 @@ void StoredRaster::write(int tile, const recipe::Value& cells) const {
   const Header header = header_of(layout_, tile, cell_bytes(*kind_));
   const auto row_bytes = static_cast<size_t>(header.width) * static_cast<size_t>(header.cell_bytes);
   const auto* data = static_cast<const uint8_t*>(cells_of(cells));
-  io::write_atomically(path_of(tile), [&](const std::string& temporary) {
-    io::FileWriter file(temporary, path_of(tile));
-    file.write(raw(header));
-    for (int row = 0; row < header.height; row += kBandRows) {
-      const std::span<const uint8_t> band{data + static_cast<size_t>(row) * row_bytes,
-                                          static_cast<size_t>(std::min(kBandRows, header.height - row)) * row_bytes};
-      file.write(band);
-      file.write(raw(hash_bytes(std::as_bytes(band))));
-    }
-    file.close();
-  });
+  io::write_atomically(
+      path_of(tile),
+      [&](const std::string& temporary) {
+        io::FileWriter file(temporary, path_of(tile));
+        file.write(raw(header));
+        for (int row = 0; row < header.height; row += kBandRows) {
+          const std::span<const uint8_t> band{
+              data + static_cast<size_t>(row) * row_bytes,
+              static_cast<size_t>(std::min(kBandRows, header.height - row)) * row_bytes};
+          file.write(band);
+          file.write(raw(hash_bytes(std::as_bytes(band))));
+        }
+        file.close();
+      },
+      io::Durable::later);
 }
 
 recipe::Value StoredRaster::read(const Rect& rect) const {
@@ -130,11 +138,6 @@ void StoredRaster::read_part(int tile, const Rect& rect, std::byte* out, size_t 
           band.data() + static_cast<size_t>(y - row) * tile_row + static_cast<size_t>(rect.column - all.column) * cell,
           static_cast<size_t>(rect.width) * cell);
   }
-}
-
-void StoredRaster::remove() const noexcept {
-  std::error_code gone;
-  fs::remove_all(folder_, gone);
 }
 
 }  // namespace seamount::tiles

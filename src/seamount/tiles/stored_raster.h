@@ -2,9 +2,11 @@
 // is of use to the next one. Rows are checksummed in bands: a part of a tile is read without the rest.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "seamount/recipe/value.h"
+#include "seamount/tiles/folder_use.h"
 #include "seamount/tiles/layout.h"
 
 namespace seamount::tiles {
@@ -12,7 +14,8 @@ namespace seamount::tiles {
 class StoredRaster {
  public:
   /// A raster of a kind with the frame `whole` in `folder`, of which there may be some tiles already, or none. The
-  /// folder's name says of what: a folder belongs to one raster and one size of tiles.
+  /// folder's name says of what: a folder belongs to one raster and one size of tiles. It is used as long as this
+  /// lives: another run that shares it does not remove it.
   StoredRaster(std::string folder, const recipe::Kind& kind, GridFrame whole, int tile_size);
 
   const GridFrame& frame() const { return whole_; }
@@ -33,8 +36,9 @@ class StoredRaster {
   /// The same cells, row by row, to `out`. Memory: a band of a tile.
   void read_to(const Rect& rect, void* out) const;
 
-  /// Removes all its files.
-  void remove() const noexcept;
+  /// Uses the tiles no longer; removes them, unless another run uses them.
+  void let_go() const noexcept { use_->end(); }
+  void remove() const noexcept { use_->end_and_remove(); }
 
  private:
   std::string path_of(int tile) const;
@@ -44,6 +48,7 @@ class StoredRaster {
   const recipe::Kind* kind_;
   GridFrame whole_;
   Layout layout_;
+  std::unique_ptr<FolderUse> use_;
 };
 
 }  // namespace seamount::tiles

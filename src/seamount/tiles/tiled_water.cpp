@@ -34,8 +34,11 @@ class Outputs {
   }
 
   bool wants(const std::string& port) const { return stored_.contains(port); }
+  /// As rank 0 sees it.
   bool complete() const {
-    return std::all_of(stored_.begin(), stored_.end(), [](const auto& item) { return item.second->complete(); });
+    const bool all =
+        std::all_of(stored_.begin(), stored_.end(), [](const auto& item) { return item.second->complete(); });
+    return agreed(world_.ranks(), all);
   }
   bool has(int tile) const {
     return std::all_of(stored_.begin(), stored_.end(), [&](const auto& item) { return item.second->has(tile); });
@@ -104,11 +107,9 @@ void write_flow(const Drainage& water, const Outputs& outputs, int tile) {
 using WriteTile = void (*)(const Drainage& water, const Outputs& outputs, int tile);
 
 void write_all(const Drainage& water, const Outputs& outputs, WriteTile write, const RunContext& run) {
-  for (int tile = 0; tile < water.layout().count(); ++tile) {
-    run.check_cancelled();
+  water.each_tile(run, [&](int tile) {
     if (!outputs.has(tile)) write(water, outputs, tile);
-    run.report((tile + 1.0) / water.layout().count());
-  }
+  });
 }
 
 }  // namespace

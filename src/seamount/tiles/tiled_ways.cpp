@@ -9,8 +9,8 @@
 namespace seamount::tiles {
 namespace {
 
-constexpr TiledWay kWays[] = {{"hydrology.fill", fill_refusal, run_tiled_fill},
-                              {"hydrology.flow", flow_refusal, run_tiled_flow},
+constexpr TiledWay kWays[] = {{.op = "hydrology.fill", .refusal = fill_refusal, .run = run_tiled_fill, .spread = true},
+                              {.op = "hydrology.flow", .refusal = flow_refusal, .run = run_tiled_flow, .spread = true},
                               {"terrain.resample", resample_refusal, run_tiled_resample},
                               {"render.map", picture_refusal, run_reduced_picture},
                               {"render.perspective", picture_refusal, run_reduced_picture},

@@ -19,6 +19,8 @@ struct TiledWay {
   std::string (*refusal)(const recipe::Step& step, const recipe::PlannedStep& planned);
   /// Makes the outputs that are read and keeps them. What it reads from other steps is there. Throws NeedsWhole.
   void (*run)(World& world, size_t step, const RunContext& run);
+  /// Every rank runs it, and throws NeedsWhole where the others do; else rank 0 runs it alone.
+  bool spread = false;
 };
 
 /// nullptr: there is none.

@@ -4,9 +4,12 @@
 
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 
 #include "seamount/base/machine.h"
+#include "seamount/recipe/frame_bytes.h"
 #include "seamount/recipe/step_work.h"
+#include "seamount/recipe/value_bytes.h"
 #include "seamount/tiles/windows.h"
 
 namespace seamount::tiles {
@@ -18,10 +21,12 @@ constexpr double kUsualMemory = 8e9;
 
 Rect all_of(const GridFrame& frame) { return {0, 0, frame.width, frame.height}; }
 
-double memory_of(const TileOptions& options) {
-  if (options.memory_bytes > 0) return static_cast<double>(options.memory_bytes);
+/// The least that a rank has: what fits is the same for all of them.
+double memory_of(const TileOptions& options, Ranks& ranks) {
   const uint64_t machine = machine_memory();
-  return 0.5 * (machine > 0 ? static_cast<double>(machine) : kUsualMemory);
+  const double mine = 0.5 * (machine > 0 ? static_cast<double>(machine) : kUsualMemory) / ranks.on_this_machine();
+  const double may_be = options.memory_bytes > 0 ? static_cast<double>(options.memory_bytes) : mine;
+  return static_cast<double>(lowest(ranks, static_cast<int64_t>(may_be)));
 }
 
 std::string size_text(double bytes) {
@@ -31,8 +36,12 @@ std::string size_text(double bytes) {
 
 }  // namespace
 
-World::World(const recipe::Plan& plan, std::string folder, const TileOptions& options)
-    : plan_(plan), folder_(std::move(folder)), options_(options), memory_bytes_(memory_of(options)) {}
+World::World(const recipe::Plan& plan, std::string folder, const TileOptions& options, Ranks& ranks)
+    : plan_(plan),
+      folder_(std::move(folder)),
+      options_(options),
+      ranks_(&ranks),
+      memory_bytes_(memory_of(options, *ranks_)) {}
 
 const GridFrame& World::frame(const OutputOf& output) const {
   const auto value = values_.find(output);
@@ -82,9 +91,12 @@ std::shared_ptr<const StoredRaster> World::on_disk(const OutputOf& output, const
 
 std::shared_ptr<const StoredRaster> World::on_disk_as(const OutputOf& name, const recipe::Kind& kind,
                                                       const GridFrame& frame) const {
+  return std::make_shared<const StoredRaster>(folder_of(name), kind, frame, options_.tile);
+}
+
+std::string World::folder_of(const OutputOf& name) const {
   const std::string folder = fmt::format("{}.{}.{}", plan_.steps[name.first].key.hex(), name.second, options_.tile);
-  return std::make_shared<const StoredRaster>((std::filesystem::path(folder_) / folder).string(), kind, frame,
-                                              options_.tile);
+  return (std::filesystem::path(folder_) / folder).string();
 }
 
 void World::keep_tiles(const OutputOf& output, std::shared_ptr<const StoredRaster> tiles) {
@@ -104,8 +116,41 @@ void World::check_fits(double bytes, const std::string& who, const std::string& 
                   who, why, frame.width, frame.height, size_text(bytes), size_text(memory_bytes_)));
 }
 
-void World::forget_tiles() const noexcept {
-  for (const auto& [output, raster] : rasters_) raster->remove();
+void World::share_kept(size_t step) {
+  std::ostringstream told;
+  recipe::Values small;
+  recipe::Writer writer(told);
+  if (ranks_->first()) {
+    for (const std::string& port : plan_.steps[step].ports) {
+      const auto raster = rasters_.find({step, port});
+      if (raster == rasters_.end()) {
+        small.emplace(port, values_.at({step, port}));
+      } else {
+        writer.text(port);
+        recipe::write_frame(writer, raster->second->frame());
+      }
+    }
+  }
+  const std::string large = ranks_->share(told.str());
+  std::ostringstream bytes;
+  if (ranks_->first()) recipe::write_values(bytes, small);
+  std::istringstream shared(ranks_->share(bytes.str()));
+  if (ranks_->first()) return;
+  std::istringstream frames(large);
+  recipe::Reader reader(frames);
+  while (reader.left() > 0) {
+    const std::string port = reader.text();
+    keep_tiles({step, port}, on_disk({step, port}, recipe::read_frame(reader)));
+  }
+  const auto values = recipe::read_values(shared, *recipe().registry);
+  if (!values) throw Error(recipe::step_name(this->step(step)) + ": what it made has not arrived whole");
+  for (const auto& [port, value] : *values) values_.insert_or_assign(OutputOf{step, port}, value);
+}
+
+void World::forget_tiles() const {
+  std::vector<std::shared_ptr<const StoredRaster>> all;
+  for (const auto& [output, raster] : rasters_) all.push_back(raster);
+  remove_together(*ranks_, all);
 }
 
 }  // namespace seamount::tiles

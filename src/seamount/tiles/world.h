@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "seamount/recipe/plan.h"
 #include "seamount/recipe/value.h"
 #include "seamount/tiles/options.h"
+#include "seamount/tiles/ranks.h"
 #include "seamount/tiles/stored_raster.h"
 
 namespace seamount::tiles {
@@ -17,10 +19,20 @@ namespace seamount::tiles {
 /// An output of a step, by the step's place in the recipe.
 using OutputOf = std::pair<size_t, std::string>;
 
+/// Removes what lies on disk, once all ranks are done with it; other runs that share it keep it.
+template <class OnDisk>
+void remove_together(Ranks& ranks, const std::vector<OnDisk>& all) {
+  if (!ranks.first())
+    for (const OnDisk& one : all) one->let_go();
+  wait_for_all(ranks);
+  if (ranks.first())
+    for (const OnDisk& one : all) one->remove();
+}
+
 class World {
  public:
-  /// `folder`: for the tiles, which stay there until forget_tiles(). `plan` must outlive the world.
-  World(const recipe::Plan& plan, std::string folder, const TileOptions& options);
+  /// `folder`: for the tiles, which stay there until forget_tiles(). `plan` and `ranks` must outlive the world.
+  World(const recipe::Plan& plan, std::string folder, const TileOptions& options, Ranks& ranks);
 
   const recipe::Plan& plan() const { return plan_; }
   const recipe::Recipe& recipe() const { return *plan_.recipe; }
@@ -46,20 +58,28 @@ class World {
   std::shared_ptr<const StoredRaster> on_disk_as(const OutputOf& name, const recipe::Kind& kind,
                                                  const GridFrame& frame) const;
   void keep_tiles(const OutputOf& output, std::shared_ptr<const StoredRaster> tiles);
+  /// Gives all ranks what rank 0 has kept of a step. Every rank calls it.
+  void share_kept(size_t step);
 
   /// May `bytes` be taken at once for a raster of that size?
   bool fits(double bytes, const GridFrame& frame) const;
   /// Throws Error unless `bytes` may be taken at once, with what for and what to do instead.
   void check_fits(double bytes, const std::string& who, const std::string& why, const GridFrame& frame) const;
 
+  double memory_bytes() const { return memory_bytes_; }
+
+  Ranks& ranks() const { return *ranks_; }
   int tile_size() const { return options_.tile; }
-  /// Removes the tiles of this run.
-  void forget_tiles() const noexcept;
+  /// The folder of something that lies on disk under a step's key and a name.
+  std::string folder_of(const OutputOf& name) const;
+  /// Removes the tiles of this run, once all ranks are done with them.
+  void forget_tiles() const;
 
  private:
   const recipe::Plan& plan_;
   std::string folder_;
   TileOptions options_;
+  Ranks* ranks_;
   double memory_bytes_;
   std::map<OutputOf, recipe::Value> values_;
   std::map<OutputOf, std::shared_ptr<const StoredRaster>> rasters_;

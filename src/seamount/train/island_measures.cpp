@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "seamount/geom/grid/painted_labels.h"
 #include "seamount/geom/grid/resample.h"
@@ -46,69 +47,122 @@ void spoil(Image& image, const GridFrame& frame, MapDefect defect, double subsid
   }
 }
 
+/// Every other sample has not sunk; of islands with other seeds than those of the training.
+IslandSample measured_sample(const IslandSetParams& params, int n, Seed seed) {
+  const uint64_t index = static_cast<uint64_t>(n) * static_cast<uint64_t>(params.levels) +
+                         static_cast<uint64_t>(n % 2 == 0 ? 0 : 1 + n / 2 % (params.levels - 1));
+  IslandSample drawn = draw_island_sample(params, index, seed);
+  if (n % 2 == 0) drawn.subsidence = 0;
+  return drawn;
+}
+
+/// One island, its map and what networks are told of it.
+class Measured {
+ public:
+  Measured(const IslandSetParams& params, int n, Seed seed, const RunContext& run)
+      : seed_(seed), drawn_(measured_sample(params, n, seed.derive("measured"))), run_(run) {
+    pair_ = make_island_pair(params, drawn_, seed.derive("measured"), run);
+    const auto [low, high] = std::minmax_element(pair_.terrain.cells().begin(), pair_.terrain.cells().end());
+    low_ = *low;
+    high_ = *high;
+  }
+
+  HeightField made(const learned::Network& network, const Image& painting) const {
+    geom::PaintedLabels read = geom::decode_labels(painting, pair_.terrain.frame(), run_);
+    learned::IslandMap map;
+    map.frame = pair_.terrain.frame();
+    map.shares = learned::without_specks(read.shares, run_);
+    map.subsidence = std::move(read.subsidence_per_cell);
+    map.floor_m = low_;  // P0's heights are shares of their range, ours may be told it
+    if (high_ > 0) map.peak_m = high_;
+    return learned::island(map, network, seed_, run_);
+  }
+
+  Image painting(MapDefect defect, int n) const {
+    Rng rng(seed_.derive("defect", static_cast<uint64_t>(n)));
+    Image image = geom::encode_labels(pair_.labels, drawn_.subsidence);
+    spoil(image, pair_.terrain.frame(), defect, drawn_.subsidence, rng, run_);
+    return image;
+  }
+
+  bool sunk() const { return drawn_.subsidence > 0; }
+
+  /// Mean |dz| of what is higher, as a share of the range from there up; negative: there is nothing.
+  double off(const HeightField& made, float above_m) const {
+    double sum = 0;
+    int cells = 0;
+    for (size_t i = 0; i < made.size(); ++i) {
+      const float z = pair_.terrain.data()[i];
+      if (z <= above_m) continue;
+      sum += std::abs(made.data()[i] - z);
+      ++cells;
+    }
+    return cells == 0 ? -1.0 : sum / cells / (high_ - std::max(above_m, low_));
+  }
+
+  /// Intersection over union of the land painted and the land made; negative: there is none.
+  double coast_iou(const HeightField& made) const {
+    int both = 0, either = 0;
+    for (size_t i = 0; i < made.size(); ++i) {
+      const Region region = pair_.labels.data()[i];
+      const bool land = region == Region::mountain || region == Region::beach;
+      both += land && made.data()[i] > 0;
+      either += land || made.data()[i] > 0;
+    }
+    return either == 0 ? -1.0 : static_cast<double>(both) / either;
+  }
+
+ private:
+  Seed seed_;
+  IslandSample drawn_;
+  const RunContext& run_;
+  IslandPair pair_;
+  float low_ = 0, high_ = 0;
+};
+
+/// Of those numbers that there are.
+class Mean {
+ public:
+  void add(double value) {
+    if (value < 0) return;
+    sum_ += value;
+    ++count_;
+  }
+  double value() const { return sum_ / std::max(1, count_); }
+
+ private:
+  double sum_ = 0;
+  int count_ = 0;
+};
+
 }  // namespace
 
 IslandMeasures measure_islands(const learned::Network& network, int count, Seed seed, const RunContext& run) {
-  IslandMeasures out;
+  constexpr float kAll = -std::numeric_limits<float>::infinity();
   IslandSetParams params;
   params.size = learned::kIslandCells;
   params.width_m = learned::kIslandWidth_m;
-  std::array<int, kMapDefects.size()> shallow{};
-  int unsunk = 0;
+  std::array<Mean, kMapDefects.size()> off, off_above;
+  Mean coast;
   for (int n = 0; n < count; ++n) {
     run.check_cancelled();
     run.report(static_cast<double>(n) / count);
-    // Every other sample has not sunk; of islands with other seeds than those of the training.
-    const uint64_t index = static_cast<uint64_t>(n) * static_cast<uint64_t>(params.levels) +
-                           static_cast<uint64_t>(n % 2 == 0 ? 0 : 1 + n / 2 % (params.levels - 1));
-    IslandSample drawn = draw_island_sample(params, index, seed.derive("measured"));
-    if (n % 2 == 0) drawn.subsidence = 0;
-    const IslandPair pair = make_island_pair(params, drawn, seed.derive("measured"), run);
-    const auto [low, high] = std::minmax_element(pair.terrain.cells().begin(), pair.terrain.cells().end());
-    const double range = *high - *low;
+    const Measured island(params, n, seed, run);
     for (size_t defect = 0; defect < kMapDefects.size(); ++defect) {
-      Rng rng(seed.derive("defect", static_cast<uint64_t>(n)));
-      Image image = geom::encode_labels(pair.labels, drawn.subsidence);
-      spoil(image, pair.terrain.frame(), static_cast<MapDefect>(defect), drawn.subsidence, rng, run);
-      geom::PaintedLabels read = geom::decode_labels(image, pair.terrain.frame(), run);
-      learned::IslandMap map;
-      map.frame = pair.terrain.frame();
-      map.shares = learned::without_specks(read.shares, run);
-      map.subsidence = std::move(read.subsidence_per_cell);
-      map.floor_m = *low;  // P0's heights are shares of their range, ours may be told it
-      if (*high > 0) map.peak_m = *high;
-      const HeightField made = learned::island(map, network, seed, run);
-      double sum = 0, above = 0;
-      int cells = 0, both = 0, either = 0;
-      for (size_t i = 0; i < made.size(); ++i) {
-        const float z = pair.terrain.data()[i], off = std::abs(made.data()[i] - z);
-        sum += off;
-        if (z > kShallow_m) {
-          above += off;
-          ++cells;
-        }
-        const Region region = pair.labels.data()[i];
-        const bool land = region == Region::mountain || region == Region::beach;
-        both += land && made.data()[i] > 0;
-        either += land || made.data()[i] > 0;
-      }
-      out.off[defect] += sum / static_cast<double>(made.size()) / range;
-      if (cells > 0) {
-        out.off_above[defect] += above / cells / (*high - kShallow_m);
-        ++shallow[defect];
-      }
-      if (defect == 0 && drawn.subsidence == 0 && either > 0) {
-        out.coast_iou += static_cast<double>(both) / either;
-        ++unsunk;
-      }
+      const Image painting = island.painting(static_cast<MapDefect>(defect), n);
+      const HeightField made = island.made(network, painting);
+      off[defect].add(island.off(made, kAll));
+      off_above[defect].add(island.off(made, kShallow_m));
+      if (defect == 0 && !island.sunk()) coast.add(island.coast_iou(made));
     }
-    ++out.maps;
   }
+  IslandMeasures out;
+  out.maps = count;
   for (size_t defect = 0; defect < kMapDefects.size(); ++defect) {
-    out.off[defect] /= out.maps;
-    out.off_above[defect] /= std::max(1, shallow[defect]);
+    out.off[defect] = off[defect].value();
+    out.off_above[defect] = off_above[defect].value();
   }
-  out.coast_iou /= std::max(1, unsunk);
+  out.coast_iou = coast.value();
   return out;
 }
 

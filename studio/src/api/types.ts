@@ -154,6 +154,8 @@ export interface EditRequest {
   base: number;
   /** Edits in a row of one gesture are undone as one; "" belongs to none. */
   gesture: string;
+  /** The gesture is over with these: what is computed in a moment gets no coarse result before it. */
+  ends?: boolean;
   /** For the history: "reef: subsidence 0.2 → 0.4". */
   label: string;
   edits: Edit[];

@@ -135,7 +135,7 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
     values: results.values,
     connected: stream.connected,
     refused: stream.refused,
-    edit: (edits, label, gesture = "") => store.edit(edits, label, gesture),
+    edit: (edits, label, gesture = "", ends = false) => store.edit(edits, label, gesture, ends),
     undo: () => store.undo(),
     redo: () => store.redo(),
     command: (run) => store.command(run, true),

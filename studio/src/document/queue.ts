@@ -6,6 +6,8 @@ export interface Waiting {
   edits: readonly Edit[];
   label: string;
   gesture: string;
+  /** The gesture is over with these. */
+  ends: boolean;
   /** Called once the server has answered: was it taken? */
   settle: ((taken: boolean) => void)[];
 }
@@ -37,6 +39,7 @@ export function enqueue(waiting: readonly Waiting[], next: Waiting): Waiting[] {
     edits: joinEdits(last.edits, next.edits),
     label: next.label,
     gesture: next.gesture,
+    ends: next.ends,
     settle: [...last.settle, ...next.settle],
   };
   return [...waiting.slice(0, -1), joined];

@@ -51,7 +51,7 @@ export class DocumentStore {
     this.state = signal(this.confirmed);
   }
 
-  edit(edits: Edit[], label: string, gesture: string): Promise<boolean> {
+  edit(edits: Edit[], label: string, gesture: string, ends = false): Promise<boolean> {
     const own = structuredClone(edits);  // the caller's lists go on changing under its pen
     try {
       applyEdits(this.state.value.recipe, own);
@@ -61,7 +61,7 @@ export class DocumentStore {
       return Promise.resolve(false);
     }
     return new Promise((settle) => {
-      const next = { edits: own, label, gesture, settle: [settle] };
+      const next = { edits: own, label, gesture, ends, settle: [settle] };
       const last = this.tasks[this.tasks.length - 1];
       if (last?.kind === "edits") {
         this.tasks.splice(-1, 1, ...enqueue([last.edits], next).map((edits) => ({ kind: "edits" as const, edits })));
@@ -240,8 +240,8 @@ export class DocumentStore {
 
   private ask(task: Task): Promise<DocumentEvent> {
     if (task.kind === "command") return task.run(this.base);
-    const { edits, label, gesture } = task.edits;
-    return this.api.edits({ window: this.window, base: this.base, gesture, label, edits: [...edits] });
+    const { edits, label, gesture, ends } = task.edits;
+    return this.api.edits({ window: this.window, base: this.base, gesture, ends, label, edits: [...edits] });
   }
 
   private async catchUp(error: ApiError): Promise<void> {

@@ -49,8 +49,9 @@ export interface Studio {
   readonly message: Signal<Message | null>;
 
   /** Changes the window's copy at once, and the server's as soon as it can; edits of one gesture that are overtaken
-   * (set at the same pointer) are not sent. False: refused; the copy is the server's again and `message` says why. */
-  edit(edits: Edit[], label: string, gesture?: string): Promise<boolean>;
+   * (set at the same pointer) are not sent. `ends`: the gesture is over with these. False: refused; the copy is the
+   * server's again and `message` says why. */
+  edit(edits: Edit[], label: string, gesture?: string, ends?: boolean): Promise<boolean>;
   undo(): Promise<boolean>;
   redo(): Promise<boolean>;
 

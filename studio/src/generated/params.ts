@@ -1418,6 +1418,8 @@ export interface OperatorParams {
     floor_m?: number | null;
     /** depth of the reef's crest where nothing has sunk; if absent, as the network sees fit [m] */
     reef_depth_m?: number | null;
+    /** strokes of wind and waves along which the map is bent first, as island.wind does: points, width_m (deviation of the falloff), strength_m (displacement on the stroke) */
+    strokes?: Stroke[];
     /** network: a shipped one by its word, or a file of weights (safetensors) */
     model?: string;
     /** of the network's sums */

@@ -61,7 +61,7 @@ export class Gesture {
     this.waiting = null;
     if (edits.length === 0) return;
     ++this.sent;
-    const answer = this.studio.edit(edits, this.label, this.id);
+    const answer = this.studio.edit(edits, this.label, this.id, this.over);
     this.last = Promise.all([this.last, answer]).then(([, done]) => {
       if (!done) this.refused = true;
       return done;

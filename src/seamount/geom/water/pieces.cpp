@@ -1,9 +1,10 @@
 #include "seamount/geom/water/pieces.h"
 
 #include <algorithm>
-#include <queue>
-#include <unordered_map>
+#include <limits>
+#include <utility>
 
+#include "seamount/geom/water/flow_passes.h"
 #include "seamount/geom/water/groups.h"
 
 namespace seamount::geom {
@@ -13,95 +14,38 @@ constexpr int32_t kNobody = -1;
 
 bool within(int x, int y, int width, int height) { return x >= 0 && y >= 0 && x < width && y < height; }
 
-/// Grows basins from their first cells, the lowest cell first; cells at or below the level that is on its way are taken
-/// without the heap.
-class Flood {
- public:
-  Flood(const HeightField& piece, float sea, const OpenSides& open)
-      : width_(piece.width()), height_(piece.height()), out_{piece, Grid<int32_t>(piece.frame(), kNobody), {}} {
-    for (int y = 0; y < height_; ++y) {
-      for (int x = 0; x < width_; ++x) {
-        const int32_t rim = rim_number(x, y, width_, height_);
-        const bool outside = out_.filled(x, y) <= sea || open.at(x, y, width_, height_);
-        if (!outside && rim < 0) continue;
-        out_.basins(x, y) = outside ? 0 : rim + 1;
-        if (rim >= 0 || beside_ground(x, y, sea)) heap_.push({out_.filled(x, y), y * width_ + x});
-      }
-    }
-  }
-
-  Flooded run(const RunContext& context) {
-    for (int64_t done = 0; !level_.empty() || !heap_.empty(); ++done) {
-      if (done % (1 << 16) == 0) context.check_cancelled();
-      int32_t cell;
-      if (!level_.empty()) {
-        cell = level_.back();
-        level_.pop_back();
-      } else {
-        cell = heap_.top().cell;
-        heap_.pop();
-      }
-      spread(cell);
-    }
-    for (const auto& [pair, height] : lowest_)
-      out_.spills.push_back({static_cast<int32_t>(pair >> 32), static_cast<int32_t>(pair & 0xffffffffU), height});
-    std::sort(out_.spills.begin(), out_.spills.end(),
-              [](const Spill& a, const Spill& b) { return a.a != b.a ? a.a < b.a : a.b < b.b; });
-    return std::move(out_);
-  }
-
- private:
-  struct Place {
-    float height;
-    int32_t cell;
-    bool operator<(const Place& other) const {  // the lowest on top
-      return height != other.height ? height > other.height : cell > other.cell;
-    }
-  };
-
-  bool beside_ground(int x, int y, float sea) const {
-    for (size_t k = 0; k < 8; ++k) {
-      if (out_.filled(x + kFlowDx[k], y + kFlowDy[k]) > sea) return true;
-    }
-    return false;
-  }
-
-  void spread(int32_t cell) {
-    const int x = cell % width_, y = cell / width_;
-    const float level = out_.filled.data()[cell];
-    const int32_t basin = out_.basins.data()[cell];
-    for (size_t k = 0; k < 8; ++k) {
-      const int nx = x + kFlowDx[k], ny = y + kFlowDy[k];
-      if (!within(nx, ny, width_, height_)) continue;
-      const int32_t other = ny * width_ + nx;
-      int32_t& of = out_.basins.data()[other];
-      float& z = out_.filled.data()[other];
-      if (of != kNobody) {
-        if (of != basin) meet(basin, of, std::max(level, z));
-        continue;
-      }
-      of = basin;
-      if (z <= level) {
-        z = level;
-        level_.push_back(other);
-      } else {
-        heap_.push({z, other});
-      }
-    }
-  }
-
-  void meet(int32_t a, int32_t b, float height) {
-    const uint64_t pair = (static_cast<uint64_t>(std::min(a, b)) << 32) | static_cast<uint32_t>(std::max(a, b));
-    const auto [known, fresh] = lowest_.emplace(pair, height);
-    if (!fresh) known->second = std::min(known->second, height);
-  }
-
-  int width_, height_;
-  Flooded out_;
-  std::priority_queue<Place> heap_;
-  std::vector<int32_t> level_;
-  std::unordered_map<uint64_t, float> lowest_;
+/// What is known of the basins of a piece: those that end outside or at a cell of the rim, which has a label, and those
+/// of pits, which get the label of the first such basin that their water meets as it rises, and the level where it
+/// does.
+struct Overflow {
+  std::vector<int32_t> label;  ///< 0: outside; rim number + 1; kNobody: not yet
+  std::vector<float> level;
 };
+
+/// Kruskal: groups of basins that meet over the passes from low to high. Which of several labels a group has does not
+/// matter: they have met below every pass that is still to come.
+std::vector<Spill> overflow_over(const std::vector<Pass>& passes, Overflow& basins) {
+  std::vector<Spill> spills;
+  Groups groups(static_cast<int32_t>(basins.label.size()));
+  std::vector<int32_t> label_of = basins.label;  // of a group, by its leader
+  for (const Pass& pass : passes) {
+    const int32_t a = groups.find(pass.a), b = groups.find(pass.b);
+    if (a == b) continue;
+    const int32_t one = label_of[static_cast<size_t>(a)], other = label_of[static_cast<size_t>(b)];
+    if (one != kNobody && other != kNobody) {
+      spills.push_back({std::min(one, other), std::max(one, other), pass.height});
+    } else if (one != other) {
+      groups.for_each_member(one == kNobody ? a : b, [&](int32_t basin) {
+        basins.label[static_cast<size_t>(basin)] = std::max(one, other);
+        basins.level[static_cast<size_t>(basin)] = pass.height;
+      });
+    }
+    groups.join(a, b);
+    const bool both = one != kNobody && other != kNobody;
+    label_of[static_cast<size_t>(std::min(a, b))] = both ? std::min(one, other) : std::max(one, other);
+  }
+  return spills;
+}
 
 }  // namespace
 
@@ -126,7 +70,29 @@ int32_t rim_cell(int32_t number, int width, int height) {
 }
 
 Flooded flood_piece(const HeightField& piece, float sea_level_m, const OpenSides& open, const RunContext& run) {
-  return Flood(piece, sea_level_m, open).run(run);
+  const int width = piece.width(), height = piece.height();
+  FlowDirections directions = flow_directions(piece, sea_level_m, run.part(0.0, 0.3));
+  for (int32_t rim = 0; rim < rim_size(width, height); ++rim) {
+    const int32_t cell = rim_cell(rim, width, height);
+    const bool outside = piece.data()[cell] <= sea_level_m || open.at(cell % width, cell / width, width, height);
+    if (!outside) directions.data()[cell] = kPit;  // a basin of its own
+  }
+  Basins basins = find_basins(directions, run.part(0.3, 0.6));
+  Overflow found{std::vector<int32_t>(static_cast<size_t>(basins.count()), kNobody),
+                 std::vector<float>(static_cast<size_t>(basins.count()), kNoSea)};
+  found.label[kOutside] = 0;
+  for (size_t i = 1; i < found.label.size(); ++i) {
+    const int32_t pit = basins.pits[i], rim = rim_number(pit % width, pit / width, width, height);
+    if (rim >= 0) found.label[i] = rim + 1;
+  }
+  std::vector<Spill> spills = overflow_over(find_passes(piece, basins, run.part(0.6, 0.9)), found);
+  Flooded flooded{piece, std::move(basins.of), std::move(spills)};
+  for (size_t i = 0; i < piece.size(); ++i) {
+    int32_t& basin = flooded.basins.data()[i];
+    flooded.filled.data()[i] = std::max(flooded.filled.data()[i], found.level[static_cast<size_t>(basin)]);
+    basin = found.label[static_cast<size_t>(basin)];
+  }
+  return flooded;
 }
 
 std::vector<float> overflow_levels(int32_t nodes, std::vector<Spill> spills) {

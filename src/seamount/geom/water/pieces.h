@@ -2,9 +2,9 @@
 // that a graph of their rims gives the same result, to the bit, as the whole would.
 //
 // Filling: Barnes 2016. A piece is flooded from its rim; cells that reach the rim at the same cell are a basin, and the
-// lowest places between basins are the edges of a graph. Where that graph's basins overflow to the outside is the water
-// level of their cells. Accumulation: Barnes 2017. What a piece gathers by itself, and where what enters it at a rim
-// cell leaves it again, make a second graph.
+// lowest places between basins are the edges of a graph, as far as they are needed to join them all. Where that graph's
+// basins overflow to the outside is the water level of their cells. Accumulation: Barnes 2017. What a piece gathers by
+// itself, and where what enters it at a rim cell leaves it again, make a second graph.
 //
 // A rim is numbered along the first row, the last row, and the first and last cell of those between.
 #pragma once
@@ -33,7 +33,8 @@ struct OpenSides {
   }
 };
 
-/// The lowest place between two basins of a piece; basin 0 is the outside, others are rim numbers + 1.
+/// A place between two basins of a piece, the lowest on the way from one to the other; basin 0 is the outside, others
+/// are rim numbers + 1.
 struct Spill {
   int32_t a, b;
   float height;
@@ -46,7 +47,8 @@ struct Flooded {
 };
 
 /// Floods a piece from the outside (the sea, at or below `sea_level_m`, and open sides) and from every other cell of
-/// its rim. n log n in the cells above the sea.
+/// its rim: basins by steepest descent, joined over their passes. Parallel but for flats and passes; linear, n log n in
+/// the passes; fewer spills than rim cells.
 Flooded flood_piece(const HeightField& piece, float sea_level_m, const OpenSides& open, const RunContext& run);
 
 /// Level at which each node overflows to node 0 over the spills, which are sorted: the lowest of the highest spills on

@@ -2,12 +2,14 @@
 //
 // Source: P0 sec. 1.5 to 1.7, eq. 1.16 ff.: pix2pix of hue (region) and value (subsidence). Ours: shares of regions
 // instead of hues, so that blurred borders and mixed colours mean what they show; any size, since the network is
-// evaluated over the whole map (network.h); noise of a seed; painted coasts are met. Of P0's future work the reef's
-// depth is an input; a wind field is one of island.wind, before its labels come here.
+// evaluated over the whole map (network.h); noise of a seed; painted coasts are met. P0's future work, the wind field
+// and the reef's depth, are inputs that may be left out; the wind bends the map, for what it does to the ground behind
+// that the network learns nothing from its field that the map does not show (models/island.md).
 #pragma once
 
 #include <optional>
 #include <tuple>
+#include <vector>
 
 #include "seamount/base/fields.h"
 #include "seamount/base/rng.h"
@@ -29,6 +31,7 @@ struct IslandParams {
   std::optional<double> peak_m;
   std::optional<double> floor_m;
   std::optional<double> reef_depth_m;
+  std::vector<Stroke> strokes;
   ModelFile model = {"island"};
   Precision precision = Precision::automatic;
 
@@ -50,6 +53,9 @@ struct IslandParams {
               "height of the deepest sea floor, a two hundredth of it aside; if absent, as the network sees fit"),
         field(&P::reef_depth_m, "reef_depth_m", "m", between(0, 100),
               "depth of the reef's crest where nothing has sunk; if absent, as the network sees fit"),
+        field(&P::strokes, "strokes",
+              "strokes of wind and waves along which the map is bent first, as island.wind does: points, width_m "
+              "(deviation of the falloff), strength_m (displacement on the stroke)"),
         field(&P::model, "model", "network: a shipped one by its word, or a file of weights (safetensors)"),
         field(&P::precision, "precision", "of the network's sums"));
   }

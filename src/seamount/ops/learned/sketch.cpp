@@ -137,7 +137,8 @@ HeightField make(const SketchMap& map, const SketchMap& seen, double adherence, 
 
 HeightField make_guided(const SketchMap& map, const Redraw& redraw, double adherence, const Network& network, Seed seed,
                         const RunContext& run) {
-  if (!redraw || !has_wide_gaps(map, run)) return make(map, map, adherence, network, seed, run);
+  const auto distance = redraw ? distance_in_gaps(map, run) : std::nullopt;
+  if (!distance) return make(map, map, adherence, network, seed, run);
   const SketchMap wide = coarser(map);
   const HeightField rough = make_guided(wide, redraw, adherence, network, seed.derive("rough"), run);
   GridFrame half = wide.frame;  // lines are smoother on finer cells
@@ -146,7 +147,7 @@ HeightField make_guided(const SketchMap& map, const Redraw& redraw, double adher
   half.height *= 2;
   SketchMap seen = map;
   const double least_m2 = kGuideCells * wide.frame.cell_m * wide.frame.cell_m;
-  add_guide(redraw(geom::resample(rough, half, run), least_m2, seed.derive("redraw"), run), seen, run);
+  add_guide(redraw(geom::resample(rough, half, run), least_m2, seed.derive("redraw"), run), *distance, seen);
   return make(map, seen, adherence, network, seed, run);
 }
 

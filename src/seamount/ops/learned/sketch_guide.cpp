@@ -88,17 +88,17 @@ SketchMap coarser(const SketchMap& map) {
   return out;
 }
 
-bool has_wide_gaps(const SketchMap& map, const RunContext& run) {
+std::optional<ScalarField> distance_in_gaps(const SketchMap& map, const RunContext& run) {
   const GridFrame wide = widened(map.frame);
-  if (std::min(wide.width, wide.height) < kLeastWide || wide.cell_m > kWidest_m) return false;
-  const ScalarField distance = from_drawn(map, run);
+  if (std::min(wide.width, wide.height) < kLeastWide || wide.cell_m > kWidest_m) return std::nullopt;
+  ScalarField distance = from_drawn(map, run);
   const auto far = static_cast<float>(kFarCells * map.frame.cell_m);
   const auto gaps = std::count_if(distance.cells().begin(), distance.cells().end(), [&](float d) { return d > far; });
-  return static_cast<double>(gaps) > kGapShare * static_cast<double>(distance.size());
+  if (static_cast<double>(gaps) <= kGapShare * static_cast<double>(distance.size())) return std::nullopt;
+  return distance;
 }
 
-void add_guide(const Drawing& guide, SketchMap& map, const RunContext& run) {
-  const ScalarField distance = from_drawn(map, run);
+void add_guide(const Drawing& guide, const ScalarField& distance, SketchMap& map) {
   const auto far = static_cast<float>(kFarCells * map.frame.cell_m);
   Grid<uint8_t> river(map.frame, 0), ridge(map.frame, 0);
   for (const ValuedLine& line : guide.lines) draw_cells(line.points, line.value == 0 ? river : ridge);

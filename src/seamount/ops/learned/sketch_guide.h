@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
@@ -24,10 +25,11 @@ using Redraw = std::function<Drawing(const HeightField& terrain, double least_m2
 inline constexpr int kGuideFactor = 4;
 SketchMap coarser(const SketchMap& map);
 
-/// Whether more than a fiftieth of the map is empty and far from all that is drawn, and wide cells would still show it.
-bool has_wide_gaps(const SketchMap& map, const RunContext& run);
+/// Distance in metres from all that is drawn of a map with wide gaps: more than a fiftieth of it is empty and far, and
+/// wide cells would still show it. Nothing for other maps.
+std::optional<ScalarField> distance_in_gaps(const SketchMap& map, const RunContext& run);
 
 /// Adds lines and heights of `guide` to the map where it is empty and far from all that is drawn. Linear.
-void add_guide(const Drawing& guide, SketchMap& map, const RunContext& run);
+void add_guide(const Drawing& guide, const ScalarField& distance, SketchMap& map);
 
 }  // namespace seamount::learned

@@ -295,12 +295,13 @@ TEST(SketchGuide, FillsWideGapsAloneAndFarFromStrokes) {
   map.frame = frame;
   map.ridge = Grid<uint8_t>(frame, 0);
   draw_cells({{-3900, 1000}, {3900, 1000}}, map.ridge);
-  EXPECT_TRUE(has_wide_gaps(map, {}));
+  const auto distance = distance_in_gaps(map, {});
+  ASSERT_TRUE(distance);
   const SketchMap before = map;
   Drawing guide;
   guide.lines = {{{{20, -3500}, {20, 3500}}, 0}};
   guide.points = {{{100, 1100}, 900}, {{-2000, -2000}, 400}};
-  add_guide(guide, map, {});
+  add_guide(guide, *distance, map);
   EXPECT_EQ(map.ridge, before.ridge);
   for (int y = 0; y < frame.height; ++y) {
     for (int x = 0; x < frame.width; ++x) {
@@ -320,11 +321,11 @@ TEST(SketchGuide, FillsWideGapsAloneAndFarFromStrokes) {
   EXPECT_EQ(cues, 1) << "the height beside the stroke is left out";
 
   for (int y = 0; y < frame.height; y += 20) draw_cells({{-3900, frame.y(y)}, {3900, frame.y(y)}}, map.ridge);
-  EXPECT_FALSE(has_wide_gaps(map, {}));
+  EXPECT_FALSE(distance_in_gaps(map, {}));
   map = before;
   map.frame.cell_m = 150;
   map.ridge.set_frame(map.frame);
-  EXPECT_FALSE(has_wide_gaps(map, {})) << "wide cells would be wider than what the network knows";
+  EXPECT_FALSE(distance_in_gaps(map, {})) << "wide cells would be wider than what the network knows";
 }
 
 TEST(SketchGuide, DrawnHeightsStayMetAndThreadsDoNotCount) {

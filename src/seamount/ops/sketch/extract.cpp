@@ -1,9 +1,11 @@
 #include "seamount/ops/sketch/extract.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "seamount/base/parallel.h"
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/flow_invert.h"
 #include "seamount/geom/water/inland.h"
@@ -208,6 +210,18 @@ struct Sketcher {
     out.inked = draw(found, true, run);
     return out;
   }
+
+  /// Those that are asked for, side by side: much of each is one thread's work.
+  std::array<Network, 2> both(bool rivers_too, bool ridges_too, const RunContext& run) const {
+    std::array<Network, 2> out;
+    RunContext silent = run;  // of two at once
+    silent.progress = nullptr;
+    parallel_blocks(run, 2, 1, [&](int64_t begin, int64_t) {
+      if (begin == 0 && rivers_too) out[0] = rivers(silent);
+      if (begin == 1 && ridges_too) out[1] = ridges(silent);
+    });
+    return out;
+  }
 };
 
 /// The cell of `frame` in which the middle of a coarse cell lies, and its height on the coarse terrain.
@@ -283,21 +297,18 @@ Sketch extract(const HeightField& terrain, const ExtractParams& params, Seed see
   const Sketcher sketcher{params, ground, coarse, scale, flat_of(params, terrain, coarse, ground.sea_m), seed};
   Sketch sketch{Mask(frame, 0.0F), Mask(frame, 0.0F), ScalarField(frame, 0.0F), Mask(frame, 0.0F), {}, {}, 0.0, 0.0};
   sketch.lines.crs = frame.crs;
-  if (params.rivers || params.cues) {
-    Network rivers = sketcher.rivers(run.part(0.2, 0.6));
-    if (params.cues) add_cues(rivers.cues, coarse, sketch);
-    if (params.rivers) {
-      sketch.river = std::move(rivers.inked.cells);
-      add_lines(std::move(rivers.inked.lines), 0.0, sketch.lines);
-    }
+  std::array<Network, 2> networks =
+      sketcher.both(params.rivers || params.cues, params.ridges || params.cues, run.part(0.2, 1.0));
+  auto& [rivers, ridges] = networks;
+  if (params.cues) add_cues(rivers.cues, coarse, sketch);
+  if (params.rivers) {
+    sketch.river = std::move(rivers.inked.cells);
+    add_lines(std::move(rivers.inked.lines), 0.0, sketch.lines);
   }
-  if (params.ridges || params.cues) {
-    Network ridges = sketcher.ridges(run.part(0.6, 1.0));
-    if (params.cues) add_cues(ridges.cues, coarse, sketch);
-    if (params.ridges) {
-      sketch.ridge = std::move(ridges.inked.cells);
-      add_lines(std::move(ridges.inked.lines), 1.0, sketch.lines);
-    }
+  if (params.cues) add_cues(ridges.cues, coarse, sketch);
+  if (params.ridges) {
+    sketch.ridge = std::move(ridges.inked.cells);
+    add_lines(std::move(ridges.inked.lines), 1.0, sketch.lines);
   }
   colour_cues(sketch);
   sketch.image = paint(sketch);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <optional>
+#include <vector>
 
 #include "seamount/base/parallel.h"
 
@@ -21,6 +23,7 @@ class Rain {
         codes_(geom::flow_directions(surface, sea, run)),
         routes_(codes_),
         falls_(surface.frame()),
+        pit_(surface.frame(), -1),
         steps_(geom::flow_steps(surface.width())),
         water_{Grid<uint32_t>(surface.frame(), 0U), Grid<uint32_t>(surface.frame(), 0U)} {
     geom::route_through_pits(surface, routes_, highest_pass, run);
@@ -29,6 +32,7 @@ class Rain {
            ++i)
         falls_.data()[i] = codes_.data()[i] == geom::kOutlet ? Falls{} : falls_of(i);
     });
+    find_ways_out(run);
   }
 
   void run_drop(int64_t cell, Rng& rng) {
@@ -72,9 +76,25 @@ class Rain {
     return k;
   }
 
+  /// Of all pits, where many drops end.
+  void find_ways_out(const RunContext& run) {
+    std::vector<int64_t> pits;
+    for (int64_t i = 0; i < surface_.frame().cells(); ++i) {
+      if (codes_.data()[i] != geom::kPit || falls_.data()[i][7] > 0.0F) continue;
+      pit_.data()[i] = static_cast<int32_t>(pits.size());
+      pits.push_back(i);
+    }
+    ways_.resize(pits.size());
+    constexpr int64_t kPitsPerBlock = 64;
+    parallel_blocks(run, static_cast<int64_t>(pits.size()), kPitsPerBlock, [&](int64_t begin, int64_t end) {
+      for (int64_t k = begin; k < end; ++k)
+        ways_[static_cast<size_t>(k)] = way_out(surface_, routes_, pits[static_cast<size_t>(k)]);
+    });
+  }
+
   /// Moves a drop from a pit over its lowest pass, if it is to leave and there is one.
   bool leave(int64_t& cell, Rng& rng) {
-    const std::optional<WayOut> way = way_out(surface_, routes_, cell);
+    const std::optional<WayOut>& way = ways_[static_cast<size_t>(pit_.data()[cell])];
     if (!way || (way->depth_m > params_.shallow_m && !rng.chance(params_.leave))) return false;
     for (cell += steps_[routes_.data()[cell]]; cell != way->end; cell += steps_[routes_.data()[cell]])
       count(water_.passed, cell);
@@ -86,6 +106,8 @@ class Rain {
   StochasticFlow params_;
   geom::FlowDirections codes_, routes_;
   Grid<Falls> falls_;
+  Grid<int32_t> pit_;  ///< of a pit's cell: its number
+  std::vector<std::optional<WayOut>> ways_;
   std::array<int64_t, 8> steps_;
   Water water_;
 };

@@ -4,6 +4,7 @@
 
 #include "seamount/geom/grid/painted_labels.h"
 #include "seamount/io/image_file.h"
+#include "seamount/ops/island/wind.h"
 #include "seamount/ops/learned/erode.h"
 #include "seamount/ops/learned/island.h"
 #include "seamount/ops/learned/sketch.h"
@@ -39,23 +40,38 @@ HeightField sketch(const learned::SketchParams& params, const Call& call, const 
                          call.seed, call.run);
 }
 
+/// Regions and subsidence as the strokes bend them.
+void bend(const std::vector<Stroke>& strokes, LabelMap& labels, ScalarField& subsidence, const Call& call) {
+  island::WindParams wind;
+  wind.strokes = strokes;
+  island::Warped warped = island::wind(subsidence, &labels, nullptr, wind, call.seed, call.run);
+  labels = std::move(warped.labels);
+  subsidence = std::move(warped.terrain);
+  for (float& share : subsidence.cells()) share = std::clamp(share, 0.0F, 1.0F);  // cubics overshoot
+}
+
 HeightField island(const learned::IslandParams& params, const Call& call, const LabelMap* labels,
                    const ScalarField* subsidence) {
+  const bool bends = !params.strokes.empty();
   learned::IslandMap map;
   if ((labels == nullptr) == params.painting.path.empty())
     throw InvalidArgument(labels == nullptr ? "labels" : "painting",
                           "a map of regions is needed, as the input labels or as a painting, and not both");
+  LabelMap regions;  // empty: the shares are known better
   if (labels != nullptr) {
     map.frame = labels->frame();
-    map.shares = learned::shares_of(*labels, call.run);
+    regions = *labels;
     map.subsidence = ScalarField(map.frame, static_cast<float>(params.subsidence));
   } else {
     map.frame = call.domain;
     geom::PaintedLabels read = geom::decode_labels(io::read_image(call.resolve(params.painting)), map.frame, call.run);
     map.shares = learned::without_specks(read.shares, call.run);
     map.subsidence = std::move(read.subsidence_per_cell);
+    if (bends) regions = std::move(read.labels);
   }
   if (subsidence != nullptr) map.subsidence = *subsidence;
+  if (bends) bend(params.strokes, regions, map.subsidence, call);
+  if (!regions.empty()) map.shares = learned::shares_of(regions, call.run);
   const double width_m = std::max(map.frame.width_m(), map.frame.height_m());
   map.scale = params.scale.value_or(std::clamp(width_m / learned::kIslandWidth_m, 0.02, 1.0));
   map.peak_m = params.peak_m;
@@ -89,7 +105,7 @@ void add_learned_operators(Registry& registry) {
       outputs(out<Terrain>("terrain", "heights in metres")), sketch));
   registry.add(make_operator<learned::IslandParams>(
       {.name = "learned.island",
-       .revision = 2,
+       .revision = 3,
        .summary = "Island terrain from a map of its regions, painted or made, by a network",
        .source = "P0 sec. 1.5 to 1.7",
        .stochastic = true},
