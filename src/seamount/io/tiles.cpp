@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "seamount/base/error.h"
-#include "seamount/base/parallel.h"
 #include "seamount/base/text.h"
 #include "seamount/io/atomic_file.h"
 #include "seamount/io/engine_tiles.h"
@@ -57,9 +55,8 @@ GridFrame tile_frame(const GridFrame& whole, const Tile& tile, int width, int he
 }
 
 /// The tile's samples; beyond the terrain its edge is repeated.
-Grid<float> cut(const WindowedRaster& raster, const Tile& tile, int width, int height) {
-  const Grid<float> ground = raster.window(tile.column, tile.row, tile.width, tile.height);
-  Grid<float> cells(tile_frame(raster.frame, tile, width, height));
+Grid<float> filled(const Grid<float>& ground, const GridFrame& whole, const Tile& tile, int width, int height) {
+  Grid<float> cells(tile_frame(whole, tile, width, height));
   for (int y = 0; y < height; ++y) {
     const auto from = ground.row(std::min(y, tile.height - 1));
     const auto end = std::copy(from.begin(), from.end(), cells.row(y).begin());
@@ -189,10 +186,11 @@ void settle_range(Plan& plan, const std::optional<RasterExtremes>& known, const 
   }
 }
 
-void write_one(const Plan& plan, const Tile& tile) {
+void write_one(const Plan& plan, const Tile& tile, const Grid<float>& ground) {
   const int size = plan.options.tile_size;
   const bool whole = tile.width == size && tile.height == size;
-  const Grid<float> cells = cut(plan.raster, tile, plan.padded ? size : tile.width, plan.padded ? size : tile.height);
+  const Grid<float> cells =
+      filled(ground, plan.raster.frame, tile, plan.padded ? size : tile.width, plan.padded ? size : tile.height);
   WriteOptions write = plan.write;
   write.ground_width = plan.padded && !whole ? tile.width : 0;
   write.ground_height = plan.padded && !whole ? tile.height : 0;
@@ -213,42 +211,6 @@ void write_one(const Plan& plan, const Tile& tile) {
 }
 
 }  // namespace
-
-WindowedRaster windows_of(const Grid<float>& raster, bool heights) {
-  return {raster.frame(),
-          [&raster](int column, int row, int width, int height) {
-            Grid<float> part(raster.frame().window(column, row, width, height));
-            for (int y = 0; y < height; ++y) {
-              const auto from = raster.row(row + y).subspan(static_cast<size_t>(column), static_cast<size_t>(width));
-              std::copy(from.begin(), from.end(), part.row(y).begin());
-            }
-            return part;
-          },
-          heights};
-}
-
-RasterExtremes extremes_of(const WindowedRaster& raster, const RunContext& run) {
-  constexpr int kBand = 64;
-  float low = std::numeric_limits<float>::infinity(), high = -low;
-  RasterExtremes extremes;
-  for (int row = 0; row < raster.frame.height; row += kBand) {
-    run.check_cancelled();
-    const Grid<float> band = raster.window(0, row, raster.frame.width, std::min(kBand, raster.frame.height - row));
-    for (const float z : band.cells()) {
-      if (std::isinf(z)) throw InvalidArgument("heights", "a cell is not finite");
-      if (std::isnan(z)) {
-        ++extremes.unknown_cells;
-        continue;
-      }
-      ++extremes.known_cells;
-      low = std::min(low, z);
-      high = std::max(high, z);
-    }
-    run.report(static_cast<double>(row) / raster.frame.height);
-  }
-  if (extremes.known_cells > 0) extremes.range = {low, high};
-  return extremes;
-}
 
 std::string tiles_manifest(const std::string& path) { return stem_of(path) + "_tiles.json"; }
 
@@ -274,10 +236,16 @@ std::vector<Tile> write_tiles(const WindowedRaster& raster, const std::string& p
             .padded = pads(options, path)};
   settle_range(plan, extremes, run.part(0.0, 0.2));
   std::vector<Tile> tiles;
-  for (int y = 0; y < plan.down.count(); ++y)
-    for (int x = 0; x < plan.across.count(); ++x) tiles.push_back(plan.tile(x, y));
-  parallel_blocks(run.part(0.2, 1.0), static_cast<int64_t>(tiles.size()), 1,
-                  [&](int64_t tile, int64_t) { write_one(plan, tiles[static_cast<size_t>(tile)]); });
+  std::vector<CellWindow> windows;
+  for (int y = 0; y < plan.down.count(); ++y) {
+    for (int x = 0; x < plan.across.count(); ++x) {
+      tiles.push_back(plan.tile(x, y));
+      const Tile& tile = tiles.back();
+      windows.push_back({tile.column, tile.row, tile.width, tile.height});
+    }
+  }
+  for_each_window(raster, windows, run.part(0.2, 1.0),
+                  [&](size_t i, const Grid<float>& cells) { write_one(plan, tiles[i], cells); });
   write_manifest(plan, tiles);
   tell(plan, run);
   return tiles;

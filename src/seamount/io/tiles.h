@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "seamount/base/run_context.h"
 #include "seamount/io/engine.h"
 #include "seamount/io/raster.h"
+#include "seamount/io/windowed_raster.h"
 #include "seamount/model/grid.h"
 
 namespace seamount::io {
@@ -20,25 +20,6 @@ namespace seamount::io {
 /// repeated beyond it, or as small as what is left. by_format: smaller in files that know their place (.tif, .asc),
 /// padded in all others, whose readers want tiles of one size.
 enum class LastTiles { by_format, padded, smaller };
-
-/// What a raster holds: so far it is known, without its cells being kept.
-struct RasterExtremes {
-  HeightRange range;        ///< of the known cells
-  int64_t known_cells = 0;  ///< 0: `range` says nothing
-  int64_t unknown_cells = 0;
-};
-
-/// A raster that need not be in memory as a whole.
-struct WindowedRaster {
-  GridFrame frame;
-  /// `width` x `height` of its cells from (column, row) on. May be called by many threads at once.
-  std::function<Grid<float>(int column, int row, int width, int height)> window;
-  bool heights = true;  ///< metres above sea level; else any other scalar
-};
-WindowedRaster windows_of(const Grid<float>& raster, bool heights = true);
-
-/// Reads all cells once, in bands. Throws InvalidArgument{"heights"} for an infinite one. Memory: a band of 64 rows.
-RasterExtremes extremes_of(const WindowedRaster& raster, const RunContext& run);
 
 struct TileOptions {
   int tile_size = 1025;  ///< samples a side, >= 2
@@ -70,7 +51,8 @@ std::string tiles_pattern(const std::string& path, std::optional<Engine> engine)
 /// tile its file and which samples it holds, and what to type into the engine. Says the extent, and what was padded.
 /// `extremes`: of the raster, if they are known already. Throws InvalidArgument{"tile_size"} for a tile_size below 2 or
 /// that the engine does not read, {"last_tiles"}, {"path"}, {"heights"} for unknown cells that a format cannot hold,
-/// {"field"} for one that is no mask. Parallel. Memory: a tile for each thread.
+/// {"field"} for one that is no mask. Parallel. Memory: 256 MB or a tile, and
+/// a tile for each thread.
 std::vector<Tile> write_tiles(const WindowedRaster& raster, const std::string& path, const TileOptions& options = {},
                               const WriteOptions& write = {}, const RunContext& run = {},
                               const std::optional<RasterExtremes>& extremes = {});

@@ -171,7 +171,10 @@ const char* const kWorld = R"({"seamount": 1, "seed": 9,
     {"id": "isle", "op": "classify.terrain", "in": {"terrain": "coarse"}}],
   "outputs": [
     {"from": "soft.terrain", "path": "height.tif"}, {"from": "flow.area", "path": "water.tif"},
-    {"from": "filled.change", "path": "change.tif"}, {"from": "isle.labels", "path": "labels.tif"}]})";
+    {"from": "filled.change", "path": "change.tif"}, {"from": "isle.labels", "path": "labels.tif"},
+    {"from": "soft.terrain", "path": "u.r16", "as": "tiles", "engine": "unreal", "tile_size": 127},
+    {"from": "soft.terrain", "path": "m.glb", "as": "mesh_tiles", "tile_size": 200, "texture_px": 0},
+    {"from": "soft.terrain", "path": "map.png", "as": "map", "width_px": 200}]})";
 
 class TiledRanks : public ::testing::Test {
  protected:
@@ -197,8 +200,10 @@ TEST_F(TiledRanks, MakeTheSameBytes) {
       execute(recipe, {out, cache, 90 + count, kTooLittle, &ranks}, {.threads = 1, .cancelled = &cancelled});
     });
     for (const auto& failure : failures) EXPECT_FALSE(failure) << failure->text;
-    for (const char* name : {"height.tif", "water.tif", "change.tif", "labels.tif"})
+    for (const char* name : {"height.tif", "water.tif", "change.tif", "labels.tif", "u_x3_y2.r16", "u_tiles.json",
+                             "m_x1_y1_lod0.glb", "m.gltf"})
       EXPECT_TRUE(bytes_of(out + "/" + name) == bytes_of(at("one/") + name)) << name << ", " << count << " ranks";
+    EXPECT_TRUE(fs::exists(out + "/map.png")) << "from larger cells";
     if (cache.empty()) continue;
     EXPECT_TRUE(fs::is_empty(cache + "/tiles")) << "what is done leaves no tiles";
   }

@@ -71,9 +71,10 @@ std::vector<recipe::OutputReport> write(const World& world, const std::string& o
   std::mutex one_at_a_time;  // a writer of rows holds some
   const recipe::RowsWriter by_rows = [&](const Output& output, const std::string& path, const io::Provenance& made,
                                          const RunContext& own) {
-    if (goes_by_rows(world, output) && written != nullptr) return written->move_to(output, path);
+    const bool rows = goes_by_rows(world, output);
+    if (rows && written != nullptr) return written->move_to(output, path);
     const std::lock_guard lock(one_at_a_time);
-    if (!goes_by_rows(world, output)) return write_by_windows(world, output, path, made, std::ref(wholes), own);
+    if (!rows) return write_by_windows(world, output, path, made, std::ref(wholes), own);
     write_rows(world, output, path, made, own);
     return true;
   };

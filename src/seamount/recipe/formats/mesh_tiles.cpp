@@ -5,12 +5,11 @@
 #include <cmath>
 #include <filesystem>
 
-#include "seamount/base/parallel.h"
 #include "seamount/geom/mesh/tile_texture.h"
 #include "seamount/geom/mesh/window_mesh.h"
 #include "seamount/io/mesh_file.h"
 #include "seamount/io/mesh_scene.h"
-#include "seamount/io/tiles.h"
+#include "seamount/io/windowed_raster.h"
 #include "seamount/recipe/format.h"
 #include "seamount/recipe/formats/engine_fit.h"
 #include "seamount/recipe/formats/formats.h"
@@ -102,11 +101,9 @@ io::TileMesh written(const Job& job, Mesh mesh, int x, int y, int level) {
   return tile;
 }
 
-/// All levels of a tile.
-std::vector<io::TileMesh> write_tile(const Job& job, int x, int y, const RunContext& run) {
+/// All levels of a tile, from the cells around it.
+std::vector<io::TileMesh> write_tile(const Job& job, int x, int y, const HeightField& heights, const RunContext& run) {
   const geom::CellBox box = job.box(x, y), around = geom::cells_around(box, job.terrain.frame, job.options());
-  const HeightField heights = job.terrain.window(around.first.x, around.first.y, around.last.x - around.first.x + 1,
-                                                 around.last.y - around.first.y + 1);
   std::vector<Mesh> meshes = geom::window_meshes({heights, job.terrain.frame, around.first}, box, job.options(), run);
   std::vector<io::TileMesh> tiles;
   for (size_t level = 0; level < meshes.size(); ++level)
@@ -143,10 +140,18 @@ void write_all(const Job& job, const RunContext& run) {
                       .vertical_scale = job.params.vertical_scale,
                       .tiles = {},
                       .provenance = job.provenance};
-  std::vector<std::vector<io::TileMesh>> made(static_cast<size_t>(set.columns) * static_cast<size_t>(set.rows));
-  parallel_blocks(run.part(0.0, 0.95), static_cast<int64_t>(made.size()), 1, [&](int64_t tile, int64_t) {
-    const auto x = static_cast<int>(tile % set.columns), y = static_cast<int>(tile / set.columns);
-    made[static_cast<size_t>(tile)] = write_tile(job, x, y, {.threads = 1, .cancelled = run.cancelled});
+  std::vector<io::CellWindow> windows;
+  for (int y = 0; y < set.rows; ++y) {
+    for (int x = 0; x < set.columns; ++x) {
+      const geom::CellBox around = geom::cells_around(job.box(x, y), frame, job.options());
+      windows.push_back(
+          {around.first.x, around.first.y, around.last.x - around.first.x + 1, around.last.y - around.first.y + 1});
+    }
+  }
+  std::vector<std::vector<io::TileMesh>> made(windows.size());
+  io::for_each_window(job.terrain, windows, run.part(0.0, 0.95), [&](size_t i, const HeightField& heights) {
+    const auto x = static_cast<int>(i) % set.columns, y = static_cast<int>(i) / set.columns;
+    made[i] = write_tile(job, x, y, heights, {.threads = 1, .cancelled = run.cancelled});
   });
   for (const auto& levels : made) set.tiles.insert(set.tiles.end(), levels.begin(), levels.end());
   io::write_mesh_list(set, job.path);
