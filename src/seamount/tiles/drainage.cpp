@@ -70,7 +70,7 @@ bool Drainage::all_have(const std::function<bool()>& complete) const {
   return agreed(world_.ranks(), world_.ranks().first() && complete());
 }
 
-void Drainage::spread_tiles(const RunContext& run, const std::function<void(int tile)>& body) const {
+void Drainage::each_tile(const RunContext& run, const std::function<void(int tile)>& body) const {
   constexpr double kBytes = 48;  // of a cell, while its tile is flooded
   const int pieces = at_once(kBytes * layout_.size * layout_.size, world_.memory_bytes(), run);
   spread(world_.ranks(), run, layout_.count(), pieces, [&](int tile, const RunContext&) {
@@ -115,7 +115,7 @@ bool Drainage::is_hollow(const geom::PieceWater& water) const {
 /// Waters of tiles that hang together over their borders, and which of them are no sea: geom::raise_inland().
 void Drainage::find_hollows(const RunContext& run) {
   if (std::isinf(sea_m_)) return;
-  spread_tiles(run, [&](int tile) {
+  each_tile(run, [&](int tile) {
     if (waters_->has(tile)) return;
     const geom::PieceWaters waters = geom::find_waters(marked(tile), sea_m_, open_sides(layout_, tile), run_);
     std::vector<int32_t> of_rim(static_cast<size_t>(rim_size(layout_, tile)));
@@ -155,7 +155,7 @@ void Drainage::find_hollows(const RunContext& run) {
 }
 
 void Drainage::flood_tiles(const RunContext& run) {
-  spread_tiles(run, [&](int tile) {
+  each_tile(run, [&](int tile) {
     if (spills_->has(tile) && flooded_->has(tile) && basins_->has(tile)) return;
     geom::Flooded flooded = geom::flood_piece(ground(tile), sea_m_, open_sides(layout_, tile), run_);
     const int32_t first = first_node_[static_cast<size_t>(tile)];

@@ -44,7 +44,7 @@ class Drainage {
   void gather(const RunContext& run);
 
   /// Calls body(tile) for all tiles, spread over ranks and threads: for what is left on disk.
-  void spread_tiles(const RunContext& run, const std::function<void(int tile)>& body) const;
+  void each_tile(const RunContext& run, const std::function<void(int tile)>& body) const;
 
   /// A tile of the input, as it is.
   HeightField terrain(int tile) const;

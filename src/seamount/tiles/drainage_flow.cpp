@@ -64,7 +64,7 @@ std::vector<Risen> from_all(Ranks& ranks, const std::vector<Risen>& mine) {
 
 /// Directions within each tile, and which of its flats reach its rim.
 void Drainage::direct_tiles(const RunContext& run) {
-  spread_tiles(run, [&](int tile) {
+  each_tile(run, [&](int tile) {
     if (flats_->has(tile) && codes_->has(tile)) return;
     const Rect rect = layout_.tile(tile), window = ringed(rect, frame_);
     const HeightField surface = filled_window(window);
@@ -104,10 +104,10 @@ void Drainage::direct(const RunContext& run) {
     world_.check_fits(kBytes * static_cast<double>(around.cells()), "a lake over the borders of tiles",
                       "is drained as a whole", around);
   };
-  spread_tiles(run.part(0.6, 0.8), [&](int tile) {
+  each_tile(run.part(0.6, 0.8), [&](int tile) {
     if (!drained_->has(tile)) drained_->write(tile, flats.drain(tile, read, check, run_));
   });
-  spread_tiles(run.part(0.8, 1.0), [&](int tile) {
+  each_tile(run.part(0.8, 1.0), [&](int tile) {
     if (!directions_->has(tile)) put_flats(tile, flats);
   });
 }
@@ -190,7 +190,7 @@ HeightField Drainage::filled(int tile) const {
 /// Of each rim cell of a tile: over which one leaves what enters there, and, where water leaves over it, its direction
 /// and how much of the tile's own.
 void Drainage::gather_tiles(const RunContext& run) {
-  spread_tiles(run, [&](int tile) {
+  each_tile(run, [&](int tile) {
     if (exits_->has(tile)) return;
     const geom::FlowDirections codes = directions(tile);
     const std::vector<int32_t> exits = geom::rim_exits(codes);

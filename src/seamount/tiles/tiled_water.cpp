@@ -107,7 +107,7 @@ void write_flow(const Drainage& water, const Outputs& outputs, int tile) {
 using WriteTile = void (*)(const Drainage& water, const Outputs& outputs, int tile);
 
 void write_all(const Drainage& water, const Outputs& outputs, WriteTile write, const RunContext& run) {
-  water.spread_tiles(run, [&](int tile) {
+  water.each_tile(run, [&](int tile) {
     if (!outputs.has(tile)) write(water, outputs, tile);
   });
 }
