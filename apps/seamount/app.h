@@ -31,11 +31,14 @@ void add_run_flags(Command command, RunFlags& flags);
 /// Set by Ctrl-C, and by a terminal that is closed.
 std::atomic<bool>& cancel_flag();
 
-/// A context with the flags' threads, Ctrl-C, and a progress line on stderr if that is a terminal.
+/// What a run shows on stderr: a line of progress if that is a terminal; one now and then, since what mpirun passes on
+/// is none; nothing, notes neither, for another rank shows it.
+enum class Shows { line, lines, nothing };
+
+/// A context with the flags' threads, Ctrl-C, and progress on stderr.
 class Session {
  public:
-  /// `quiet`: without progress and notes, which another rank shows.
-  explicit Session(const RunFlags& flags, bool quiet = false);
+  explicit Session(const RunFlags& flags, Shows shows = Shows::line);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;

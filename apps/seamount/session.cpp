@@ -26,26 +26,30 @@ void write_quietly(std::string_view text) noexcept {
   std::fflush(stderr);
 }
 
-/// "45 %, about 12 s left", redrawn in place at most ten times a second.
+/// "45 %, about 12 s left", redrawn in place at most ten times a second, or a new line every ten seconds.
 class ProgressLine {
  public:
+  explicit ProgressLine(bool in_place) : in_place_(in_place) {}
+
   void show(double fraction) {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
-    if (now - drawn_ < std::chrono::milliseconds(100)) return;
+    if (now - drawn_ < std::chrono::milliseconds(in_place_ ? 100 : 10000)) return;
     drawn_ = now;
     const double elapsed = seconds_since(start_);
     std::string left;
     if (fraction > 0.02 && elapsed > 1.0)
       left = fmt::format(", about {:.0f} s left", elapsed * (1.0 - fraction) / fraction);
-    write_quietly(fmt::format("\r\033[K{:3.0f} %{}", 100.0 * fraction, left));
-    shown_ = true;
+    const std::string line = fmt::format("{:3.0f} %{}", 100.0 * fraction, left);
+    write_quietly(in_place_ ? "\r\033[K" + line : line + "\n");
+    shown_ = in_place_;
   }
   void clear() noexcept {
     if (shown_) write_quietly("\r\033[K");
   }
 
  private:
+  bool in_place_;
   std::mutex mutex_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point drawn_ = start_;
@@ -81,16 +85,17 @@ void add_run_flags(Command command, RunFlags& flags) {
   command.add_switch("--json", flags.json, "print the summary as JSON");
 }
 
-Session::Session(const RunFlags& flags, bool quiet) {
+Session::Session(const RunFlags& flags, Shows shows) {
   run_.threads = flags.threads;
   run_.cancelled = &cancel_flag();
-  if (quiet) return;
+  if (shows == Shows::nothing) return;
   run_.note = [](const std::string& line) {
     if (current_line()) current_line()->clear();
     print_message("note: " + line);
   };
-  if (isatty(STDERR_FILENO) == 1) {
-    current_line() = std::make_shared<ProgressLine>();
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  if (terminal || shows == Shows::lines) {
+    current_line() = std::make_shared<ProgressLine>(terminal);
     run_.progress = [line = current_line()](double fraction) { line->show(fraction); };
   }
 }
@@ -164,7 +169,7 @@ void run_and_report(const recipe::Recipe& recipe, const std::string& out_folder,
   {
     RunFlags own = flags;
     if (ranks != nullptr && own.threads == 0) own.threads = tiles::threads_of(*ranks);
-    const Session session(own, quiet);
+    const Session session(own, ranks == nullptr ? Shows::line : quiet ? Shows::nothing : Shows::lines);
     report = flags.tiles > 0 ? tiles::execute(recipe, tiled, session.run())
                              : recipe::execute(recipe, options, session.run());
   }

@@ -201,10 +201,8 @@ void Drainage::find_levels() {
 }
 
 void Drainage::fill(const RunContext& run) {
-  if (!all_have([&] { return spills_->complete() && flooded_->complete() && basins_->complete(); })) {
-    find_hollows(run.part(0.0, 0.2));
-    flood_tiles(run.part(0.2, 1.0));
-  }
+  find_hollows(run.part(0.0, 0.2));
+  flood_tiles(run.part(0.2, 1.0));
   find_levels();
 }
 

@@ -43,7 +43,7 @@ class Drainage {
   /// How many cells drain through each.
   void gather(const RunContext& run);
 
-  /// Calls body(tile) for all tiles, spread over ranks and threads.
+  /// Calls body(tile) for all tiles, spread over ranks and threads: for what is left on disk.
   void each_tile(const RunContext& run, const std::function<void(int tile)>& body) const;
 
   /// A tile of the input, as it is.

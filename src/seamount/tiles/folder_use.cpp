@@ -20,7 +20,13 @@ FolderUse::FolderUse(std::string folder) : folder_(std::move(folder)), file_(fol
   }
 }
 
-FolderUse::~FolderUse() { end(); }
+FolderUse::~FolderUse() {
+  std::error_code ignored;
+  if (lock_ >= 0 && !fs::exists(folder_, ignored))
+    end_and_remove();  // the lock alone
+  else
+    end();
+}
 
 /// False: the file that is locked is no longer the one of that name.
 bool FolderUse::open() {

@@ -237,6 +237,8 @@ TEST_F(TiledRanks, TheLastOneThatUsesAFolderRemovesIt) {
   EXPECT_TRUE(other.end_and_remove());
   EXPECT_FALSE(fs::exists(folder));
   EXPECT_TRUE(fs::is_empty(at("tiles"))) << "nor is the lock left";
+  { const FolderUse never_made(folder); }
+  EXPECT_TRUE(fs::is_empty(at("tiles")));
 }
 
 }  // namespace

@@ -152,6 +152,8 @@ recipe::ExecuteReport execute(const recipe::Recipe& recipe, const TileOptions& o
   report.steps = steps.reports();
   const auto written = written_side_by_side(world, options.out_folder, second);
   by_first(ranks, [&] { report.outputs = write(world, options.out_folder, written ? &*written : nullptr, second); });
+  for (size_t i = 0; written && i < report.outputs.size(); ++i)
+    report.outputs[i].seconds += written->seconds(recipe.outputs[i]);
   world.forget_tiles();
   return report;
 }

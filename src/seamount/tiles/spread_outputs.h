@@ -24,10 +24,13 @@ class SpreadOutputs {
 
   /// Moves an output's file to `path`. False: it was none of them. Throws WriteError.
   bool move_to(const recipe::Output& output, const std::string& path) const;
+  /// What writing it took; 0 if it was none of them. At rank 0.
+  double seconds(const recipe::Output& output) const;
 
  private:
   std::optional<io::PrivateFolder> folder_;  ///< rank 0's
   std::map<const recipe::Output*, std::string> files_;
+  std::map<const recipe::Output*, double> seconds_;
 };
 
 }  // namespace seamount::tiles
