@@ -128,11 +128,11 @@ test("a small move fetches nothing, a large one what comes into view, and a view
 
 test("detail follows a stroke once it is drawn", async () => {
   const key = await desk.key();
-  asked = [];
   await desk.tool(/raise/i);
   const { mouse } = desk.page;
   await mouse.move(...(await desk.place(0.45, 0.45)));
   await mouse.down();
+  asked = [];
   for (let i = 0; i < 8; ++i) {
     await mouse.move(...(await desk.place(0.45 + 0.01 * i, 0.45)));
     await desk.page.waitForTimeout(120);
@@ -143,8 +143,10 @@ test("detail follows a stroke once it is drawn", async () => {
     return (await desk.key()) !== key && (await view("Map").getAttribute("data-coarse")) === "false";
   });
   await until("its detail is drawn", async () => asked.length > 0 && (await detailOf("Map")) === String(cell_m));
+  await desk.rest();
   const newest = (await view("Map").getAttribute("data-key"))!;
-  assert.ok((asked as string[]).some((url) => url.includes(newest)));
+  assert.equal(await detailOf("Map"), String(cell_m));
+  assert.ok((asked as string[]).at(-1)!.includes(newest), "of the newest result");
 });
 
 test("the 3D view has all cells near the eye, none far away", async () => {

@@ -87,6 +87,8 @@ export class Viewport {
   private ahead: View;
   private readonly drawnQuickly = new Set<View>();
   private readonly untold: Untold[] = [];
+  /** Nothing that is wanted is still being computed, and no edit on its way. */
+  private readonly computed: () => boolean;
   private request = 0;
   private restTimer = 0;
   private upload_ms = 0;
@@ -95,6 +97,7 @@ export class Viewport {
   private came = 0;
 
   constructor(mapElement: HTMLElement, worldElement: HTMLElement, studio: Studio) {
+    this.computed = () => studio.engine.peek().settled && !studio.busy.peek();
     this.renderer = new PictureRenderer(() => this.restore());
     const { software } = this.renderer;
     this.map = new MapView(mapElement, software, () => this.moved(this.map), (pixel_m) => (this.scale.value = pixel_m));
@@ -132,6 +135,9 @@ export class Viewport {
     });
     themes.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
     this.stops.push(() => themes.disconnect());
+    this.stops.push(effect(() => {
+      if (studio.engine.value.settled && !studio.busy.value && this.restTimer === 0) this.seekDetail();
+    }));
     let before = this.options.peek();
     this.stops.push(effect(() => {
       const now = this.options.value;
@@ -312,8 +318,9 @@ export class Viewport {
     this.dirty(this.map, this.world);
   }
 
+  /** Neither while a stroke is drawn nor while results of it come in a row: the next one would overtake it. */
   private seekDetail(): void {
-    if (!this.strokes.drawing) for (const detail of this.details) detail.seek();
+    if (!this.strokes.drawing && this.computed()) for (const detail of this.details) detail.seek();
   }
 
   /** Views move: quick pictures now, good ones when they rest. */
