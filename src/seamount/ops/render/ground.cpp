@@ -205,7 +205,7 @@ GroundSample Ground::sample(float x, float y, float footprint) const {
   p.y = y;
   p.z = s.form.height / exaggeration_;
   p.slope = std::sqrt(s.form.east * s.form.east + s.form.south * s.form.south) / exaggeration_;
-  p.northness = -s.form.south / exaggeration_;
+  p.northness = s.form.south / exaggeration_;
   p.concavity = s.cover.concavity;
   p.wet = s.cover.wet;
   p.rain = s.cover.rain;

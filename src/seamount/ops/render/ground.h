@@ -20,7 +20,7 @@ namespace seamount::render {
 /// Form of the ground at a place.
 struct FormTexel {
   float height = 0.0F;              ///< metres over the water, exaggerated
-  float east = 0.0F, south = 0.0F;  ///< slope towards east and south, exaggerated
+  float east = 0.0F, south = 0.0F;  ///< rise towards east and south, exaggerated
   float sun = 1.0F;                 ///< lit share of the sun
   friend FormTexel operator+(FormTexel a, FormTexel b) {
     return {a.height + b.height, a.east + b.east, a.south + b.south, a.sun + b.sun};

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "seamount/base/error.h"
 #include "seamount/ops/render/test_terrain.h"
 
@@ -34,6 +36,24 @@ TEST(Texture, GreensAreMuted) {
       EXPECT_LE(c.g, 1.45 * c.r + 12.0);
     }
   }
+}
+
+TEST(Texture, SnowStaysOnTheSideThatTheSunDoesNotReach) {
+  HeightField ridge(GridFrame::centred(128, 128, 50.0));  // from west to east
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 128; ++x) ridge(x, y) = 2700.0F - 0.5F * static_cast<float>(std::abs(ridge.frame().y(y)));
+  const auto whiter_in_the_north = [&](double latitude) {
+    TextureParams params{.size_px = 128, .baked_light = 0.0, .snow_line_m = 2000.0};
+    params.climate.latitude_deg = latitude;
+    params.climate.wind_from_deg = 270;
+    const Image image = texture(ridge, nullptr, params, {});
+    double sum = 0;
+    for (int y = 0; y < 128; ++y)
+      for (int x = 0; x < 128; ++x) sum += (y < 64 ? 1 : -1) * static_cast<int>(image.pixel(x, y)[2]);
+    return sum / (64 * 128);
+  };
+  EXPECT_GT(whiter_in_the_north(46), 8);
+  EXPECT_LT(whiter_in_the_north(-46), -8);
 }
 
 TEST(Texture, LabelsTurnGroundToReefAndSand) {

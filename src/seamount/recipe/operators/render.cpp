@@ -61,7 +61,7 @@ void add_views(Registry& registry) {
       }));
   registry.add(make_operator<render::PerspectiveParams>(
       {.name = "render.perspective",
-       .revision = 5,
+       .revision = 6,
        .summary = "A picture from a point of view, with sun, shadows, sky and water"},
       inputs(terrain_in(), labels_in(),
              optional_in<kinds::Things>("things", "what stands on it, drawn from its models"), lake_in(), rivers_in()),
@@ -72,7 +72,7 @@ void add_views(Registry& registry) {
                                    call.run);
       }));
   registry.add(make_operator<render::TextureParams>(
-      {.name = "render.texture", .revision = 4, .summary = "The ground from above, as a texture for meshes"},
+      {.name = "render.texture", .revision = 5, .summary = "The ground from above, as a texture for meshes"},
       inputs(terrain_in(), labels_in(), lake_in(), rivers_in()), picture_out(),
       [](const render::TextureParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
          const ScalarField* lake, Lines rivers) {
