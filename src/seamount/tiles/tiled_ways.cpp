@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "seamount/tiles/tiled_import.h"
 #include "seamount/tiles/tiled_resample.h"
 #include "seamount/tiles/tiled_water.h"
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr TiledWay kWays[] = {{"hydrology.fill", fill_refusal, run_tiled_fill},
                               {"hydrology.flow", flow_refusal, run_tiled_flow},
+                              {"terrain.import", import_refusal, run_tiled_import, import_size},
                               {"terrain.resample", resample_refusal, run_tiled_resample}};
 
 }  // namespace

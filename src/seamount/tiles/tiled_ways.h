@@ -2,6 +2,7 @@
 // own.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "seamount/tiles/world.h"
@@ -19,6 +20,8 @@ struct TiledWay {
   std::string (*refusal)(const recipe::Step& step, const recipe::PlannedStep& planned);
   /// Makes the outputs that are read and keeps them. What it reads from other steps is there. Throws NeedsWhole.
   void (*run)(World& world, size_t step, const RunContext& run);
+  /// Of what has no raster among its inputs: the size of what it reads from files, before it has read them.
+  std::optional<GridFrame> (*size)(const World& world, size_t step) = nullptr;
 };
 
 /// nullptr: there is none.

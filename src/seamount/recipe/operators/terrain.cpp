@@ -17,6 +17,7 @@
 #include "seamount/ops/terrain/smooth.h"
 #include "seamount/ops/terrain/terrace.h"
 #include "seamount/recipe/degrees.h"
+#include "seamount/recipe/import_params.h"
 #include "seamount/recipe/ports.h"
 
 namespace seamount::recipe {
@@ -26,60 +27,6 @@ using kinds::Field, kinds::Terrain;
 
 const char* const kHeights = "heights in metres";
 const char* const kOwnPlace = "at its own place";
-
-/// terrain.import has no algorithm of its own: it is the raster reader with its options as parameters.
-struct ImportParams {
-  FilePath file;
-  std::optional<double> cell_m;
-  std::optional<double> low_m;
-  std::optional<double> high_m;
-  bool fill_voids = false;
-  int band = 0;
-  io::ElevationCoding coding = io::ElevationCoding::numbers;
-  std::string unit;
-  std::string crs;
-  io::ByteOrder byte_order = io::ByteOrder::little;
-
-  static constexpr auto fields() {
-    using P = ImportParams;
-    return std::tuple(
-        field(&P::file, "file", "GeoTIFF, HGT, ASC, PNG, EXR, R16, R32 or NPY file"),
-        field(&P::cell_m, "cell_m", "m", between(1e-4, 1e6), "cell size, where the file does not say"),
-        field(&P::low_m, "low_m", "m", between(-20000, 20000), "height of the lowest code of an 8- or 16-bit image"),
-        field(&P::high_m, "high_m", "m", between(-20000, 20000), "height of the highest code of an 8- or 16-bit image"),
-        field(&P::fill_voids, "fill_voids",
-              "give cells without data the heights that the rims of their holes lead to; otherwise they stay unknown"),
-        field(&P::band, "band", "", between(0, 1000),
-              "band of a raster with several; 0: the first, unless they are colours"),
-        field(&P::coding, "coding",
-              "how heights are held: numbers, or in the colours of web map tiles: terrarium, mapbox (Terrain-RGB)"),
-        field(&P::unit, "unit", "unit of the heights, such as feet, where the file says none or a wrong one"),
-        field(&P::crs, "crs",
-              "coordinate system, such as EPSG:4326, where the file says none or a wrong one; local: metres"),
-        field(&P::byte_order, "byte_order", "which byte of a sample of a raw 16-bit file comes first: little, big"));
-  }
-};
-
-/// What a document in a coordinate system imports comes into it.
-io::ReadOptions read_options(const ImportParams& params, const Call& call, const RunContext& run) {
-  if (params.low_m.has_value() != params.high_m.has_value())
-    throw InvalidArgument("low_m", "low_m and high_m go together");
-  io::ReadOptions options;
-  options.cell_m = params.cell_m;
-  if (params.low_m) {
-    if (*params.low_m >= *params.high_m)
-      throw InvalidArgument("low_m", format_number(*params.low_m) + " is not below high_m");
-    options.range = io::HeightRange{*params.low_m, *params.high_m};
-  }
-  if (params.band > 0) options.band = params.band;
-  options.coding = params.coding;
-  options.unit = params.unit;
-  options.crs = params.crs;
-  options.byte_order = params.byte_order;
-  options.into = call.domain.crs;
-  options.run = run;
-  return options;
-}
 
 /// terrain.join: as import, of several files.
 struct JoinParams {
@@ -319,7 +266,7 @@ void add_terrain_operators(Registry& registry) {
            "any field",
        .stochastic = true,
        .looks = "at its own place; with slope, aspect and curvature 2 scale_m around, with region as far as its "
-                "limits; with depth, and where heights are unknown, at everything"},
+                "limits; with depth, and where heights are unknown with slope, aspect and curvature, at everything"},
       inputs(with_voids(in<Terrain>("terrain", kHeights)),
              optional_in<kinds::Labels>("labels", "its regions, for the criterion region"),
              optional_in<kinds::Drawing>("drawing", "areas and lines, for the criteria area and line"),
