@@ -27,6 +27,7 @@ using kinds::Field, kinds::Terrain;
 
 const char* const kHeights = "heights in metres";
 const char* const kOwnPlace = "at its own place";
+const char* const kByRelief = "at its own place, once the lowest and the highest of the whole are known";
 
 /// terrain.join: as import, of several files.
 struct JoinParams {
@@ -83,7 +84,7 @@ HeightField join(const JoinParams& params, const Call& call) {
 
 std::tuple<ScalarField, ScalarField, ScalarField> layers(const LayerBorders& params, const Call& call,
                                                          const HeightField& terrain) {
-  geom::Layers made = terrain::layers(terrain, params, call.run);
+  geom::Layers made = terrain::layers(terrain, params, call.run, call.whole);
   return {std::move(made.low), std::move(made.middle), std::move(made.high)};
 }
 
@@ -204,18 +205,21 @@ void add_shaping(Registry& registry) {
 void add_drawing(Registry& registry) {
   registry.add(make_operator<terrain::SculptParams>(
       {.name = "terrain.sculpt",
-       .revision = 2,
+       .revision = 3,
        .summary = "Strokes of a pen raise, lower, smooth, flatten, slope, roughen the ground, and are erased",
-       .stochastic = true},
+       .stochastic = true,
+       .looks = "at its own place; with smooth, and with flatten and ramp without stated heights, at everything"},
       inputs(with_voids(in<Terrain>("terrain", kHeights)),
              optional_in<Field>("mask", "where it is done, 0 to 1; everywhere if open")),
       outputs(out<Terrain>("terrain", kHeights)),
       [](const terrain::SculptParams& params, const Call& call, const HeightField& terrain, const ScalarField* mask) {
-        return terrain::sculpt(terrain, mask, params, call.seed, call.run);
-      }));
+        return terrain::sculpt(terrain, mask, params, call.seed, call.run, call.whole);
+      },
+      [](const terrain::SculptParams& params, double) { return terrain::sculpt_reach(params); }));
   registry.add(make_operator<terrain::PaintParams>(
       {.name = "terrain.paint",
-       .summary = "A field painted with a pen: a mask, a density, a hardness, where ground is to be made anew"},
+       .summary = "A field painted with a pen: a mask, a density, a hardness, where ground is to be made anew",
+       .looks = kOwnPlace},
       inputs(with_voids(optional_in<Field>("values", "what is painted on; `base` everywhere if open")),
              with_voids(optional_in<Terrain>("terrain", "where the field is to lie; its heights do not count"))),
       outputs(out<Field>("values", "the painted field")),
@@ -223,8 +227,9 @@ void add_drawing(Registry& registry) {
         const GridFrame& frame = values != nullptr    ? values->frame()
                                  : terrain != nullptr ? terrain->frame()
                                                       : call.domain;
-        return terrain::paint(frame, values, params, call.run);
-      }));
+        return terrain::paint(frame, values, params, call.run, call.whole);
+      },
+      [](const terrain::PaintParams&, double) { return Reach::place(); }));
 }
 
 void add_joining(Registry& registry) {
@@ -244,10 +249,12 @@ void add_joining(Registry& registry) {
       {.name = "terrain.compose",
        .revision = 2,
        .summary = "Several terrains in one domain, moved, turned and scaled, with feathered seams",
-       .source = "Porter and Duff 1984"},
+       .source = "Porter and Duff 1984",
+       .looks = "at everything; with places and outside_m at its own place in the domain, at the whole terrains"},
       inputs(with_voids(placed(Placing::system, in_rows<Terrain>(kMostTerrains, {"terrain"}, {"the lowest terrain"},
                                                                  {"a terrain over those before it"})))),
-      outputs(out<Terrain>("terrain", kHeights)), compose));
+      outputs(out<Terrain>("terrain", kHeights)), compose,
+      [](const terrain::ComposeParams& params, double) { return terrain::compose_reach(params); }));
 }
 
 }  // namespace
@@ -278,16 +285,20 @@ void add_terrain_operators(Registry& registry) {
         return terrain::mask({terrain, labels, drawing, values, mask}, params, call.seed, call.run);
       },
       terrain::mask_reach));
-  registry.add(make_operator<LayerBorders>(
-      {.name = "terrain.layers",
-       .revision = 2,
-       .summary = "How much of each place is low, middle and high ground: three masks that sum to one",
-       .source = "P4 sec. 3.4, eq. 3-6",
-       .looks = "at everything; with stated borders and no variation at its own place"},
-      inputs(in<Terrain>("terrain", kHeights)),
-      outputs(out<Field>("low", "share of the low layer"), out<Field>("middle", "share of the middle layer"),
-              out<Field>("high", "share of the high layer")),
-      layers, [](const LayerBorders& params, double) { return geom::layers_reach(params); }));
+  registry.add(settled_by_relief<LayerBorders>(
+      make_operator<LayerBorders>(
+          {.name = "terrain.layers",
+           .revision = 2,
+           .summary = "How much of each place is low, middle and high ground: three masks that sum to one",
+           .source = "P4 sec. 3.4, eq. 3-6",
+           .looks = kByRelief},
+          inputs(in<Terrain>("terrain", kHeights)),
+          outputs(out<Field>("low", "share of the low layer"), out<Field>("middle", "share of the middle layer"),
+                  out<Field>("high", "share of the high layer")),
+          layers, [](const LayerBorders& params, double) { return geom::layers_reach(params); }),
+      [](const LayerBorders& params, float lowest, float highest) {
+        return geom::stated(params, geom::relief_borders(params, lowest, highest));
+      }));
 }
 
 }  // namespace seamount::recipe
