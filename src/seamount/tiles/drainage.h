@@ -39,11 +39,15 @@ class Drainage {
   /// How many cells drain through each.
   void gather(const RunContext& run);
 
+  /// The catchments, once cells are gathered: numbers of their mouths, from the largest on.
+  void number_basins(const RunContext& run);
+
   /// A tile of the input, as it is.
   HeightField terrain(int tile) const;
   HeightField filled(int tile) const;
   geom::FlowDirections directions(int tile) const;
   Grid<uint64_t> cells(int tile) const;
+  Grid<int32_t> basins(int tile) const;  ///< 0 for open water
 
   /// Removes what was kept on disk.
   void forget() const noexcept;
@@ -57,6 +61,9 @@ class Drainage {
   void fill_tiles(const std::vector<float>& levels, const RunContext& run);
   HeightField filled_window(const Rect& rect) const;
   HeightField with_ring(int tile) const;
+  int32_t entered_from(int tile, int32_t cell, uint8_t code) const;
+  void follow_to_mouths(const std::vector<int32_t>& next, const std::vector<int32_t>& end);
+  int32_t basin_at(int tile, int32_t cell) const;
   void each_tile(const RunContext& run, const std::function<void(int tile)>& body) const;
   std::shared_ptr<const StoredRaster> store(const std::string& name) const;
   int32_t node_of(const RimPlace& place) const { return first_node_[static_cast<size_t>(place.tile)] + place.rim; }
@@ -74,6 +81,11 @@ class Drainage {
   std::shared_ptr<const StoredRaster> filled_, codes_;
   std::vector<float> tilted_;       ///< by node: heights of rims once they fall; empty: filled as it is
   std::vector<uint64_t> entering_;  ///< by node: what enters a tile there
+  struct Numbered {
+    int32_t cell, basin;
+  };
+  std::vector<std::vector<Numbered>> mouths_;  ///< of each tile, by cell
+  std::vector<int32_t> basin_of_node_;         ///< of what is at a rim cell
 };
 
 }  // namespace seamount::tiles

@@ -53,6 +53,11 @@ void StepsRun::prepare_all() {
     const auto found = forced_.contains(step) ? std::nullopt : locality(world_, step, frame_of);
     if (found) {
       make(found->wholes);
+      if (find_tiled_way(world_.step(step)) != nullptr && !world_.fit(found->wholes)) {
+        run_whole(step);
+        continue;
+      }
+      if (found->measured) make({found->inputs.front().from});
       if (auto local = local_step(world_, step, *found, frame_of, run_)) {
         locals_.emplace(step, std::move(*local));
         continue;

@@ -94,6 +94,11 @@ void write_flow(const Drainage& water, const Outputs& outputs, int tile) {
     if (outputs.wants("area"))
       outputs.write("area", tile, of_cells(frame, [&](size_t i) { return count(i) * cell_m2; }));
   }
+  if (outputs.wants("basins")) {
+    const Grid<int32_t> basins = water.basins(tile);
+    outputs.write("basins", tile,
+                  of_cells(frame, [&](size_t i) { return known(i, static_cast<float>(basins.data()[i])); }));
+  }
   if (outputs.wants("direction")) {
     const geom::FlowDirections codes = water.directions(tile);
     outputs.write("direction", tile, of_cells(frame, [&](size_t i) { return known(i, bearing_deg(codes.data()[i])); }));
@@ -123,8 +128,7 @@ std::string fill_refusal(const recipe::Step& step, const recipe::PlannedStep& pl
 
 std::string flow_refusal(const recipe::Step& step, const recipe::PlannedStep& planned) {
   if (step.in.at("terrain").from_file()) return "its terrain comes from a file";
-  if (planned.ports.contains("basins") || planned.ports.contains("catchments"))
-    return "catchments are numbered from everything";
+  if (planned.ports.contains("catchments")) return "the areas of catchments are traced from everything; basins are not";
   if (step.in.contains("sinks")) return "sinks are looked at from everything";
   return params_of<hydrology::FlowParams>(step).method != hydrology::FlowMethod::d8
              ? "only the method d8 is run in tiles"
@@ -154,7 +158,9 @@ void run_tiled_flow(World& world, size_t step, const RunContext& run) {
   if (!outputs.complete()) {
     water.fill(run.part(0.0, 0.4));
     water.direct(run.part(0.4, 0.6));
-    if (outputs.wants("cells") || outputs.wants("area")) water.gather(run.part(0.6, 0.8));
+    const bool basins = outputs.wants("basins");
+    if (basins || outputs.wants("cells") || outputs.wants("area")) water.gather(run.part(0.6, 0.7));
+    if (basins) water.number_basins(run.part(0.7, 0.8));
     write_all(water, outputs, write_flow, run.part(0.8, 1.0));
   }
   outputs.keep();

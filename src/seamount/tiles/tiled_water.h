@@ -1,5 +1,5 @@
 // hydrology.fill and hydrology.flow on rasters that do not fit into memory (drainage.h). Not: breaching, lakes, flow to
-// several neighbours, sinks, catchments.
+// several neighbours, sinks, areas of catchments.
 #pragma once
 
 #include <string>

@@ -25,7 +25,7 @@ std::string recipe_of(const std::string& steps, const std::string& fill, const s
          flow + R"(}}],
   "outputs": [{"from": "filled.terrain", "path": "filled.tif"}, {"from": "filled.change", "path": "change.tif"},
     {"from": "flow.cells", "path": "cells.tif"}, {"from": "flow.area", "path": "area.tif"},
-    {"from": "flow.direction", "path": "direction.tif"}, {"from": "flow.terrain", "path": "surface.tif"}]})";
+    {"from": "flow.basins", "path": "basins.tif"}, {"from": "flow.direction", "path": "direction.tif"}, {"from": "flow.terrain", "path": "surface.tif"}]})";
 }
 
 struct Case {
@@ -73,7 +73,8 @@ TEST_P(TiledWater, HasTheBytesOfTheWhole) {
     std::vector<std::string> said;
     constexpr uint64_t kTooLittle = 3000000;  // for 383 x 303 cells as a whole
     execute(recipe, {out, "", tile, kTooLittle}, {.note = [&](const std::string& line) { said.push_back(line); }});
-    for (const char* name : {"filled.tif", "change.tif", "cells.tif", "area.tif", "direction.tif", "surface.tif"}) {
+    for (const char* name :
+         {"filled.tif", "change.tif", "cells.tif", "area.tif", "direction.tif", "basins.tif", "surface.tif"}) {
       const ScalarField a = io::read_field(out + "/" + name), b = io::read_field(folder("whole") + "/" + name);
       ASSERT_EQ(a.frame(), b.frame());
       int64_t differ = 0, first = -1;
