@@ -61,21 +61,25 @@ void Drainage::each_tile(const RunContext& run, const std::function<void(int til
 
 HeightField Drainage::terrain(int tile) const { return heights_of(world_.window(terrain_, layout_.tile(tile))); }
 
-HeightField Drainage::marked(int tile) const {
-  HeightField piece = terrain(tile);
+HeightField Drainage::marked(int tile) const { return bed(layout_.tile(tile)); }
+
+HeightField Drainage::bed(const Rect& rect) const {
+  HeightField piece = heights_of(world_.window(terrain_, rect));
   for (float& z : piece.cells())
     if (std::isnan(z)) z = geom::kUnknownGround;
   return piece;
 }
 
-HeightField Drainage::ground(int tile) const {
+HeightField Drainage::ground(int tile) const { return ground(tile, std::nextafter(sea_m_, INFINITY)); }
+
+HeightField Drainage::ground(int tile, float hollow_m) const {
   HeightField piece = marked(tile);
   const auto& hollow = hollows_[static_cast<size_t>(tile)];
   if (std::find(hollow.begin(), hollow.end(), true) == hollow.end()) return piece;
   const geom::PieceWaters waters = geom::find_waters(piece, sea_m_, open_sides(layout_, tile), run_);
   for (size_t i = 0; i < piece.size(); ++i) {
     const int32_t water = waters.of.data()[i];
-    if (water >= 0 && hollow[static_cast<size_t>(water)]) piece.data()[i] = std::nextafter(sea_m_, INFINITY);
+    if (water >= 0 && hollow[static_cast<size_t>(water)]) piece.data()[i] = hollow_m;
   }
   return piece;
 }

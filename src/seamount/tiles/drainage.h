@@ -27,6 +27,12 @@ class Drainage {
            const RunContext& run);
 
   const Layout& layout() const { return layout_; }
+  const GridFrame& frame() const { return frame_; }
+
+  /// Which waters below sea level are no sea. fill() does it first. Throws NeedsWhole as it does.
+  void find_hollows(const RunContext& run);
+  /// The terrain with unknown cells marked and all hollows at one height. After find_hollows().
+  HeightField ground(int tile, float hollow_m) const;
 
   // In this order, as far as they are wanted; each reports its own progress.
   /// The filled surface, unknown cells at geom::kUnknownGround. Throws NeedsWhole for enclosed waters below sea level
@@ -48,15 +54,20 @@ class Drainage {
   geom::FlowDirections directions(int tile) const;
   Grid<uint64_t> cells(int tile) const;
   Grid<int32_t> basins(int tile) const;  ///< 0 for open water
+  /// How many catchments have at least so many cells, about.
+  size_t basins_of_at_least(double cells) const;
+
+  /// Any window of the terrain with unknown cells marked, and of the filled surface, before it is tilted.
+  HeightField bed(const Rect& rect) const;
+  HeightField level(const Rect& rect) const { return filled_window(rect); }
 
   /// Removes what was kept on disk.
   void forget() const noexcept;
 
  private:
-  /// The terrain with unknown cells marked and hollows raised.
+  /// With hollows raised out of the sea.
   HeightField ground(int tile) const;
   HeightField marked(int tile) const;
-  void find_hollows(const RunContext& run);
   std::vector<geom::Spill> all_spills(const RunContext& run);
   void fill_tiles(const std::vector<float>& levels, const RunContext& run);
   HeightField filled_window(const Rect& rect) const;
@@ -86,6 +97,7 @@ class Drainage {
   };
   std::vector<std::vector<Numbered>> mouths_;  ///< of each tile, by cell
   std::vector<int32_t> basin_of_node_;         ///< of what is at a rim cell
+  std::vector<uint64_t> drained_;              ///< by basins, from number 1 on
 };
 
 }  // namespace seamount::tiles

@@ -1,7 +1,7 @@
 // Which outlet each cell drains to (drainage.h).
 #include <algorithm>
-#include <tuple>
 
+#include "seamount/geom/water/inland.h"
 #include "seamount/tiles/drainage.h"
 
 namespace seamount::tiles {
@@ -64,6 +64,8 @@ void Drainage::number_basins(const RunContext& run) {
   std::sort(mouths.begin(), mouths.end(), [](const Mouth& a, const Mouth& b) {
     return a.drained != b.drained ? a.drained > b.drained : a.place < b.place;
   });
+  drained_.clear();
+  for (const Mouth& mouth : mouths) drained_.push_back(mouth.drained);
   mouths_.assign(static_cast<size_t>(layout_.count()), {});
   for (size_t i = 0; i < mouths.size(); ++i)
     mouths_[static_cast<size_t>(mouths[i].tile)].push_back({mouths[i].cell, static_cast<int32_t>(i + 1)});
@@ -105,6 +107,12 @@ int32_t Drainage::basin_at(int tile, int32_t cell) const {
   return found != of_tile.end() && found->cell == cell ? found->basin : 0;
 }
 
+size_t Drainage::basins_of_at_least(double cells) const {
+  const auto smaller = std::find_if(drained_.begin(), drained_.end(),
+                                    [&](uint64_t drained) { return static_cast<double>(drained) < 0.999 * cells; });
+  return static_cast<size_t>(smaller - drained_.begin());
+}
+
 Grid<int32_t> Drainage::basins(int tile) const {
   const geom::FlowDirections codes = directions(tile);
   Grid<int32_t> basins(codes.frame(), -1);
@@ -119,6 +127,9 @@ Grid<int32_t> Drainage::basins(int tile) const {
     }
   }
   geom::label_upstream(codes, basins, run_);
+  const HeightField z = bed(layout_.tile(tile));  // of what drains into the unknown, that is no part
+  for (size_t i = 0; i < basins.size(); ++i)
+    if (z.data()[i] == geom::kUnknownGround) basins.data()[i] = 0;
   return basins;
 }
 

@@ -74,8 +74,9 @@ std::optional<Locality> locality(const World& world, size_t index,
 
 std::optional<LocalStep> local_step(const World& world, size_t index, const Locality& found,
                                     const std::function<const GridFrame&(const OutputOf&)>& frame_of,
-                                    const RunContext& run) {
+                                    const RunContext& run, const recipe::Json* params) {
   const Step& step = world.step(index);
+  const recipe::Json& given = params != nullptr ? *params : step.params;
   LocalStep made;
   made.index = index;
   made.inputs = found.inputs;
@@ -89,7 +90,7 @@ std::optional<LocalStep> local_step(const World& world, size_t index, const Loca
   if (found.measured && !(relief = relief_of(world, found.inputs[0].from, run))) throw MeetsUnknown{index};
   try {
     bring_wholes(world, step, made, run);
-    made.params = relief ? settled(*step.op, step.params, *relief) : step.params;
+    made.params = relief ? settled(*step.op, given, *relief) : given;
     made.reach = step.op->reach(made.params, made.frame.cell_m);
   } catch (...) {
     recipe::rethrow_with_step(step);

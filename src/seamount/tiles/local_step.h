@@ -49,10 +49,11 @@ struct Locality {
 std::optional<Locality> locality(const World& world, size_t index,
                                  const std::function<const GridFrame&(const OutputOf&)>& frame_of);
 
-/// The step, whose whole and measured inputs are there; nothing if its parameters make it look at everything, or
-/// further than the raster is large. Throws MeetsUnknown where what is measured has cells without a value.
+/// The step, with its own or other `params`, whose whole and measured inputs are there; nothing if its parameters make
+/// it look at everything, or further than the raster is large. Throws MeetsUnknown where what is measured has cells
+/// without a value.
 std::optional<LocalStep> local_step(const World& world, size_t index, const Locality& found,
                                     const std::function<const GridFrame&(const OutputOf&)>& frame_of,
-                                    const RunContext& run);
+                                    const RunContext& run, const recipe::Json* params = nullptr);
 
 }  // namespace seamount::tiles

@@ -1,4 +1,4 @@
-// terrain.resample tile by tile against the whole: from a file's cells to the domain's and to others.
+// terrain.resample and terrain.crop tile by tile against the whole: from a file's cells to the domain's and to others.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -17,19 +17,24 @@ namespace fs = std::filesystem;
 
 struct Case {
   const char* name;
+  const char* op;
   const char* params;
   const char* domain;
 };
 
 // clang-format off
 const Case kCases[] = {
-    {"onto_smaller_cells", R"("centre": false)", R"("width_m": 9000, "height_m": 7000, "cell_m": 11.3)"},
-    {"onto_larger_cells", R"("centre": false)", R"("width_m": 9000, "height_m": 7000, "cell_m": 47.1)"},
-    {"in_the_middle_beyond_the_edge", R"("centre": true, "beyond": "edge")", R"("width_m": 17000, "height_m": 15000, "cell_m": 30)"},
-    {"of_one_lattice", R"("centre": false)", R"("width_m": 6260, "height_m": 6260, "cell_m": 31.3)"},
-    {"stretched", R"("scale": 1.7)", R"("width_m": 17000, "height_m": 15000, "cell_m": 40)"},
-    {"to_smaller_cells", R"("cell_m": 19.99)", R"("width_m": 900)"},
-    {"to_larger_cells_stretched", R"("cell_m": 120, "scale": 2.3)", R"("width_m": 900)"},
+    {"onto_smaller_cells", "terrain.resample", R"("centre": false)", R"("width_m": 9000, "height_m": 7000, "cell_m": 11.3)"},
+    {"onto_larger_cells", "terrain.resample", R"("centre": false)", R"("width_m": 9000, "height_m": 7000, "cell_m": 47.1)"},
+    {"in_the_middle_beyond_the_edge", "terrain.resample", R"("centre": true, "beyond": "edge")", R"("width_m": 17000, "height_m": 15000, "cell_m": 30)"},
+    {"of_one_lattice", "terrain.resample", R"("centre": false)", R"("width_m": 6260, "height_m": 6260, "cell_m": 31.3)"},
+    {"stretched", "terrain.resample", R"("scale": 1.7)", R"("width_m": 17000, "height_m": 15000, "cell_m": 40)"},
+    {"to_smaller_cells", "terrain.resample", R"("cell_m": 19.99)", R"("width_m": 900)"},
+    {"cut_out_in_the_middle", "terrain.crop", R"("width_m": 5000.7, "height_m": 3000)", R"("width_m": 900)"},
+    {"cut_out_around_the_summit", "terrain.crop", R"("width_m": 5000.7, "around": "highest")", R"("width_m": 900)"},
+    {"cut_out_around_the_deepest", "terrain.crop", R"("width_m": 3000.7, "around": "lowest")", R"("width_m": 900)"},
+    {"cut_out_at_a_place", "terrain.crop", R"("width_m": 5000.7, "x_m": 5000, "y_m": -1234)", R"("width_m": 900)"},
+    {"to_larger_cells_stretched", "terrain.resample", R"("cell_m": 120, "scale": 2.3)", R"("width_m": 900)"},
 };
 // clang-format on
 
@@ -60,7 +65,7 @@ TEST_P(TiledResample, HasTheBytesOfTheWhole) {
       {"id": "dem", "op": "terrain.import", "params": {"file": ")" +
                                                          folder("dem.tif") +
                                                          R"("}},
-      {"id": "laid", "op": "terrain.resample", "params": {)" +
+      {"id": "laid", "op": ")" + GetParam().op + R"(", "params": {)" +
                                                          GetParam().params + R"(}}],
       "outputs": [{"from": "laid", "path": "laid.tif"}]})",
                                                      "resample.json", "");

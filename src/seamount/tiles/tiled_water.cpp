@@ -11,6 +11,8 @@
 #include "seamount/ops/hydrology/flow.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/tiles/drainage.h"
+#include "seamount/tiles/traced_water.h"
+#include "seamount/tiles/windows.h"
 
 namespace seamount::tiles {
 namespace {
@@ -29,11 +31,14 @@ class Outputs {
  public:
   Outputs(World& world, size_t step, const GridFrame& frame) : world_(world), step_(step) {
     for (const std::string& port : world.plan().steps[step].ports) {
-      if (!world.has({step, port})) stored_[port] = world.on_disk({step, port}, frame);
+      if (!world.has({step, port}) && is_raster(*world.step(step).op->find_out(port)->kind))
+        stored_[port] = world.on_disk({step, port}, frame);
     }
   }
 
   bool wants(const std::string& port) const { return stored_.contains(port); }
+  /// REQUIRES: wants it.
+  std::shared_ptr<const StoredRaster> raster(const std::string& port) const { return stored_.at(port); }
   bool complete() const {
     return std::all_of(stored_.begin(), stored_.end(), [](const auto& item) { return item.second->complete(); });
   }
@@ -116,19 +121,37 @@ void write_all(const Drainage& water, const Outputs& outputs, WriteTile write, c
   }
 }
 
+RunContext quiet(const RunContext& run) { return {run.threads, {}, run.cancelled, run.note}; }
+
+void keep_drawing(World& world, const OutputOf& output, Drawing drawing) {
+  world.keep(output, Value::of<kinds::Drawing>(std::move(drawing)));
+}
+
+/// Numbers of catchments, as they are written out or beside that.
+std::shared_ptr<const StoredRaster> numbers_on_disk(const World& world, size_t step, const Drainage& water,
+                                                    const Outputs& outputs) {
+  if (outputs.wants("basins")) return outputs.raster("basins");
+  auto stored = world.on_disk_as({step, "-basins"}, kinds::Field::kind(), water.frame());
+  for (int tile = 0; tile < water.layout().count(); ++tile) {
+    if (stored->has(tile)) continue;
+    const Grid<int32_t> basins = water.basins(tile);
+    stored->write(tile, Value::of<kinds::Field>(
+                            of_cells(basins.frame(), [&](size_t i) { return static_cast<float>(basins.data()[i]); })));
+  }
+  return stored;
+}
+
 }  // namespace
 
-std::string fill_refusal(const recipe::Step& step, const recipe::PlannedStep& planned) {
+std::string fill_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
   if (step.in.at("terrain").from_file()) return "its terrain comes from a file";
-  if (planned.ports.contains("lakes")) return "lakes are traced from everything";
   return params_of<hydrology::FillParams>(step).depressions == hydrology::Depressions::breach
              ? "breaching looks at everything; depressions fill does not"
              : "";
 }
 
-std::string flow_refusal(const recipe::Step& step, const recipe::PlannedStep& planned) {
+std::string flow_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
   if (step.in.at("terrain").from_file()) return "its terrain comes from a file";
-  if (planned.ports.contains("catchments")) return "the areas of catchments are traced from everything; basins are not";
   if (step.in.contains("sinks")) return "sinks are looked at from everything";
   return params_of<hydrology::FlowParams>(step).method != hydrology::FlowMethod::d8
              ? "only the method d8 is run in tiles"
@@ -140,8 +163,10 @@ void run_tiled_fill(World& world, size_t step, const RunContext& run) {
   const OutputOf terrain = world.output_of(world.step(step).in.at("terrain"));
   Outputs outputs(world, step, world.frame(terrain));
   Drainage water(world, step, terrain, params.sea ? 0.0F : geom::kNoSea, params.min_sea_m2, run);
-  if (!outputs.complete()) {
+  const bool lakes = world.plan().steps[step].ports.contains("lakes");
+  if (lakes || !outputs.complete()) {
     water.fill(run.part(0.0, 0.4));
+    if (lakes) keep_drawing(world, {step, "lakes"}, trace_tiled_lakes(world, water, params.min_lake_m2, quiet(run)));
     if (params.descend) water.direct(run.part(0.4, 0.6));
     if (params.descend) water.tilt(run.part(0.6, 0.8));
     write_all(water, outputs, write_fill, run.part(0.8, 1.0));
@@ -155,13 +180,22 @@ void run_tiled_flow(World& world, size_t step, const RunContext& run) {
   const OutputOf terrain = world.output_of(world.step(step).in.at("terrain"));
   Outputs outputs(world, step, world.frame(terrain));
   Drainage water(world, step, terrain, params.sea ? 0.0F : geom::kNoSea, params.min_sea_m2, run);
-  if (!outputs.complete()) {
+  const bool catchments = world.plan().steps[step].ports.contains("catchments");
+  if (catchments || !outputs.complete()) {
     water.fill(run.part(0.0, 0.4));
     water.direct(run.part(0.4, 0.6));
-    const bool basins = outputs.wants("basins");
+    const bool basins = catchments || outputs.wants("basins");
     if (basins || outputs.wants("cells") || outputs.wants("area")) water.gather(run.part(0.6, 0.7));
     if (basins) water.number_basins(run.part(0.7, 0.8));
     write_all(water, outputs, write_flow, run.part(0.8, 1.0));
+    if (catchments) {
+      constexpr double kCatchmentPart = 500.0;  // of the terrain, as hydrology.flow has it
+      const double least =
+          params.min_catchment_m2.value_or(water.frame().width_m() * water.frame().height_m() / kCatchmentPart);
+      const auto numbers = numbers_on_disk(world, step, water, outputs);
+      keep_drawing(world, {step, "catchments"}, trace_tiled_catchments(world, water, *numbers, least, quiet(run)));
+      if (!outputs.wants("basins")) numbers->remove();
+    }
   }
   outputs.keep();
   water.forget();

@@ -5,6 +5,8 @@
 
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "seamount/io/raster.h"
 #include "seamount/tiles/run.h"
@@ -25,7 +27,16 @@ std::string recipe_of(const std::string& steps, const std::string& fill, const s
          flow + R"(}}],
   "outputs": [{"from": "filled.terrain", "path": "filled.tif"}, {"from": "filled.change", "path": "change.tif"},
     {"from": "flow.cells", "path": "cells.tif"}, {"from": "flow.area", "path": "area.tif"},
-    {"from": "flow.basins", "path": "basins.tif"}, {"from": "flow.direction", "path": "direction.tif"}, {"from": "flow.terrain", "path": "surface.tif"}]})";
+    {"from": "flow.basins", "path": "basins.tif"}, {"from": "flow.direction", "path": "direction.tif"}, {"from": "flow.terrain", "path": "surface.tif"},
+    {"from": "filled.lakes", "path": "lakes.geojson"}, {"from": "flow.catchments", "path": "catchments.geojson"}]})";
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  EXPECT_FALSE(text.str().empty()) << path;
+  return text.str();
 }
 
 struct Case {
@@ -86,6 +97,9 @@ TEST_P(TiledWater, HasTheBytesOfTheWhole) {
       EXPECT_EQ(differ, 0) << name << " in tiles of " << tile << ", first at column " << first % a.width() << ", row "
                            << first / a.width();
     }
+    for (const char* name : {"lakes.geojson", "catchments.geojson"})
+      EXPECT_TRUE(bytes_of(out + "/" + name) == bytes_of(folder("whole") + "/" + name))
+          << name << ", tiles of " << tile;
   }
 }
 

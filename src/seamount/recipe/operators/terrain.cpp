@@ -16,7 +16,7 @@
 #include "seamount/ops/terrain/sea_floor.h"
 #include "seamount/ops/terrain/smooth.h"
 #include "seamount/ops/terrain/terrace.h"
-#include "seamount/recipe/degrees.h"
+#include "seamount/recipe/crop_place.h"
 #include "seamount/recipe/import_params.h"
 #include "seamount/recipe/ports.h"
 
@@ -152,21 +152,7 @@ void add_sampling(Registry& registry) {
 }
 
 HeightField crop(const terrain::CropParams& params, const Call& call, const HeightField& terrain) {
-  terrain::CropParams placed = params;
-  const GridFrame& frame = terrain.frame();
-  const Degrees degrees{params.longitude_deg, params.latitude_deg};
-  const auto place = place_in_metres(degrees, params.x_m || params.y_m, frame, "", "x_m and y_m");
-  if (place) {
-    const double east = 0.5 * params.width_m, north = 0.5 * params.height_m.value_or(params.width_m);
-    if (!Extent{frame.crs, place->x - east, place->y - north, place->x + east, place->y + north}.overlaps(
-            Extent::of(frame)))
-      throw InvalidArgument("longitude_deg", "the rectangle around " +
-                                                 degrees_text(Vec2{*degrees.longitude, *degrees.latitude}) +
-                                                 " lies beside the terrain, which covers " + degrees_text(frame));
-    placed.x_m = place->x;
-    placed.y_m = place->y;
-  }
-  return terrain::crop(terrain, placed, call.run);
+  return terrain::crop(terrain, in_metres(params, terrain.frame()), call.run);
 }
 
 void add_shaping(Registry& registry) {
