@@ -17,13 +17,15 @@ RECIPE = """{ "seamount": 1, "seed": 5, "domain": { "width_m": %d, "height_m": %
     { "id": "land", "op": "terrain.noise", "params": { "wavelength_m": 6000, "base_m": -300 } },
     { "id": "steep", "op": "terrain.mask", "params": { "criteria": [{ "tool": "slope", "low_deg": 20, "scale_m": 90 }] } },
     { "id": "worn", "op": "terrain.smooth", "in": { "terrain": "land", "mask": "steep" }, "params": { "radius_m": 60 } },
-    { "id": "filled", "op": "hydrology.fill", "params": { "min_sea_m2": 1e6 } },
+    { "id": "filled", "op": "hydrology.fill", "params": { "min_sea_m2": 1e6, "min_lake_m2": 5e4 } },
     { "id": "flow", "op": "hydrology.flow", "params": { "min_sea_m2": 1e6 } } ],
   "outputs": [
     { "from": "worn.terrain", "path": "height.tif" },
     { "from": "filled.terrain", "path": "filled.tif" },
+    { "from": "filled.lakes", "path": "lakes.geojson" },
+    { "from": "flow.catchments", "path": "catchments.geojson" },
     { "from": "flow.area", "path": "water.tif" } ] }"""
-FILES = ["height.tif", "filled.tif", "water.tif"]
+FILES = ["height.tif", "filled.tif", "lakes.geojson", "catchments.geojson", "water.tif"]
 
 
 class World:

@@ -80,10 +80,12 @@ double scale_error(const Placement& p, int width, int height) {
   return worst;
 }
 
-CellFinder::CellFinder(const Placement& from, int width, const Placement& to, int to_width, const GdalCall& call)
+CellFinder::CellFinder(const Placement& from, int width, const Placement& to, int to_width, const GdalCall& call,
+                       int first)
     : from_(from),
       to_(to),
       width_(width),
+      first_(first),
       middle_x_(to.west + 0.5 * to_width * to.cell_x),
       period_(period_of(to.system)) {
   const bool none = from.system.IsEmpty() || to.system.IsEmpty();
@@ -94,7 +96,7 @@ CellFinder::CellFinder(const Placement& from, int width, const Placement& to, in
 
 CellFinder::Line CellFinder::lattice_line(double row) {
   Line line;
-  for (int i = 0; i < (width_ - 1) / kStep + 2; ++i) {
+  for (int i = first_ / kStep; i < (first_ + width_ - 1) / kStep + 2; ++i) {
     line.columns.push_back(from_.x(i * kStep));
     line.rows.push_back(from_.y(row));
   }
@@ -116,14 +118,14 @@ void CellFinder::locate(int y, std::span<double> columns, std::span<double> rows
     top_ = top;
   }
   const double v = static_cast<double>(y - top) / kStep;
-  for (int x = 0; x < width_; ++x) {
-    const auto i = static_cast<size_t>(x / kStep);
+  for (int x = first_; x < first_ + width_; ++x) {
+    const auto i = static_cast<size_t>(x / kStep - first_ / kStep);
     const double u = static_cast<double>(x % kStep) / kStep;
     const auto between = [&](const std::vector<double>& a, const std::vector<double>& b) {
       return (1 - v) * ((1 - u) * a[i] + u * a[i + 1]) + v * ((1 - u) * b[i] + u * b[i + 1]);
     };
-    columns[static_cast<size_t>(x)] = between(upper_.columns, lower_.columns);
-    rows[static_cast<size_t>(x)] = between(upper_.rows, lower_.rows);
+    columns[static_cast<size_t>(x - first_)] = between(upper_.columns, lower_.columns);
+    rows[static_cast<size_t>(x - first_)] = between(upper_.rows, lower_.rows);
   }
 }
 

@@ -35,8 +35,9 @@ double scale_error(const Placement& placement, int width, int height);
 /// every 16th cell and linear between, which is off by less than a hundredth of a cell for cells below a kilometre.
 class CellFinder {
  public:
-  /// Throws IoError through `call` where there is no way between the systems.
-  CellFinder(const Placement& from, int width, const Placement& to, int to_width, const GdalCall& call);
+  /// For `width` columns of `from` from `first` on. Throws IoError through `call` where there is no way between the
+  /// systems.
+  CellFinder(const Placement& from, int width, const Placement& to, int to_width, const GdalCall& call, int first = 0);
 
   /// Fractional columns and rows in `to` of the cells of row y of `from`; NaN where there is no such place. Rows in
   /// ascending order are fastest.
@@ -50,7 +51,7 @@ class CellFinder {
 
   const Placement& from_;
   const Placement& to_;
-  int width_;
+  int width_, first_;
   double middle_x_, period_;
   TransformPtr way_;
   int top_ = -1;

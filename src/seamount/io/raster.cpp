@@ -124,8 +124,7 @@ void place(Stored& stored, const std::string& name, const ReadOptions& options, 
     return;
   }
   if (options.cell_m && std::abs(*options.cell_m / grid.cell_m() - 1) > 1e-6)
-    options.run.say(name + ": states its own cells, of " + format_number(grid.cell_m()) +
-                    " m; cell_m = " + format_number(*options.cell_m) + " is ignored");
+    say_own_cells(name, grid.cell_m(), *options.cell_m, options.run);
 }
 
 /// Codes to heights. A range given for real values maps 0..1, which is what other tools export.
@@ -143,15 +142,6 @@ void apply_range(Stored& stored, const std::string& name, const ReadOptions& opt
     throw InvalidArgument("range", "low_m must be below high_m");
   const double scale = (range->high_m - range->low_m) / (stored.code_max > 0 ? stored.code_max : 1.0);
   for (float& z : stored.values.cells()) z = static_cast<float>(range->low_m + z * scale);
-}
-
-void treat_voids(Grid<float>& grid, const std::string& name, const ReadOptions& options) {
-  const int64_t count = voids_of(grid);
-  if (count == 0) return;
-  const auto all = static_cast<int64_t>(grid.size());
-  if (count == all) throw IoError(name, "none of its " + std::to_string(all) + " cells has a value");
-  const std::string share = std::to_string(count) + " of " + std::to_string(all) + " cells have no value";
-  options.run.say(name + ": " + share);
 }
 
 /// What can be done before the place is known.
@@ -234,32 +224,6 @@ std::vector<uint8_t> encode_label_rows(const LabelMap& labels) {
 
 }  // namespace
 
-bool must_be_degrees(const Placement& p, const Grid<float>& values, bool heights) {
-  const double width = values.width() * p.cell_x, height = values.height() * p.cell_y;
-  const bool on_globe = std::abs(p.west) <= 361 && p.west + width <= 541 && p.north <= 91 && p.north - height >= -91;
-  if (!p.system.IsEmpty() || !on_globe || p.cell_x >= 1) return false;
-  RasterInfo info;
-  count_values(values, info);
-  const double relief = info.max - info.min;
-  constexpr double kSurelyDegrees = 0.05;
-  constexpr double kSteeperThanAnything = 5.0;  // relief over extent; a cliff is 1, degrees give 10 and more
-  if (!heights || !(relief > 0)) return p.cell_x < kSurelyDegrees;
-  return relief > kSteeperThanAnything * std::max(width, height);
-}
-
-void choose_system(Stored& stored, const std::string& name, const ReadOptions& options, Meaning meaning) {
-  if (!options.crs.empty()) {
-    stored.placement->system = OGRSpatialReference();
-    if (options.crs != "local") stored.placement->system = *parse_crs(options.crs);
-    stored.crs = options.crs == "local" ? "" : crs_text(&stored.placement->system);
-  } else if (!stored.local && must_be_degrees(*stored.placement, stored.values, meaning == Meaning::heights)) {
-    stored.placement->system = lonlat_system();
-    options.run.say(name +
-                    ": says nothing of its coordinate system; its numbers can only be degrees and are taken as "
-                    "longitude and latitude (\"crs\" states another; \"local\": metres)");
-  }
-}
-
 Loaded load_raster(const std::string& path, const ReadOptions& options, Meaning meaning) {
   check_readable(path);
   refuse_options(path, options);
@@ -278,7 +242,7 @@ Grid<float> finish_raster(Loaded loaded, const std::string& name, const ReadOpti
   const bool heights = meaning == Meaning::heights && !stored.ours;
   const bool metres = heights && stored.code_max == 0 && !options.range;
   if (metres) take_out_impossible_heights(stored.values, name, options.run);
-  treat_voids(stored.values, name, options);
+  say_voids(voids_of(stored.values), static_cast<int64_t>(stored.values.size()), name, options.run);
   place(stored, name, options, loaded.sidecar, meaning);
   apply_range(stored, name, options, loaded.sidecar, meaning);
   if (heights && !metres) take_out_impossible_heights(stored.values, name, options.run);

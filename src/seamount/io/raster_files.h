@@ -39,6 +39,14 @@ Loaded load_raster(const std::string& path, const ReadOptions& options, Meaning 
 /// True if a place without a system can only be in degrees: on the globe, and no metres because the land would be
 /// steeper than anything.
 bool must_be_degrees(const Placement& placement, const Grid<float>& values, bool heights);
+/// The same of a raster that is not in memory. `relief`: between its lowest and its highest value.
+bool must_be_degrees(const Placement& placement, int columns, int rows, double relief, bool heights);
+/// What is said of one that is taken for degrees.
+void say_degrees(const std::string& name, const RunContext& run);
+/// What is said where cell_m is given for a file that states its own cells.
+void say_own_cells(const std::string& name, double own_m, double told_m, const RunContext& run);
+/// Says how many cells have no value. Throws IoError if none has.
+void say_voids(int64_t unknown, int64_t all, const std::string& name, const RunContext& run);
 
 /// Settles in which system a stored raster with a placement lies: the one that is told, the file's own, or degrees
 /// where its numbers can be nothing else, which is said.

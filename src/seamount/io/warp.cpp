@@ -165,17 +165,21 @@ Settlement settle(const Placement& p, int width, int height, const GdalCall& cal
   return settlement;
 }
 
-Warped warp_to_metres(const Grid<float>& stored, const Placement& p, const Settlement& settlement, const Layout& layout,
-                      const GdalCall& call, const RunContext& run) {
+GridFrame warped_frame(const Placement& p, int width, int height, const Settlement& settlement, const Layout& layout,
+                       const GdalCall& call, bool& turned) {
   const auto metres = parse_crs(settlement.crs);
   TransformPtr way;
   if (metres && metres->IsSame(&p.system) == 0) {
     way.reset(OGRCreateCoordinateTransformation(&p.system, metres.get()));
     if (!way) call.fail("its coordinate reference system cannot be used");
   }
+  return target_frame(p, width, height, settlement.crs, way.get(), layout, call, turned);
+}
+
+Warped warp_to_metres(const Grid<float>& stored, const Placement& p, const Settlement& settlement, const Layout& layout,
+                      const GdalCall& call, const RunContext& run) {
   bool turned = false;
-  const GridFrame frame =
-      target_frame(p, stored.width(), stored.height(), settlement.crs, way.get(), layout, call, turned);
+  const GridFrame frame = warped_frame(p, stored.width(), stored.height(), settlement, layout, call, turned);
   Grid<float> warped(frame);
   const Placement target = placement_of(frame);
   CellFinder finder(target, frame.width, p, stored.width(), call);

@@ -29,6 +29,11 @@ struct Settlement {
 /// than 20 degrees of longitude across that cannot be kept.
 Settlement settle(const Placement& placement, int width, int height, const GdalCall& call);
 
+/// Where warp_to_metres() lays a raster, and whether it is turned against north so far that all of it is covered though
+/// the layout did not ask for it.
+GridFrame warped_frame(const Placement& placement, int width, int height, const Settlement& settlement,
+                       const Layout& layout, const GdalCall& call, bool& turned);
+
 struct Warped {
   Grid<float> raster;
   bool turned = false;  ///< against north, so far that all of it is covered though the layout did not ask for it

@@ -192,4 +192,15 @@ Operator make_operator(Operator row, std::tuple<Inputs...> ins, std::tuple<Out<K
   return made;
 }
 
+/// An operator whose parameters say all of the whole, once settle(params, lowest, highest) has told them of the lowest
+/// and the highest cell of its first raster.
+template <class Params, class Settle>
+Operator settled_by_relief(Operator made, Settle settle) {
+  made.settled = [settle](const Json& complete_params, float lowest, float highest) -> Json {
+    Diagnostics diagnostics;
+    return write_params(settle(read_params<Params>(complete_params, {"", diagnostics}), lowest, highest));
+  };
+  return made;
+}
+
 }  // namespace seamount::recipe

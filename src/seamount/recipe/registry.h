@@ -43,6 +43,7 @@ struct Call {
   Seed seed;                  ///< for stochastic operators
   const std::string& folder;  ///< relative file names are relative to it
   const RunContext& run;
+  const GridFrame* whole = nullptr;  ///< of what is run window by window: the frame of all of it
 
   /// A file parameter as a path that can be opened.
   std::string resolve(const FilePath& file) const;
@@ -70,6 +71,9 @@ struct Operator {
   /// How far a cell of the outputs looks on rasters whose cells are the first one's (Placing::cells), or on nothing, in
   /// the domain's cells; what else is put in is always looked at as a whole. Empty: everything.
   std::function<Reach(const Json& complete_params, double cell_m)> reach;
+  /// The parameters with which it looks no further than that, once the lowest and the highest cell of its first raster
+  /// are known. Empty: there are none.
+  std::function<Json(const Json& complete_params, float lowest, float highest)> settled = {};
 
   const Port* find_in(std::string_view port) const;
   const Port* find_out(std::string_view port) const;

@@ -50,19 +50,20 @@ Drainage::Drainage(const World& world, size_t step, OutputOf terrain, float sea_
   flats_ = notes("-flats");
   drained_ = notes("-drained");
   exits_ = notes("-exits");
+  ends_ = notes("-ends");
 }
 
 Drainage::Raster Drainage::raster(const std::string& name, const recipe::Kind& kind) const {
   return world_.on_disk_as({step_, name}, kind, frame_);
 }
 
-Drainage::Notes Drainage::notes(const std::string& name) const {
+std::shared_ptr<const StoredNotes> Drainage::notes(const std::string& name) const {
   return std::make_shared<const StoredNotes>(world_.folder_of({step_, name}), layout_.count());
 }
 
 void Drainage::forget() const {
   remove_together(world_.ranks(), std::vector<Raster>{flooded_, basins_, codes_, directions_});
-  remove_together(world_.ranks(), std::vector<Notes>{waters_, spills_, flats_, drained_, exits_});
+  remove_together(world_.ranks(), std::vector<Notes>{waters_, spills_, flats_, drained_, exits_, ends_});
 }
 
 /// Is something there on the disk? All ranks get the answer of the first.
@@ -81,22 +82,24 @@ void Drainage::each_tile(const RunContext& run, const std::function<void(int til
 
 HeightField Drainage::terrain(int tile) const { return heights_of(world_.window(terrain_, layout_.tile(tile))); }
 
-HeightField Drainage::marked(int tile) const {
-  HeightField piece = terrain(tile);
+HeightField Drainage::bed(const Rect& rect) const {
+  HeightField piece = heights_of(world_.window(terrain_, rect));
   for (float& z : piece.cells())
     if (std::isnan(z)) z = geom::kUnknownGround;
   return piece;
 }
 
-HeightField Drainage::ground(int tile) const {
-  HeightField piece = marked(tile);
+HeightField Drainage::ground(int tile) const { return ground(tile, std::nextafter(sea_m_, INFINITY)); }
+
+HeightField Drainage::ground(int tile, float hollow_m) const {
+  HeightField piece = bed(layout_.tile(tile));
   if (hollows_.empty()) return piece;
   const auto& hollow = hollows_[static_cast<size_t>(tile)];
   if (std::find(hollow.begin(), hollow.end(), true) == hollow.end()) return piece;
   const geom::PieceWaters waters = geom::find_waters(piece, sea_m_, open_sides(layout_, tile), run_);
   for (size_t i = 0; i < piece.size(); ++i) {
     const int32_t water = waters.of.data()[i];
-    if (water >= 0 && hollow[static_cast<size_t>(water)]) piece.data()[i] = std::nextafter(sea_m_, INFINITY);
+    if (water >= 0 && hollow[static_cast<size_t>(water)]) piece.data()[i] = hollow_m;
   }
   return piece;
 }
@@ -117,7 +120,8 @@ void Drainage::find_hollows(const RunContext& run) {
   if (std::isinf(sea_m_)) return;
   each_tile(run, [&](int tile) {
     if (waters_->has(tile)) return;
-    const geom::PieceWaters waters = geom::find_waters(marked(tile), sea_m_, open_sides(layout_, tile), run_);
+    const geom::PieceWaters waters =
+        geom::find_waters(bed(layout_.tile(tile)), sea_m_, open_sides(layout_, tile), run_);
     std::vector<int32_t> of_rim(static_cast<size_t>(rim_size(layout_, tile)));
     for (int32_t rim = 0; rim < static_cast<int32_t>(of_rim.size()); ++rim)
       of_rim[static_cast<size_t>(rim)] = waters.of.data()[geom::rim_cell(rim, waters.of.width(), waters.of.height())];

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "seamount/geom/water/pieces.h"
@@ -31,26 +32,40 @@ class Drainage {
            const RunContext& run);
 
   const Layout& layout() const { return layout_; }
+  const GridFrame& frame() const { return frame_; }
+
+  /// Which waters below sea level are no sea. fill() does it first. Throws NeedsWhole as it does.
+  void find_hollows(const RunContext& run);
+  /// The terrain with unknown cells marked and all hollows at one height. After find_hollows().
+  HeightField ground(int tile, float hollow_m) const;
 
   // In this order, as far as they are wanted, by all ranks; each reports its own progress.
   /// The filled surface, unknown cells at geom::kUnknownGround. Throws NeedsWhole for enclosed waters below sea level
   /// of a hundredth of the terrain and more, which are sea or not by the lowest way out of them.
   void fill(const RunContext& run);
-  /// The directions on it.
-  void direct(const RunContext& run);
+  void direct(const RunContext& run);  ///< the directions on it
   /// Lets filled ground fall along the directions, in place of the filled surface that filled() gives.
   void tilt(const RunContext& run);
-  /// How many cells drain through each.
-  void gather(const RunContext& run);
+  void gather(const RunContext& run);  ///< how many cells drain through each
+
+  /// The catchments, once cells are gathered: numbers of their mouths, from the largest on.
+  void number_basins(const RunContext& run);
 
   /// Calls body(tile) for all tiles, spread over ranks and threads: for what is left on disk.
   void each_tile(const RunContext& run, const std::function<void(int tile)>& body) const;
+  std::shared_ptr<const StoredNotes> notes(const std::string& name) const;  ///< under the step's key
 
   /// A tile of the input, as it is.
   HeightField terrain(int tile) const;
   HeightField filled(int tile) const;
   geom::FlowDirections directions(int tile) const;
   Grid<uint64_t> cells(int tile) const;
+  Grid<int32_t> basins(int tile) const;           ///< 0 for open water
+  size_t basins_of_at_least(double cells) const;  ///< about how many have so many cells
+
+  /// Any window of the terrain with unknown cells marked, and of the filled surface, before it is tilted.
+  HeightField bed(const Rect& rect) const;
+  HeightField level(const Rect& rect) const { return filled_window(rect); }
 
   /// Removes what was kept on disk.
   void forget() const;
@@ -59,11 +74,9 @@ class Drainage {
   using Raster = std::shared_ptr<const StoredRaster>;
   using Notes = std::shared_ptr<const StoredNotes>;
 
-  /// The terrain with unknown cells marked and hollows raised.
+  /// With hollows raised out of the sea.
   HeightField ground(int tile) const;
-  HeightField marked(int tile) const;
   bool is_hollow(const geom::PieceWater& water) const;
-  void find_hollows(const RunContext& run);
   void flood_tiles(const RunContext& run);
   void find_levels();
   HeightField filled_window(const Rect& rect) const;
@@ -73,9 +86,12 @@ class Drainage {
   void put_flats(int tile, const BorderFlats& flats) const;
   std::vector<bool> tilt_round(const std::vector<int>& tiles);
   void gather_tiles(const RunContext& run);
+  int32_t entered_from(int tile, int32_t cell, uint8_t code) const;
+  void note_mouths(int tile) const;
+  void follow_to_mouths(const std::vector<int32_t>& next, const std::vector<int32_t>& end);
+  int32_t basin_at(int tile, int32_t cell) const;
   bool all_have(const std::function<bool()>& complete) const;
   Raster raster(const std::string& name, const recipe::Kind& kind) const;
-  Notes notes(const std::string& name) const;
   int32_t node_of(const RimPlace& place) const { return first_node_[static_cast<size_t>(place.tile)] + place.rim; }
 
   const World& world_;
@@ -90,11 +106,14 @@ class Drainage {
   std::vector<std::vector<bool>> hollows_;  ///< of each tile's waters
   Raster flooded_, basins_;                 ///< each tile's own level, and over which rim cell (+ 1) its water leaves
   Raster codes_, directions_;               ///< without the flats across borders, and with them
-  Notes waters_, spills_, flats_, drained_, exits_;
+  Notes waters_, spills_, flats_, drained_, exits_, ends_;
   std::vector<float> levels_;       ///< by node: at which it overflows
   std::vector<float> rims_;         ///< by node: filled heights of rims
   std::vector<float> tilted_;       ///< by node: heights of rims once they fall; empty: filled as it is
   std::vector<uint64_t> entering_;  ///< by node: what enters a tile there
+  std::vector<std::unordered_map<int32_t, int32_t>> mouths_;  ///< of each tile: basins by cell
+  std::vector<int32_t> basin_of_node_;                        ///< of what is at a rim cell
+  std::vector<uint64_t> basin_cells_;                         ///< by basins, from number 1 on
 };
 
 }  // namespace seamount::tiles

@@ -4,12 +4,11 @@
 #include <limits>
 #include <mutex>
 #include <numeric>
-#include <sstream>
 
 #include "seamount/recipe/kinds.h"
-#include "seamount/recipe/value_stream.h"
 #include "seamount/tiles/border_flats.h"
 #include "seamount/tiles/drainage.h"
+#include "seamount/tiles/rank_lists.h"
 #include "seamount/tiles/spread.h"
 
 namespace seamount::tiles {
@@ -40,25 +39,6 @@ struct Risen {
   int32_t node;
   float height;
 };
-
-/// What all ranks have found, everywhere.
-std::vector<Risen> from_all(Ranks& ranks, const std::vector<Risen>& mine) {
-  const auto bytes = [](const std::vector<Risen>& list) {
-    std::ostringstream text;
-    recipe::Writer(text).list(list);
-    return text.str();
-  };
-  const auto list = [](const std::string& text) {
-    std::istringstream in(text);
-    return recipe::Reader(in).list<Risen>();
-  };
-  std::vector<Risen> all;
-  for (const std::string& one : ranks.gather(bytes(mine))) {
-    const std::vector<Risen> more = list(one);
-    all.insert(all.end(), more.begin(), more.end());
-  }
-  return list(ranks.share(bytes(all)));
-}
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 
 #include "seamount/recipe/one_frame.h"
 #include "seamount/recipe/step_work.h"
+#include "seamount/tiles/relief.h"
 #include "seamount/tiles/windows.h"
 
 namespace seamount::tiles {
@@ -35,6 +36,14 @@ void bring_wholes(const World& world, const Step& step, LocalStep& made, const R
   made.wholes = std::move(in);
 }
 
+/// Parameters that the relief of the whole has told of it; as they are where its values are beyond what may be stated.
+recipe::Json settled(const recipe::Operator& op, const recipe::Json& params, const Relief& relief) {
+  recipe::Json made = op.settled(params, relief.lowest, relief.highest);
+  recipe::Diagnostics diagnostics;
+  op.complete(made, {"", diagnostics});
+  return diagnostics.empty() ? made : params;
+}
+
 }  // namespace
 
 std::optional<Locality> locality(const World& world, size_t index,
@@ -58,13 +67,16 @@ std::optional<Locality> locality(const World& world, size_t index,
   for (const LocalStep::Input& input : found.inputs) {
     if (!(frame_of(input.from) == frame_of(found.inputs[0].from))) return std::nullopt;  // brought onto its cells
   }
+  if (step.op->settled && !found.inputs.empty())
+    found.measured = !step.op->reach(step.params, frame_of(found.inputs[0].from).cell_m).local();
   return found;
 }
 
 std::optional<LocalStep> local_step(const World& world, size_t index, const Locality& found,
                                     const std::function<const GridFrame&(const OutputOf&)>& frame_of,
-                                    const RunContext& run) {
+                                    const RunContext& run, const recipe::Json* params) {
   const Step& step = world.step(index);
+  const recipe::Json& given = params != nullptr ? *params : step.params;
   LocalStep made;
   made.index = index;
   made.inputs = found.inputs;
@@ -74,9 +86,12 @@ std::optional<LocalStep> local_step(const World& world, size_t index, const Loca
                                         [&, &name = port](const auto& input) { return input.port->name == name; });
     if (!source.from_file() && !by_windows) made.wholes[port] = world.whole(world.output_of(source));
   }
+  std::optional<Relief> relief;
+  if (found.measured && !(relief = relief_of(world, found.inputs[0].from, run))) throw MeetsUnknown{index};
   try {
     bring_wholes(world, step, made, run);
-    made.reach = step.op->reach(step.params, made.frame.cell_m);
+    made.params = relief ? settled(*step.op, given, *relief) : given;
+    made.reach = step.op->reach(made.params, made.frame.cell_m);
   } catch (...) {
     recipe::rethrow_with_step(step);
   }
@@ -96,7 +111,7 @@ Values LocalStep::run(const World& world, const Rect& rect, const std::vector<re
   const GridFrame seen = domain == frame ? window_frame(domain, rect) : domain;
   try {
     Values out =
-        step.op->run(step.params, in, {seen, world.recipe().domain_stated, step.seed, world.recipe().folder, run});
+        step.op->run(params, in, {seen, world.recipe().domain_stated, step.seed, world.recipe().folder, run, &frame});
     for (const auto& [port, value] : out) {
       if (value.frame()->width != rect.width || value.frame()->height != rect.height)
         throw Error("makes a raster of other cells than it was taken for; this is a mistake of Seamount's");

@@ -24,6 +24,7 @@ struct LocalStep {
   };
 
   size_t index = 0;
+  recipe::Json params;  ///< the step's; with what they are on the whole, where they hang on it
   Reach reach;
   GridFrame frame;            ///< of what it reads by windows and of all that it makes
   GridFrame domain;           ///< the document's, as the step sees it
@@ -40,6 +41,7 @@ struct LocalStep {
 struct Locality {
   std::vector<LocalStep::Input> inputs;
   std::vector<OutputOf> wholes;  ///< inputs from steps that it looks at as wholes
+  bool measured = false;         ///< the lowest and the highest cell of its first input count: that must be there
 };
 
 /// Nothing if the step looks at everything by its operator or by how it is connected. `frame_of`: where a raster lies
@@ -47,10 +49,11 @@ struct Locality {
 std::optional<Locality> locality(const World& world, size_t index,
                                  const std::function<const GridFrame&(const OutputOf&)>& frame_of);
 
-/// The step, whose whole inputs are there; nothing if its parameters make it look at everything, or further than the
-/// raster is large.
+/// The step, with its own or other `params`, whose whole and measured inputs are there; nothing if its parameters make
+/// it look at everything, or further than the raster is large. Throws MeetsUnknown where what is measured has cells
+/// without a value.
 std::optional<LocalStep> local_step(const World& world, size_t index, const Locality& found,
                                     const std::function<const GridFrame&(const OutputOf&)>& frame_of,
-                                    const RunContext& run);
+                                    const RunContext& run, const recipe::Json* params = nullptr);
 
 }  // namespace seamount::tiles

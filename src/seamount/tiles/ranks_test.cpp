@@ -158,20 +158,28 @@ std::string bytes_of(const std::string& path) {
   return text.str();
 }
 
-/// Chains, a step that is run as a whole, one that is small, water over the borders of tiles.
+/// Chains, a step that is run as a whole, one that is small, water over the borders of tiles, with its lakes and
+/// catchments, a mask by depth, colours that hang on the relief, a part cut out.
 const char* const kWorld = R"({"seamount": 1, "seed": 9,
   "domain": {"width_m": 12000, "height_m": 9500, "cell_m": 31.3},
   "steps": [
     {"id": "hills", "op": "terrain.noise", "params": {"wavelength_m": 5000, "base_m": -120}},
     {"id": "steep", "op": "terrain.mask", "in": "hills", "params": {"criteria": [{"tool": "slope", "low_deg": 14, "scale_m": 150}]}},
-    {"id": "filled", "op": "hydrology.fill", "in": {"terrain": "hills"}},
+    {"id": "filled", "op": "hydrology.fill", "in": {"terrain": "hills"}, "params": {"min_lake_m2": 4000}},
     {"id": "soft", "op": "terrain.smooth", "in": {"terrain": "filled.terrain", "mask": "steep"}, "params": {"radius_m": 90}},
     {"id": "flow", "op": "hydrology.flow", "in": {"terrain": "soft"}},
+    {"id": "traced", "op": "hydrology.flow", "in": {"terrain": "filled.terrain"}, "params": {"min_catchment_m2": 90000}},
+    {"id": "wet", "op": "terrain.mask", "in": {"terrain": "hills"}, "params": {"criteria": [{"tool": "depth", "low_m": 2, "falloff_m": 20}]}},
+    {"id": "layered", "op": "terrain.layers", "in": {"terrain": "soft"}},
+    {"id": "peak", "op": "terrain.crop", "in": {"terrain": "soft"}, "params": {"around": "highest", "width_m": 7000, "height_m": 6000}},
     {"id": "coarse", "op": "terrain.resample", "in": {"terrain": "soft"}, "params": {"cell_m": 200}},
     {"id": "isle", "op": "classify.terrain", "in": {"terrain": "coarse"}}],
   "outputs": [
     {"from": "soft.terrain", "path": "height.tif"}, {"from": "flow.area", "path": "water.tif"},
     {"from": "filled.change", "path": "change.tif"}, {"from": "isle.labels", "path": "labels.tif"},
+    {"from": "filled.lakes", "path": "lakes.geojson"}, {"from": "flow.basins", "path": "basins.tif"},
+    {"from": "flow.catchments", "path": "catchments.geojson"}, {"from": "traced.catchments", "path": "traced.geojson"},
+    {"from": "wet", "path": "wet.tif"}, {"from": "layered.high", "path": "layered.tif"}, {"from": "peak", "path": "peak.tif"},
     {"from": "soft.terrain", "path": "u.r16", "as": "tiles", "engine": "unreal", "tile_size": 127},
     {"from": "soft.terrain", "path": "m.glb", "as": "mesh_tiles", "tile_size": 200, "texture_px": 0},
     {"from": "soft.terrain", "path": "map.png", "as": "map", "width_px": 200}]})";
@@ -200,8 +208,9 @@ TEST_F(TiledRanks, MakeTheSameBytes) {
       execute(recipe, {out, cache, 90 + count, kTooLittle, &ranks}, {.threads = 1, .cancelled = &cancelled});
     });
     for (const auto& failure : failures) EXPECT_FALSE(failure) << failure->text;
-    for (const char* name : {"height.tif", "water.tif", "change.tif", "labels.tif", "u_x3_y2.r16", "u_tiles.json",
-                             "m_x1_y1_lod0.glb", "m.gltf"})
+    for (const char* name :
+         {"height.tif", "water.tif", "change.tif", "labels.tif", "lakes.geojson", "basins.tif", "catchments.geojson",
+          "traced.geojson", "wet.tif", "layered.tif", "peak.tif", "u_x3_y2.r16", "u_tiles.json", "m_x1_y1_lod0.glb", "m.gltf"})
       EXPECT_TRUE(bytes_of(out + "/" + name) == bytes_of(at("one/") + name)) << name << ", " << count << " ranks";
     EXPECT_TRUE(fs::exists(out + "/map.png")) << "from larger cells";
     if (cache.empty()) continue;

@@ -47,9 +47,34 @@ const std::vector<Case> kCases = {
     {"terrain.mask", R"({"criteria": [{"tool": "line", "falloff_m": 2000}], "combine": "max"})"},
     {"terrain.mask", R"({"criteria": [{"tool": "depth"}]})", false},
     {"terrain.layers", R"({"low_m": -20, "low_error_m": 30, "high_m": 60, "high_error_m": 20, "variation": 0})"},
-    {"terrain.layers", "{}", false},
+    {"terrain.layers", R"({"low_m": -20, "low_error_m": 30, "high_m": 60, "high_error_m": 20, "variation": 0.7})"},
+    {"terrain.layers", "{}"},
     {"render.layers", R"({"layers": {"low_m": -20, "low_error_m": 30, "high_m": 60, "high_error_m": 20, "variation": 0}})"},
-    {"render.layers", R"({"style": "volcano"})", false},
+    {"render.layers", R"({"style": "volcano"})"},
+    {"render.layers", R"({"style": "great_barrier_reef", "layers": {"high_error_m": 9}})"},
+    {"terrain.sculpt", R"({"strokes": [
+      {"tool": "raise", "points": [[-9000, 8000], [100.5, 3000], [9500, 8200], [20000, 9999]], "radius_m": 900, "height_m": 120, "pressure": [0.2, 1, 0.7, 0.4]},
+      {"tool": "roughen", "points": [[-9000, 1000], [9000, 3000]], "radius_m": 2500, "amplitude_m": 60, "wavelength_m": 700},
+      {"tool": "flatten", "points": [[-5000, 5000]], "radius_m": 1500, "height_m": 30},
+      {"tool": "ramp", "points": [[-3000, -5000], [6000.3, -2000]], "radius_m": 700, "start_m": 10, "end_m": 90, "hardness": 0.3},
+      {"tool": "lower", "points": [[0, 0], [0.1, 0.1]], "radius_m": 4},
+      {"tool": "erase", "points": [[-7000, 7000], [3000, -7000]], "radius_m": 400, "strength": 0.8}]})"},
+    {"terrain.sculpt", R"({"strokes": [{"tool": "smooth", "points": [[0, 0]]}]})", false},
+    {"terrain.sculpt", R"({"strokes": [{"tool": "ramp", "points": [[0, 0]], "start_m": 3}]})", false},
+    {"terrain.paint", R"({"strokes": [
+      {"tool": "brush", "points": [[-9000, 8000], [100.5, 3000], [9500, 8200]], "radius_m": 1900, "value": 0.7, "opacity": 0.9},
+      {"tool": "area", "polygons": [[[-6000, -4000], [3000, -7000.5], [5000, 6000]]], "value": -2, "opacity": 0.6, "feather_m": 800},
+      {"tool": "area", "polygons": [[[-9500, -8000], [-7000, -8000], [-7500, 9000]]], "value": 5},
+      {"tool": "erase", "points": [[-7000, 7000], [3000, -7000]], "radius_m": 600}]})"},
+    {"terrain.paint", R"({"base": 3, "unknown": true, "strokes": [{"tool": "brush", "points": [[-2000, 0], [0, 900]], "radius_m": 900}]})"},
+    {"classify.paint", R"({"strokes": [
+      {"tool": "region", "region": "beach", "points": [[-9000, 8000], [100.5, 3000], [9500, 8200]], "radius_m": 1900},
+      {"tool": "area", "region": "reef", "polygons": [[[-6000, -4000], [3000, -7000.5], [5000, 6000]]]},
+      {"tool": "sink", "points": [[-4000, 4000], [0, 0], [1000, 6000]], "radius_m": 2500, "subsidence": 0.6},
+      {"tool": "erase", "points": [[-7000, 7000], [3000, -7000]], "radius_m": 600}]})"},
+    {"terrain.compose", R"({"places": [[900, -700], [4000, 2500], [-5200, 1500]], "turns_deg": [0, 40, 111], "scales": [0.7, 1.1, 0.9], "raises_m": [5], "outside_m": -40})"},
+    {"terrain.compose", R"({"places": [[900, -700]]})", false},
+    {"terrain.compose", R"({"outside_m": 3})", false},
     {"terrain.resample", R"({"centre": false, "beyond": "edge"})"},
     {"terrain.resample", R"({"centre": false, "beyond": "edge", "scale": 1.7})"},
     {"terrain.resample", "{}", false},
@@ -84,7 +109,8 @@ seamount::Drawing drawing() {
 
 /// A value for every input, on `frame`; what is laid on the domain has cells of its own.
 Values inputs_of(const Operator& op, const GridFrame& frame) {
-  const bool own_cells = op.name == "island.archipelago" || op.name == "terrain.resample";
+  const bool own_cells =
+      op.name == "island.archipelago" || op.name == "terrain.resample" || op.name == "terrain.compose";
   const HeightField terrain = hills(own_cells ? GridFrame::centred(160, 150, 41.7) : frame, 1);
   Values in;
   uint64_t seed = 7;
@@ -110,10 +136,16 @@ class Trial {
     recipe::Diagnostics diagnostics;
     params_ = op_.complete(Json::parse(given.params), {"", diagnostics});
     EXPECT_TRUE(diagnostics.empty()) << given.params;
+    settled_ = params_;
+    if (op_.settled && !op_.reach(params_, frame.cell_m).local()) {
+      const auto cells = in_.at("terrain").get<kinds::Terrain>().cells();
+      const auto [low, high] = std::minmax_element(cells.begin(), cells.end());
+      settled_ = op_.settled(params_, *low, *high);
+    }
     whole_ = op_.run(params_, in_, {frame_, true, Seed{5}, folder_, {}});
   }
 
-  Reach reach() const { return op_.reach(params_, frame_.cell_m); }
+  Reach reach() const { return op_.reach(settled_, frame_.cell_m); }
   const Values& whole() const { return whole_; }
 
   Values tile(const Rect& rect, const Reach& reach) const {
@@ -125,7 +157,7 @@ class Trial {
       in[name] = cut ? window_of(value, run_on) : value;
     }
     const GridFrame domain = frame_.window(run_on.column, run_on.row, run_on.width, run_on.height);
-    Values out = op_.run(params_, in, {domain, true, Seed{5}, folder_, {}});
+    Values out = op_.run(settled_, in, {domain, true, Seed{5}, folder_, {}, &frame_});
     for (auto& [name, value] : out)
       value = window_of(value, {rect.column - run_on.column, rect.row - run_on.row, rect.width, rect.height});
     return out;
@@ -135,7 +167,7 @@ class Trial {
   const Operator& op_;
   GridFrame frame_;
   Values in_, whole_;
-  Json params_;
+  Json params_, settled_;
   std::string folder_;
 };
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <sstream>
 
+#include "seamount/io/read_options.h"
 #include "seamount/recipe/step_work.h"
 #include "seamount/recipe/value_stream.h"
 #include "seamount/tiles/tiled_ways.h"
@@ -54,6 +55,11 @@ void StepsRun::prepare_all() {
     const auto found = forced_.contains(step) ? std::nullopt : locality(world_, step, frame_of);
     if (found) {
       make(found->wholes);
+      if (find_tiled_way(world_.step(step)) != nullptr && !world_.fit(found->wholes)) {
+        run_whole(step);
+        continue;
+      }
+      if (found->measured) make({found->inputs.front().from});
       if (auto local = local_step(world_, step, *found, frame_of, run_)) {
         locals_.emplace(step, std::move(*local));
         continue;
@@ -77,7 +83,7 @@ bool StepsRun::all_there(size_t step) const {
 }
 
 std::optional<StepsRun::Need> StepsRun::need_of(size_t index) const {
-  constexpr double kScratch = 8 * sizeof(float);  // of a cell, that operators use besides
+  constexpr double kScratch = 8 * sizeof(float), kReading = 2 * sizeof(float);  // of a cell, that operators use besides
   const recipe::Step& step = world_.step(index);
   GridFrame frame = world_.recipe().domain;
   double bytes_a_cell = 0;
@@ -98,13 +104,20 @@ std::optional<StepsRun::Need> StepsRun::need_of(size_t index) const {
     rasters = rasters || is_raster(*port.kind);
     add(port);
   }
-  const auto files = !world_.plan().steps[index].files.empty();
-  if (!rasters || (first && files)) return std::nullopt;
+  const TiledWay* way = find_tiled_way(step);
+  const bool read = first && !world_.plan().steps[index].files.empty();
+  if (read) {
+    const auto size = way != nullptr && way->size != nullptr ? way->size(world_, index) : std::nullopt;
+    if (!size) return std::nullopt;
+    frame = *size;
+  }
+  if (!rasters) return std::nullopt;
   const Reach reach = step.op->reach ? step.op->reach(step.params, frame.cell_m) : Reach{};
   std::string why = reach.why;
-  if (const TiledWay* way = find_tiled_way(step)) why = way->refusal(step, world_.plan().steps[index]);
-  return Need{static_cast<double>(frame.cells()) * (bytes_a_cell + kScratch), frame,
-              "looks at everything" + (why.empty() ? "" : " (" + why + ")")};
+  if (way != nullptr) why = way->refusal(step, world_.plan().steps[index]);
+  return Need{static_cast<double>(frame.cells()) * (bytes_a_cell + (read ? kReading : kScratch)), frame,
+              "looks at everything" + (why.empty() ? "" : " (" + why + ")"),
+              read && frame.cells() > io::ReadOptions{}.max_cells};
 }
 
 /// In a way of its own, where it does not fit as a whole.
@@ -113,7 +126,7 @@ bool StepsRun::run_tiled(size_t index) {
   const TiledWay* way = find_tiled_way(step);
   if (way == nullptr || !way->refusal(step, world_.plan().steps[index]).empty()) return false;
   const auto need = need_of(index);
-  if (!need || world_.fits(need->bytes, need->frame)) return false;
+  if (!need || (world_.fits(need->bytes, need->frame) && !need->too_many)) return false;
   make(sources_of(index));
   const auto start = Clock::now();
   const RunContext own{run_.threads, [&](double fraction) { report(fraction, 1); }, run_.cancelled,

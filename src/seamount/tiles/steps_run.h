@@ -40,6 +40,7 @@ class StepsRun {
     double bytes = 0.0;
     GridFrame frame;
     std::string why;
+    bool too_many = false;  ///< cells for a file that is read as a whole, whatever memory there is
   };
   std::optional<Need> need_of(size_t step) const;
   recipe::Values inputs_of(size_t step) const;

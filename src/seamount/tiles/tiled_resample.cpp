@@ -5,58 +5,91 @@
 
 #include "seamount/base/parallel.h"
 #include "seamount/geom/grid/resample.h"
+#include "seamount/model/extent.h"
 #include "seamount/ops/terrain/resample.h"
 #include "seamount/recipe/kinds.h"
+#include "seamount/recipe/one_frame.h"
 #include "seamount/recipe/step_work.h"
 #include "seamount/tiles/tiled_ways.h"
 
 namespace seamount::tiles {
 namespace {
 
-constexpr int kBand = 16;  ///< rows of the result that are made at once
+constexpr int64_t kAtOnce = int64_t{1} << 22;  ///< cells of the source, about
 
 terrain::ResampleParams params_of(const recipe::Step& step) {
   recipe::Diagnostics none;
   return recipe::read_params<terrain::ResampleParams>(step.params, {"", none});
 }
 
-}  // namespace
-
-std::string resample_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
-  const terrain::ResampleParams params = params_of(step);
-  if (step.in.at("terrain").from_file()) return "its terrain comes from a file";
-  if (params.scale != 1.0) return "it is stretched";
-  return params.cell_m ? "" : "only to larger cells by cell_m it is run in tiles";
+/// The document's domain as it meets a terrain.
+GridFrame domain_for(const World& world, const GridFrame& terrain) {
+  const GridFrame& domain = world.recipe().domain;
+  if (!domain.crs.empty() && !terrain.crs.empty() && domain.crs != terrain.crs)
+    throw NeedsWhole{"it lies in another coordinate system than the document"};
+  return recipe::placed_domain(domain, Extent::of(terrain));
 }
 
-HeightField resample_by_rows(const World& world, const OutputOf& from, const GridFrame& source, const GridFrame& target,
-                             const RunContext& run) {
-  const geom::RowResampler resampler(source, target);
-  HeightField out(target);
-  for (int begin = 0; begin < target.height; begin += kBand) {
+/// A tile of the result, some rows at once.
+HeightField make_tile(const World& world, const OutputOf& from, const GridFrame& source, double scale,
+                      const GridFrame& tile, const RunContext& run) {
+  const geom::RowResampler resampler(source, tile);
+  const geom::RowResampler::Span columns = resampler.columns();
+  HeightField out(tile);
+  for (int begin = 0; begin < tile.height;) {
     run.check_cancelled();
-    const int end = std::min(begin + kBand, target.height);
-    const geom::RowResampler::Rows needs = resampler.needs(begin, end);
-    HeightField rows(GridFrame{source.width, needs.count, source.cell_m});
-    world.rows(from, needs.first, needs.count, rows.data());
-    parallel_blocks({run.threads, {}, run.cancelled, {}}, end - begin, 1, [&](int64_t first, int64_t last) {
+    int end = begin + 1;
+    while (end < tile.height && int64_t{resampler.rows(begin, end + 1).count} * columns.count <= kAtOnce) ++end;
+    const geom::RowResampler::Span rows = resampler.rows(begin, end);
+    const recipe::Value part = world.window(from, {columns.first, rows.first, columns.count, rows.count});
+    HeightField heights = part.get<recipe::kinds::Terrain>();
+    if (scale != 1.0)
+      for (float& z : heights.cells()) z = static_cast<float>(scale * z);
+    parallel_blocks({run.threads, {}, run.cancelled, {}}, end - begin, 16, [&](int64_t first, int64_t last) {
       std::vector<float> mixed;
       for (int y = begin + static_cast<int>(first); y < begin + static_cast<int>(last); ++y)
-        resampler.row(rows, needs.first, y, mixed, out.row(y));
+        resampler.row(heights, columns.first, rows.first, y, mixed, out.row(y));
     });
-    run.report(static_cast<double>(end) / target.height);
+    begin = end;
   }
   return out;
 }
 
+}  // namespace
+
+std::string resample_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
+  return step.in.at("terrain").from_file() ? "its terrain comes from a file" : "";
+}
+
+HeightField resample_by_rows(const World& world, const OutputOf& from, const GridFrame& source, const GridFrame& target,
+                             const RunContext& run) {
+  return make_tile(world, from, source, 1.0, target, run);
+}
+
 void run_tiled_resample(World& world, size_t step, const RunContext& run) {
   const OutputOf from = world.output_of(world.step(step).in.at("terrain"));
-  const auto frames = terrain::resample_frames(world.frame(from), params_of(world.step(step)), world.recipe().domain);
-  if (!geom::RowResampler(frames.source, frames.target).averages()) throw NeedsWhole{"cells become smaller"};
-  world.check_fits(sizeof(float) * static_cast<double>(frames.target.cells()), recipe::step_name(world.step(step)),
-                   "makes a raster that is needed as a whole", frames.target);
-  world.keep({step, "terrain"}, recipe::Value::of<recipe::kinds::Terrain>(
-                                    resample_by_rows(world, from, frames.source, frames.target, run)));
+  const terrain::ResampleParams params = params_of(world.step(step));
+  const GridFrame& terrain = world.frame(from);
+  const auto frames = terrain::resample_frames(terrain, params, params.cell_m ? terrain : domain_for(world, terrain));
+  const bool ends = !params.cell_m && params.beyond == terrain::Beyond::unknown;
+  const auto stored = world.on_disk({step, "terrain"}, frames.target);
+  const Layout& layout = stored->layout();
+  int64_t beyond = 0;
+  for (int tile = 0; tile < layout.count(); ++tile) {
+    const Rect rect = layout.tile(tile);
+    const GridFrame window = frames.target.window(rect.column, rect.row, rect.width, rect.height);
+    if (!stored->has(tile)) {
+      HeightField made = make_tile(world, from, frames.source, params.scale, window, run);
+      if (ends) beyond += terrain::forget_beyond(made, frames.source);
+      stored->write(tile, recipe::Value::of<recipe::kinds::Terrain>(std::move(made)));
+    } else if (ends) {
+      HeightField there(window, 0.0F);
+      beyond += terrain::forget_beyond(there, frames.source);
+    }
+    run.report((tile + 1.0) / layout.count());
+  }
+  if (ends) terrain::judge_beyond(beyond, frames.target, frames.source, run);
+  world.keep_tiles({step, "terrain"}, stored);
 }
 
 }  // namespace seamount::tiles

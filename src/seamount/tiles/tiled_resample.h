@@ -1,4 +1,4 @@
-// terrain.resample to larger cells, row by row: a picture of a world, or the ground for what looks at all of it.
+// terrain.resample of a terrain that does not fit into memory, or to a raster that does not: tile by tile.
 #pragma once
 
 #include <string>
@@ -9,12 +9,11 @@ namespace seamount::tiles {
 
 std::string resample_refusal(const recipe::Step& step, const recipe::PlannedStep& planned);
 
-/// The result is in memory as a whole. Throws Error if that does not fit.
-void run_tiled_resample(World& world, size_t step, const RunContext& run);
-
-/// A terrain or field on larger cells, as geom::resample() makes it. `source`: where it is taken to lie. REQUIRES: it
-/// is there, and the target's cells are larger. Memory: the result and some rows.
+/// geom::resample() of a raster that lies at `source`, onto a frame that fits into memory.
 HeightField resample_by_rows(const World& world, const OutputOf& from, const GridFrame& source, const GridFrame& target,
                              const RunContext& run);
+
+/// Throws NeedsWhole for a terrain in another coordinate system than the document's.
+void run_tiled_resample(World& world, size_t step, const RunContext& run);
 
 }  // namespace seamount::tiles

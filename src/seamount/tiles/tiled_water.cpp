@@ -11,6 +11,8 @@
 #include "seamount/ops/hydrology/flow.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/tiles/drainage.h"
+#include "seamount/tiles/traced_water.h"
+#include "seamount/tiles/windows.h"
 
 namespace seamount::tiles {
 namespace {
@@ -29,11 +31,14 @@ class Outputs {
  public:
   Outputs(World& world, size_t step, const GridFrame& frame) : world_(world), step_(step) {
     for (const std::string& port : world.plan().steps[step].ports) {
-      if (!world.has({step, port})) stored_[port] = world.on_disk({step, port}, frame);
+      if (!world.has({step, port}) && is_raster(*world.step(step).op->find_out(port)->kind))
+        stored_[port] = world.on_disk({step, port}, frame);
     }
   }
 
   bool wants(const std::string& port) const { return stored_.contains(port); }
+  /// REQUIRES: wants it.
+  std::shared_ptr<const StoredRaster> raster(const std::string& port) const { return stored_.at(port); }
   /// As rank 0 sees it.
   bool complete() const {
     const bool all =
@@ -97,6 +102,11 @@ void write_flow(const Drainage& water, const Outputs& outputs, int tile) {
     if (outputs.wants("area"))
       outputs.write("area", tile, of_cells(frame, [&](size_t i) { return count(i) * cell_m2; }));
   }
+  if (outputs.wants("basins")) {
+    const Grid<int32_t> basins = water.basins(tile);
+    outputs.write("basins", tile,
+                  of_cells(frame, [&](size_t i) { return known(i, static_cast<float>(basins.data()[i])); }));
+  }
   if (outputs.wants("direction")) {
     const geom::FlowDirections codes = water.directions(tile);
     outputs.write("direction", tile, of_cells(frame, [&](size_t i) { return known(i, bearing_deg(codes.data()[i])); }));
@@ -112,20 +122,58 @@ void write_all(const Drainage& water, const Outputs& outputs, WriteTile write, c
   });
 }
 
+RunContext quiet(const RunContext& run) { return {run.threads, {}, run.cancelled, run.note}; }
+
+/// What was traced is rank 0's, which gives it to the others.
+void keep_drawing(World& world, const OutputOf& output, Drawing drawing) {
+  if (world.ranks().first()) world.keep(output, Value::of<kinds::Drawing>(std::move(drawing)));
+}
+
+void fill_or_forget(Drainage& water, const RunContext& run) {
+  try {
+    water.fill(run);
+  } catch (const NeedsWhole&) {  // so do all ranks
+    water.forget();
+    throw;
+  }
+}
+
+/// Numbers of catchments, as they are written out or beside that.
+std::shared_ptr<const StoredRaster> numbers_on_disk(const World& world, size_t step, const Drainage& water,
+                                                    const Outputs& outputs, const RunContext& run) {
+  if (outputs.wants("basins")) return outputs.raster("basins");
+  auto stored = world.on_disk_as({step, "-numbers"}, kinds::Field::kind(), water.frame());
+  water.each_tile(run, [&](int tile) {
+    if (stored->has(tile)) return;
+    const Grid<int32_t> basins = water.basins(tile);
+    stored->write(tile, Value::of<kinds::Field>(
+                            of_cells(basins.frame(), [&](size_t i) { return static_cast<float>(basins.data()[i]); })));
+  });
+  return stored;
+}
+
+/// Once the catchments are numbered.
+void keep_catchments(World& world, size_t step, const Drainage& water, const Outputs& outputs, const RunContext& run) {
+  constexpr double kCatchmentPart = 500.0;  // of the terrain, as hydrology.flow has it
+  const auto params = params_of<hydrology::FlowParams>(world.step(step));
+  const double least =
+      params.min_catchment_m2.value_or(water.frame().width_m() * water.frame().height_m() / kCatchmentPart);
+  const auto numbers = numbers_on_disk(world, step, water, outputs, run);
+  keep_drawing(world, {step, "catchments"}, trace_tiled_catchments(world, water, *numbers, least, run));
+  if (!outputs.wants("basins")) remove_together(world.ranks(), std::vector{numbers});
+}
+
 }  // namespace
 
-std::string fill_refusal(const recipe::Step& step, const recipe::PlannedStep& planned) {
+std::string fill_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
   if (step.in.at("terrain").from_file()) return "its terrain comes from a file";
-  if (planned.ports.contains("lakes")) return "lakes are traced from everything";
   return params_of<hydrology::FillParams>(step).depressions == hydrology::Depressions::breach
              ? "breaching looks at everything; depressions fill does not"
              : "";
 }
 
-std::string flow_refusal(const recipe::Step& step, const recipe::PlannedStep& planned) {
+std::string flow_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
   if (step.in.at("terrain").from_file()) return "its terrain comes from a file";
-  if (planned.ports.contains("basins") || planned.ports.contains("catchments"))
-    return "catchments are numbered from everything";
   if (step.in.contains("sinks")) return "sinks are looked at from everything";
   return params_of<hydrology::FlowParams>(step).method != hydrology::FlowMethod::d8
              ? "only the method d8 is run in tiles"
@@ -137,13 +185,16 @@ void run_tiled_fill(World& world, size_t step, const RunContext& run) {
   const OutputOf terrain = world.output_of(world.step(step).in.at("terrain"));
   Outputs outputs(world, step, world.frame(terrain));
   Drainage water(world, step, terrain, params.sea ? 0.0F : geom::kNoSea, params.min_sea_m2, run);
-  if (!outputs.complete()) {
-    water.fill(run.part(0.0, 0.4));
+  const bool lakes = world.plan().steps[step].ports.contains("lakes");
+  if (lakes || !outputs.complete()) {
+    fill_or_forget(water, run.part(0.0, 0.4));
+    if (lakes) keep_drawing(world, {step, "lakes"}, trace_tiled_lakes(world, water, params.min_lake_m2, quiet(run)));
     if (params.descend) water.direct(run.part(0.4, 0.6));
     if (params.descend) water.tilt(run.part(0.6, 0.8));
     write_all(water, outputs, write_fill, run.part(0.8, 1.0));
   }
   outputs.keep();
+  if (lakes) world.share_kept(step);
   water.forget();
 }
 
@@ -152,13 +203,18 @@ void run_tiled_flow(World& world, size_t step, const RunContext& run) {
   const OutputOf terrain = world.output_of(world.step(step).in.at("terrain"));
   Outputs outputs(world, step, world.frame(terrain));
   Drainage water(world, step, terrain, params.sea ? 0.0F : geom::kNoSea, params.min_sea_m2, run);
-  if (!outputs.complete()) {
-    water.fill(run.part(0.0, 0.4));
+  const bool catchments = world.plan().steps[step].ports.contains("catchments");
+  if (catchments || !outputs.complete()) {
+    fill_or_forget(water, run.part(0.0, 0.4));
     water.direct(run.part(0.4, 0.6));
-    if (outputs.wants("cells") || outputs.wants("area")) water.gather(run.part(0.6, 0.8));
+    const bool basins = catchments || outputs.wants("basins");
+    if (basins || outputs.wants("cells") || outputs.wants("area")) water.gather(run.part(0.6, 0.7));
+    if (basins) water.number_basins(run.part(0.7, 0.8));
     write_all(water, outputs, write_flow, run.part(0.8, 1.0));
+    if (catchments) keep_catchments(world, step, water, outputs, quiet(run));
   }
   outputs.keep();
+  if (catchments) world.share_kept(step);
   water.forget();
 }
 

@@ -1,5 +1,5 @@
-// hydrology.fill and hydrology.flow on rasters that do not fit into memory (drainage.h). Not: breaching, lakes, flow to
-// several neighbours, sinks, catchments.
+// hydrology.fill and hydrology.flow on rasters that do not fit into memory (drainage.h). Not: breaching, flow to
+// several neighbours, sinks.
 #pragma once
 
 #include <string>

@@ -5,6 +5,8 @@
 
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "seamount/io/raster.h"
 #include "seamount/tiles/run.h"
@@ -25,7 +27,16 @@ std::string recipe_of(const std::string& steps, const std::string& fill, const s
          flow + R"(}}],
   "outputs": [{"from": "filled.terrain", "path": "filled.tif"}, {"from": "filled.change", "path": "change.tif"},
     {"from": "flow.cells", "path": "cells.tif"}, {"from": "flow.area", "path": "area.tif"},
-    {"from": "flow.direction", "path": "direction.tif"}, {"from": "flow.terrain", "path": "surface.tif"}]})";
+    {"from": "flow.basins", "path": "basins.tif"}, {"from": "flow.direction", "path": "direction.tif"}, {"from": "flow.terrain", "path": "surface.tif"},
+    {"from": "filled.lakes", "path": "lakes.geojson"}, {"from": "flow.catchments", "path": "catchments.geojson"}]})";
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  EXPECT_FALSE(text.str().empty()) << path;
+  return text.str();
 }
 
 struct Case {
@@ -73,7 +84,8 @@ TEST_P(TiledWater, HasTheBytesOfTheWhole) {
     std::vector<std::string> said;
     constexpr uint64_t kTooLittle = 3000000;  // for 383 x 303 cells as a whole
     execute(recipe, {out, "", tile, kTooLittle}, {.note = [&](const std::string& line) { said.push_back(line); }});
-    for (const char* name : {"filled.tif", "change.tif", "cells.tif", "area.tif", "direction.tif", "surface.tif"}) {
+    for (const char* name :
+         {"filled.tif", "change.tif", "cells.tif", "area.tif", "direction.tif", "basins.tif", "surface.tif"}) {
       const ScalarField a = io::read_field(out + "/" + name), b = io::read_field(folder("whole") + "/" + name);
       ASSERT_EQ(a.frame(), b.frame());
       int64_t differ = 0, first = -1;
@@ -85,6 +97,9 @@ TEST_P(TiledWater, HasTheBytesOfTheWhole) {
       EXPECT_EQ(differ, 0) << name << " in tiles of " << tile << ", first at column " << first % a.width() << ", row "
                            << first / a.width();
     }
+    for (const char* name : {"lakes.geojson", "catchments.geojson"})
+      EXPECT_TRUE(bytes_of(out + "/" + name) == bytes_of(folder("whole") + "/" + name))
+          << name << ", tiles of " << tile;
   }
 }
 

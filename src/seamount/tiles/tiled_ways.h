@@ -2,6 +2,7 @@
 // own.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "seamount/tiles/world.h"
@@ -21,6 +22,8 @@ struct TiledWay {
   void (*run)(World& world, size_t step, const RunContext& run);
   /// Every rank runs it, and throws NeedsWhole where the others do; else rank 0 runs it alone.
   bool spread = false;
+  /// Of what has no raster among its inputs: the size of what it reads from files, before it has read them.
+  std::optional<GridFrame> (*size)(const World& world, size_t step) = nullptr;
 };
 
 /// nullptr: there is none.

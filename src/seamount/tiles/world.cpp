@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
@@ -105,6 +106,15 @@ void World::keep_tiles(const OutputOf& output, std::shared_ptr<const StoredRaste
 
 bool World::fits(double bytes, const GridFrame& frame) const {
   return bytes <= memory_bytes_ && frame.cells() <= recipe::kMostCells;
+}
+
+bool World::fit(const std::vector<OutputOf>& outputs) const {
+  return std::all_of(outputs.begin(), outputs.end(), [this](const OutputOf& output) {
+    const auto raster = rasters_.find(output);
+    if (raster == rasters_.end()) return true;
+    const GridFrame& all = raster->second->frame();
+    return fits(static_cast<double>(all.cells()) * static_cast<double>(cell_bytes(raster->second->kind())), all);
+  });
 }
 
 void World::check_fits(double bytes, const std::string& who, const std::string& why, const GridFrame& frame) const {

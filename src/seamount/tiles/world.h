@@ -63,6 +63,8 @@ class World {
 
   /// May `bytes` be taken at once for a raster of that size?
   bool fits(double bytes, const GridFrame& frame) const;
+  /// Those that are rasters, as wholes? REQUIRES: has them.
+  bool fit(const std::vector<OutputOf>& outputs) const;
   /// Throws Error unless `bytes` may be taken at once, with what for and what to do instead.
   void check_fits(double bytes, const std::string& who, const std::string& why, const GridFrame& frame) const;
 

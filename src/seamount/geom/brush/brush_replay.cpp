@@ -75,7 +75,7 @@ AreaWeights area_weights(const std::vector<Polygon>& polygons, double feather_m,
   AreaWeights out;
   out.window = cells_of(box, frame, feather_m + frame.cell_m);
   if (out.window.empty()) return out;
-  out.weights = signed_distance(polygons, window_frame(out.window, frame), run);
+  out.weights = signed_distance(polygons, cells_frame(box, frame, feather_m + frame.cell_m), run);
   const auto cell = static_cast<float>(frame.cell_m), feather = static_cast<float>(feather_m);
   for (float& d : out.weights.cells())
     d = feather > cell ? 1.0F - smoothstep(d / feather) : std::clamp(0.5F - d / cell, 0.0F, 1.0F);

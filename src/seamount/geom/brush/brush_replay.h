@@ -12,6 +12,7 @@
 namespace seamount::geom {
 
 /// The ways of strokes, brush i called name[i] in errors; nullptr: none, a path that reaches nothing. Parallel.
+/// `frame`: of a window, that of the whole: what of a stroke lies beyond it does not count.
 std::vector<BrushPath> brush_paths(std::span<const Brush* const> brushes, const GridFrame& frame,
                                    const std::string& name, const RunContext& run);
 

@@ -21,10 +21,10 @@ SEAMOUNT_INLINE float fast_exp(float v) {
   return std::bit_cast<float>((n + 127) << 23) * p;
 }
 
-SEAMOUNT_VECTORISED void across_row(float x0, float dx, float scale, int count, float* __restrict g,
+SEAMOUNT_VECTORISED void across_row(float x0, float dx, float scale, int first, int count, float* __restrict g,
                                     float* __restrict g2) {
   for (int i = 0; i < count; ++i) {
-    const float x = x0 + static_cast<float>(i) * dx;
+    const float x = x0 + static_cast<float>(first + i) * dx;
     g[i] = fast_exp(scale * x * x);
     g2[i] = g[i] * x * x;
   }
@@ -93,17 +93,24 @@ CellWindow cells_of(const Box& box, const GridFrame& frame, double margin_m) {
           bounded(std::ceil(frame.row(box.low.y - margin_m)) + 1.0, 0, frame.height)};
 }
 
-GridFrame window_frame(const CellWindow& window, const GridFrame& frame) {
-  GridFrame part = frame;
-  part.width = window.right - window.left;
-  part.height = window.bottom - window.top;
-  part.west_m = frame.west_m + window.left * frame.cell_m;
-  part.north_m = frame.north_m - window.top * frame.cell_m;
-  return part;
+GridFrame cells_frame(const Box& box, const GridFrame& frame, double margin_m) {
+  const CellWindow window = cells_of(box, frame, margin_m);
+  GridFrame whole = frame.in_whole();
+  whole.width += frame.first_column();
+  whole.height += frame.first_row();
+  const CellWindow all = cells_of(box, whole, margin_m);
+  GridFrame part = whole;
+  part.width = all.right - all.left;
+  part.height = all.bottom - all.top;
+  part.west_m = whole.west_m + all.left * whole.cell_m;
+  part.north_m = whole.north_m - all.top * whole.cell_m;
+  const int left = frame.first_column() + window.left - all.left, top = frame.first_row() + window.top - all.top;
+  return part.window(left, top, window.width(), window.bottom - window.top);
 }
 
 bool BrushBand::read(const BrushPath& path, const GridFrame& frame, int begin, int end) {
   window_ = cells_of(path.box, frame);
+  whole_left_ = bounded(std::floor(frame.column(path.box.low.x)), -frame.first_column(), frame.width);
   window_.top = std::max(window_.top, begin);
   window_.bottom = std::min(window_.bottom, end);
   if (path.samples.empty() || window_.empty()) return false;
@@ -134,10 +141,11 @@ void BrushBand::add(const BrushPath& path, const BrushSample& sample, const Grid
   const int right = bounded(std::floor(frame.column(sample.at.x + reach)) + 1.0, window_.left, window_.right);
   if (top >= bottom || left >= right) return;
   const double scale = -0.5 / (path.spread_m * path.spread_m);
+  const int start = bounded(std::ceil(frame.column(sample.at.x - reach)), whole_left_, left);
   across_.resize(static_cast<size_t>(right - left));
   across2_.resize(across_.size());
-  across_row(static_cast<float>(frame.x(left) - sample.at.x), static_cast<float>(frame.cell_m),
-             static_cast<float>(scale), right - left, across_.data(), across2_.data());
+  across_row(static_cast<float>(frame.x(start) - sample.at.x), static_cast<float>(frame.cell_m),
+             static_cast<float>(scale), left - start, right - left, across_.data(), across2_.data());
   for (int y = top; y < bottom; ++y) {
     const double dy = frame.y(y) - sample.at.y;
     const double half = std::sqrt(std::max(0.0, reach * reach - dy * dy));

@@ -26,10 +26,12 @@ struct CellWindow {
 /// The cells of a frame within `margin_m` of a box.
 CellWindow cells_of(const Box& box, const GridFrame& frame, double margin_m = 0.0);
 
-/// The frame of a window's cells.
-GridFrame window_frame(const CellWindow& window, const GridFrame& frame);
+/// The frame of cells_of(). Of a frame that is itself a window of a larger raster it is a window of what these cells
+/// are in the whole: what is computed on it has the same bits.
+GridFrame cells_frame(const Box& box, const GridFrame& frame, double margin_m = 0.0);
 
-/// Weights of one stroke after another on bands of rows; keeps its memory. One per thread.
+/// Weights of one stroke after another on bands of rows; keeps its memory. One per thread. A path on a raster may be
+/// read on a window of it: the same bits.
 class BrushBand {
  public:
   /// Reads rows [begin, end) of a stroke. False where it does not reach them. Less than 1 ns for each cell and sample
@@ -57,6 +59,7 @@ class BrushBand {
   void add(const BrushPath& path, const BrushSample& sample, const GridFrame& frame);
 
   CellWindow window_;
+  int whole_left_ = 0;                   ///< where its cells begin in the whole, counted as the frame's columns
   std::vector<float> weights_;           ///< sums of masses, then weights
   std::vector<float> squares_;           ///< sums of squared distances
   std::vector<float> pressures_;         ///< sums of pressures, where they differ

@@ -74,10 +74,14 @@ Borders resolve_borders(const LayerBorders& borders, double bottom_m, double top
   return out;
 }
 
+Borders relief_borders(const LayerBorders& borders, float lowest_m, float highest_m) {
+  const bool shore = lowest_m < 0.0F && highest_m > 0.0F;
+  return resolve_borders(borders, shore ? 0.0 : static_cast<double>(lowest_m), static_cast<double>(highest_m));
+}
+
 Borders relief_borders(const LayerBorders& borders, const HeightField& terrain) {
   const auto [bottom, top] = std::minmax_element(terrain.cells().begin(), terrain.cells().end());
-  const bool shore = *bottom < 0.0F && *top > 0.0F;
-  return resolve_borders(borders, shore ? 0.0 : static_cast<double>(*bottom), static_cast<double>(*top));
+  return relief_borders(borders, *bottom, *top);
 }
 
 double error_pass(double distance, double error) { return distance < error ? 1.0 - distance / error : 0.0; }
@@ -99,14 +103,14 @@ Reach layers_reach(const LayerBorders& borders) {
   const bool stated = borders.low_m && borders.low_error_m && borders.high_m && borders.high_error_m;
   if (!stated)
     return Reach::everything("borders are shares of the relief; low_m, low_error_m, high_m, high_error_m state them");
-  if (borders.variation > 0.0) return Reach::everything("the variation is as large as the whole; 0 switches it off");
-  return Reach::place();
+  return borders.variation > 0.0 ? Reach::neighbourhood(1) : Reach::place();  // of its slope
 }
 
 Layers height_layers(const HeightField& terrain, const Borders& borders, bool smooth, double variation,
-                     const RunContext& run) {
+                     const RunContext& run, const GridFrame* whole) {
   const GridFrame& frame = terrain.frame();
-  const double extent = std::max(frame.width_m(), frame.height_m());
+  const GridFrame& all = whole != nullptr ? *whole : frame;
+  const double extent = std::max(all.width_m(), all.height_m());
   const Fbm shape{.wavelength_m = extent / 8.0, .octaves = 8, .gain = 0.62, .cell_m = frame.cell_m};
   const Seed own = Seed{}.derive("geom.height_layers");
   const bool varied = variation > 0.0;

@@ -24,6 +24,12 @@ Borders resolve_borders(const LayerBorders& borders, double bottom_m, double top
 /// The same with the relief of a terrain: from its lowest to its highest cell, or from sea level where it has land and
 /// sea: the depth of the water says nothing of what grows on an island. REQUIRES: it has cells.
 Borders relief_borders(const LayerBorders& borders, const HeightField& terrain);
+Borders relief_borders(const LayerBorders& borders, float lowest_m, float highest_m);
+
+/// Parameters that state them.
+inline LayerBorders stated(const LayerBorders& params, const Borders& borders) {
+  return {borders.low_m, borders.low_error_m, borders.high_m, borders.high_error_m, params.smooth, params.variation};
+}
 
 /// P_error (eq. 5): 1 at no distance, 0 from `error` on. REQUIRES: distance >= 0.
 double error_pass(double distance, double error);
@@ -45,13 +51,12 @@ struct Layers {
 };
 
 /// Layers of a terrain. `smooth` and `variation` as in LayerBorders; without both exactly layer_shares(height). The
-/// noise hangs on the place in metres and on nothing else. low + middle + high = 1 to float rounding, each in [0, 1].
-/// Parallel; about 20 ns per cell.
+/// noise hangs on the place in metres and on how large the terrain is. low + middle + high = 1 to float rounding, each
+/// in [0, 1]. `whole`: the frame of which the terrain is a window; null: none. Parallel; about 20 ns per cell.
 Layers height_layers(const HeightField& terrain, const Borders& borders, bool smooth, double variation,
-                     const RunContext& run);
+                     const RunContext& run, const GridFrame* whole = nullptr);
 
-/// How far the layers look with borders that shares of the relief stand in for where they are absent. Their variation
-/// is as large as the whole.
+/// How far the layers look with borders that shares of the relief stand in for where they are absent.
 Reach layers_reach(const LayerBorders& borders);
 
 }  // namespace seamount::geom

@@ -106,8 +106,9 @@ SEAMOUNT_VECTORISED void add_scaled(const float* row, float weight, float* sum, 
   for (size_t i = 0; i < count; ++i) sum[i] += weight * row[i];
 }
 
-void resample_row(const HeightField& source, const Axis& across, const Axis::Tap& tap, const float* weights,
-                  std::vector<float>& mixed, std::span<float> out) {
+/// Taps along the row count from `first_column` of the source on, of which `source` has the part that is needed.
+void resample_row(const HeightField& source, int first_column, const Axis& across, const Axis::Tap& tap,
+                  const float* weights, std::vector<float>& mixed, std::span<float> out) {
   std::fill(mixed.begin(), mixed.end(), 0.0F);
   for (int k = 0; k < tap.count; ++k) {
     add_scaled(source.row(tap.first + k).data(), weights[k], mixed.data(), mixed.size());
@@ -115,8 +116,9 @@ void resample_row(const HeightField& source, const Axis& across, const Axis::Tap
   for (size_t x = 0; x < out.size(); ++x) {
     const Axis::Tap& column = across.taps[x];
     float sum = 0.0F;
+    const int first = column.first - first_column;
     for (int k = 0; k < column.count; ++k) {
-      sum += across.weights[column.weights + static_cast<size_t>(k)] * mixed[static_cast<size_t>(column.first + k)];
+      sum += across.weights[column.weights + static_cast<size_t>(k)] * mixed[static_cast<size_t>(first + k)];
     }
     out[x] = sum;
   }
@@ -201,7 +203,16 @@ RowResampler::~RowResampler() = default;
 
 bool RowResampler::averages() const { return ratio_ > 1.0 + 1e-9; }
 
-RowResampler::Rows RowResampler::needs(int begin, int end) const {
+RowResampler::Span RowResampler::columns() const {
+  int first = source_.width, last = 0;
+  for (const Axis::Tap& tap : axes_->across.taps) {
+    first = std::min(first, tap.first);
+    last = std::max(last, tap.first + tap.count);
+  }
+  return {first, last - first};
+}
+
+RowResampler::Span RowResampler::rows(int begin, int end) const {
   int first = source_.height, last = 0;
   for (int y = begin; y < end; ++y) {
     const Axis::Tap& tap = axes_->down.taps[static_cast<size_t>(y)];
@@ -211,22 +222,24 @@ RowResampler::Rows RowResampler::needs(int begin, int end) const {
   return {first, last - first};
 }
 
-void RowResampler::row(const HeightField& rows, int first, int y, std::vector<float>& mixed,
+void RowResampler::row(const HeightField& part, int first_column, int first_row, int y, std::vector<float>& mixed,
                        std::span<float> out) const {
   const Axis& across = axes_->across;
   Axis::Tap tap = axes_->down.taps[static_cast<size_t>(y)];
   const float* weights = axes_->down.weights.data() + tap.weights;
-  tap.first -= first;
-  mixed.resize(static_cast<size_t>(source_.width));
-  resample_row(rows, across, tap, weights, mixed, out);
+  tap.first -= first_row;
+  mixed.resize(static_cast<size_t>(part.width()));
+  resample_row(part, first_column, across, tap, weights, mixed, out);
   const bool holes = any_void(out);
   for (int x = 0; holes && x < target_.width; ++x) {
     float& z = out[static_cast<size_t>(x)];
     if (!std::isnan(z)) continue;
-    const Axis::Tap& column = across.taps[static_cast<size_t>(x)];
-    z = averages() ? resample_known(rows, column, across.weights.data() + column.weights, tap, weights)
-                   : sample_known(rows, std::clamp(source_.column(target_.x(x)), 0.0, source_.width - 1.0),
-                                  std::clamp(source_.row(target_.y(y)), 0.0, source_.height - 1.0));
+    Axis::Tap column = across.taps[static_cast<size_t>(x)];
+    column.first -= first_column;
+    z = averages()
+            ? resample_known(part, column, across.weights.data() + column.weights, tap, weights)
+            : sample_known(part, std::clamp(source_.column(target_.x(x)), 0.0, source_.width - 1.0) - first_column,
+                           std::clamp(source_.row(target_.y(y)), 0.0, source_.height - 1.0) - first_row);
   }
 }
 
@@ -235,7 +248,7 @@ HeightField resample(const HeightField& source, const GridFrame& target, const R
   HeightField result(target);
   parallel_rows(run, target.width, target.height, [&](int begin, int end) {
     std::vector<float> mixed;
-    for (int y = begin; y < end; ++y) resampler.row(source, 0, y, mixed, result.row(y));
+    for (int y = begin; y < end; ++y) resampler.row(source, 0, 0, y, mixed, result.row(y));
   });
   return result;
 }

@@ -26,7 +26,8 @@ float sample_bspline(const Grid<float>& grid, double column, double row);
 /// they are less than half. Parallel.
 HeightField resample(const HeightField& source, const GridFrame& target, const RunContext& run);
 
-/// The same row by row, for a source that is not in memory as a whole: the same bits.
+/// The same row by row, for a source that is not in memory as a whole, or for a target that is a window of a larger
+/// one: the same bits.
 class RowResampler {
  public:
   RowResampler(const GridFrame& source, const GridFrame& target);
@@ -34,20 +35,21 @@ class RowResampler {
   RowResampler(const RowResampler&) = delete;
   RowResampler& operator=(const RowResampler&) = delete;
 
-  /// Are the target's cells larger than the source's?
-  bool averages() const;
-
-  /// Rows of the source that rows [begin, end) of the target are made from.
-  struct Rows {
+  /// Rows of the source that rows [begin, end) of the target are made from, and columns that all of it is made from.
+  struct Span {
     int first = 0, count = 0;
   };
-  Rows needs(int begin, int end) const;
+  Span rows(int begin, int end) const;
+  Span columns() const;
 
-  /// Row y of the target, from `rows`: those of the source from `first` on, with all that it needs. `mixed` is scratch.
-  /// REQUIRES: all rows, and first 0, unless it averages().
-  void row(const HeightField& rows, int first, int y, std::vector<float>& mixed, std::span<float> out) const;
+  /// Row y of the target, from a part of the source that begins at (first_column, first_row) of it and has all that it
+  /// needs. `mixed` is scratch.
+  void row(const HeightField& part, int first_column, int first_row, int y, std::vector<float>& mixed,
+           std::span<float> out) const;
 
  private:
+  bool averages() const;
+
   struct Axes;
   GridFrame source_, target_;
   double ratio_;

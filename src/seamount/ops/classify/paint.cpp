@@ -14,15 +14,15 @@ constexpr float kEdge = 0.5F;  // weight of a cell whose centre lies on the edge
 
 class Session {
  public:
-  Session(const Painted& before, const std::vector<PaintStroke>& strokes, const RunContext& run)
-      : before_(before), now_(before), strokes_(strokes), run_(run) {}
+  Session(const Painted& before, const std::vector<PaintStroke>& strokes, const RunContext& run, const GridFrame& whole)
+      : before_(before), now_(before), strokes_(strokes), run_(run), whole_(whole) {}
 
   Painted replay() {
     std::vector<const Brush*> brushes;
     brushes.reserve(strokes_.size());
     for (const PaintStroke& stroke : strokes_)
       brushes.push_back(std::visit([&](const auto& tool) { return brush_of(tool); }, stroke));
-    paths_ = geom::brush_paths(brushes, before_.labels.frame(), "strokes", run_.part(0.0, 0.2));
+    paths_ = geom::brush_paths(brushes, whole_, "strokes", run_.part(0.0, 0.2));
     size_t done = 0;
     for (size_t next = 0; next < strokes_.size(); ++next) {
       const auto* area = std::get_if<AreaTool>(&strokes_[next]);
@@ -93,6 +93,7 @@ class Session {
   Painted now_;
   const std::vector<PaintStroke>& strokes_;
   const RunContext& run_;
+  const GridFrame& whole_;
   std::deque<Brush> crisp_;  ///< brushes of strokes that have no softness of their own
   std::vector<geom::BrushPath> paths_;
 };
@@ -100,7 +101,7 @@ class Session {
 }  // namespace
 
 Painted paint(const GridFrame& frame, const LabelMap* labels, const ScalarField* subsidence, const PaintParams& params,
-              const RunContext& run) {
+              const RunContext& run, const GridFrame* whole) {
   check_params(params);
   run.check_cancelled();
   if (labels != nullptr) check_same_size("labels", labels->frame(), frame, "result");
@@ -108,7 +109,7 @@ Painted paint(const GridFrame& frame, const LabelMap* labels, const ScalarField*
   Painted before{labels != nullptr ? *labels : LabelMap(frame, params.base),
                  subsidence != nullptr ? *subsidence : ScalarField(frame, 0.0F)};
   for (float& s : before.subsidence.cells()) s = std::clamp(s, 0.0F, 1.0F);
-  return Session(before, params.strokes, run).replay();
+  return Session(before, params.strokes, run, whole != nullptr ? *whole : frame).replay();
 }
 
 }  // namespace seamount::classify

@@ -87,8 +87,9 @@ struct Painted {
 
 /// Labels and subsidence after all strokes, in `frame`. `labels` and `subsidence` may be null: `base`, and 0. Throws
 /// InvalidArgument{"strokes[i]..."} for params out of range, a stroke without points, an area without three points;
-/// IncompatibleInputs for inputs of another size. Parallel; cost follows the cells under strokes.
+/// IncompatibleInputs for inputs of another size. Parallel; cost follows the cells under strokes. `whole`: of which the
+/// frame is a window; null: none. A cell looks at its own place.
 Painted paint(const GridFrame& frame, const LabelMap* labels, const ScalarField* subsidence, const PaintParams& params,
-              const RunContext& run);
+              const RunContext& run, const GridFrame* whole = nullptr);
 
 }  // namespace seamount::classify

@@ -7,9 +7,7 @@
 #include "seamount/ops/hydrology/outline.h"
 
 namespace seamount::hydrology {
-namespace {
 
-/// The cells of one level that hang together, found by walking from `first`.
 LakeArea walk_lake(const HeightField& terrain, const HeightField& filled, int32_t first, Grid<uint8_t>& seen) {
   LakeArea lake;
   lake.level_m = filled.data()[first];
@@ -32,6 +30,8 @@ LakeArea walk_lake(const HeightField& terrain, const HeightField& filled, int32_
   return lake;
 }
 
+namespace {
+
 std::vector<Polygon> trace_shore(const LakeArea& lake, const GridFrame& frame, const RunContext& run) {
   CellWindow window;
   std::vector<int32_t> cells = lake.cells;
@@ -45,22 +45,26 @@ std::vector<Polygon> trace_shore(const LakeArea& lake, const GridFrame& frame, c
 
 }  // namespace
 
+NamedArea lake_area(const LakeArea& lake, size_t number, std::vector<Polygon> shore, double cell_m) {
+  const double cell_m2 = cell_m * cell_m;
+  NamedArea area{"lake " + std::to_string(number),
+                 std::move(shore),
+                 {{"level_m", lake.level_m},
+                  {"depth_m", lake.depth_m},
+                  {"area_m2", static_cast<double>(lake.cells.size()) * cell_m2},
+                  {"volume_m3", lake.volume_m * cell_m2}}};
+  area.attributes.insert(area.attributes.end(), lake.more.begin(), lake.more.end());
+  return area;
+}
+
 Drawing draw_lakes(std::vector<LakeArea> lakes, const GridFrame& frame, const RunContext& run) {
-  const double cell_m2 = frame.cell_m * frame.cell_m;
   std::stable_sort(lakes.begin(), lakes.end(),
                    [](const LakeArea& a, const LakeArea& b) { return a.cells.size() > b.cells.size(); });
   Drawing drawing;
   drawing.crs = frame.crs;
   for (const LakeArea& lake : lakes) {
     run.check_cancelled();
-    NamedArea area{"lake " + std::to_string(drawing.areas.size() + 1),
-                   trace_shore(lake, frame, run),
-                   {{"level_m", lake.level_m},
-                    {"depth_m", lake.depth_m},
-                    {"area_m2", static_cast<double>(lake.cells.size()) * cell_m2},
-                    {"volume_m3", lake.volume_m * cell_m2}}};
-    area.attributes.insert(area.attributes.end(), lake.more.begin(), lake.more.end());
-    drawing.areas.push_back(std::move(area));
+    drawing.areas.push_back(lake_area(lake, drawing.areas.size() + 1, trace_shore(lake, frame, run), frame.cell_m));
   }
   return drawing;
 }

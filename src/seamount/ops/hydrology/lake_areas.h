@@ -22,6 +22,13 @@ struct LakeArea {
 /// volume_m3 and what a lake has of its own. Linear in the cells and in the windows of the lakes.
 Drawing draw_lakes(std::vector<LakeArea> lakes, const GridFrame& frame, const RunContext& run);
 
+/// The cells of one level that hang together by their sides, found by walking from the first of them, all of which are
+/// `seen` then: a lake between a terrain and its filled surface.
+LakeArea walk_lake(const HeightField& terrain, const HeightField& filled, int32_t first, Grid<uint8_t>& seen);
+
+/// The area of a lake as draw_lakes() makes it.
+NamedArea lake_area(const LakeArea& lake, size_t number, std::vector<Polygon> shore, double cell_m);
+
 /// The lakes between a terrain and its filled surface, those of at least min_area_m2. Linear.
 Drawing trace_lakes(const HeightField& terrain, const HeightField& filled, double min_area_m2, const RunContext& run);
 

@@ -30,9 +30,11 @@ struct LayersParams {
 };
 
 /// The layers of a terrain in a style. Throws InvalidArgument for params out of range and a high border below the low
-/// one. Parallel; about 25 ns per cell.
-geom::Layers layers(const HeightField& terrain, const LayersParams& params, const RunContext& run);
+/// one. `whole`: the frame of which the terrain is a window; null: none. Parallel; about 25 ns per cell.
+geom::Layers layers(const HeightField& terrain, const LayersParams& params, const RunContext& run,
+                    const GridFrame* whole = nullptr);
 
-Reach layers_reach(const LayersParams& params);
+/// The parameters with the borders that they have on a terrain between two heights.
+LayersParams settled_layers(const LayersParams& params, float lowest_m, float highest_m);
 
 }  // namespace seamount::render

@@ -153,7 +153,11 @@ Material reef_floor(const SurfacePoint& p) {
 
 geom::Borders style_borders(Style style, const LayerBorders& borders, const HeightField& terrain) {
   const auto [lowest, highest] = std::minmax_element(terrain.cells().begin(), terrain.cells().end());
-  if (style == Style::great_barrier_reef && *lowest < 0.0F) {
+  return style_borders(style, borders, *lowest, *highest);
+}
+
+geom::Borders style_borders(Style style, const LayerBorders& borders, float lowest_m, float highest_m) {
+  if (style == Style::great_barrier_reef && lowest_m < 0.0F) {
     // Depths of the reefs around 18 degrees south: flats awash, lagoons and shoals to some 20 m, then the shelf's
     // slope.
     LayerBorders depths = borders;
@@ -163,7 +167,7 @@ geom::Borders style_borders(Style style, const LayerBorders& borders, const Heig
     if (!depths.high_error_m) depths.high_error_m = 4.5;
     return geom::resolve_borders(depths, -500.0, 0.0);
   }
-  const double top = *highest, bottom = top > 0.0 ? std::max(0.0, static_cast<double>(*lowest)) : *lowest;
+  const double top = highest_m, bottom = top > 0.0 ? std::max(0.0, static_cast<double>(lowest_m)) : lowest_m;
   return geom::resolve_borders(borders, bottom, top);
 }
 

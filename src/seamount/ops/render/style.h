@@ -21,6 +21,7 @@ namespace seamount::render {
 /// Borders of a style on a terrain with heights over the water: those given, and for the others what the style asks
 /// for. The reef's are depths; the others' are the paper's shares of the land's relief.
 geom::Borders style_borders(Style style, const LayerBorders& borders, const HeightField& terrain);
+geom::Borders style_borders(Style style, const LayerBorders& borders, float lowest_m, float highest_m);
 
 /// Land of stone, desert or volcano by its layers at the point.
 Material style_land(const SurfacePoint& point, Style style);

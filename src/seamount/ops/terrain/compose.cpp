@@ -165,6 +165,14 @@ GridFrame frame_around(const std::vector<const HeightField*>& terrains) {
   return frame;
 }
 
+Reach compose_reach(const ComposeParams& params) {
+  if (params.places.empty())
+    return Reach::everything(
+        "terrains that lie where they lie decide how large it is; places put them into the domain");
+  if (!params.outside_m) return Reach::everything("ground without a terrain is counted; outside_m gives it a height");
+  return Reach::place();
+}
+
 HeightField compose(const std::vector<const HeightField*>& terrains, const ComposeParams& params,
                     const GridFrame& frame, const RunContext& run) {
   check_params(params);

@@ -15,6 +15,7 @@
 #include "seamount/base/run_context.h"
 #include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
+#include "seamount/model/reach.h"
 
 namespace seamount::terrain {
 
@@ -54,5 +55,8 @@ GridFrame frame_around(const std::vector<const HeightField*>& terrains);
 /// nor all of them. Parallel; about 20 ns per cell and terrain.
 HeightField compose(const std::vector<const HeightField*>& terrains, const ComposeParams& params,
                     const GridFrame& frame, const RunContext& run);
+
+/// Each cell hangs on the terrains alone, if nothing is said of the whole.
+Reach compose_reach(const ComposeParams& params);
 
 }  // namespace seamount::terrain

@@ -26,12 +26,11 @@ Vec2 extreme_place(const HeightField& terrain, float sign) {
   return place;
 }
 
-Vec2 middle_of(const HeightField& terrain, const CropParams& params) {
-  const GridFrame& frame = terrain.frame();
+Vec2 middle_of(const GridFrame& frame, const CropParams& params, Vec2 extreme) {
   if (params.x_m) return {*params.x_m, *params.y_m};
   if (params.around == Around::middle)
     return {frame.west_m + 0.5 * frame.width_m(), frame.north_m - 0.5 * frame.height_m()};
-  return extreme_place(terrain, params.around == Around::highest ? 1.0F : -1.0F);
+  return extreme;
 }
 
 /// Cells from first to last, both included, of `count` whose middles lie within `half` of a fractional cell.
@@ -49,13 +48,11 @@ Span span_around(double cell, double half) {
 
 }  // namespace
 
-HeightField crop(const HeightField& terrain, const CropParams& params, const RunContext& run) {
+CropCells crop_cells(const GridFrame& frame, const CropParams& params, Vec2 extreme, const RunContext& run) {
   check_params(params);
-  if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");
   if (params.x_m.has_value() != params.y_m.has_value())
     throw InvalidArgument(params.x_m ? "y_m" : "x_m", "is missing: a place has both");
-  const GridFrame& frame = terrain.frame();
-  const Vec2 middle = middle_of(terrain, params);
+  const Vec2 middle = middle_of(frame, params, extreme);
   const double height_m = params.height_m.value_or(params.width_m);
   const Span columns = span_around(frame.column(middle.x), 0.5 * params.width_m / frame.cell_m),
              rows = span_around(frame.row(middle.y), 0.5 * height_m / frame.cell_m);
@@ -75,10 +72,19 @@ HeightField crop(const HeightField& terrain, const CropParams& params, const Run
     run.say("the rectangle reaches beyond the terrain: " + format_number(part.width_m()) + " x " +
             format_number(part.height_m()) + " m of " + format_number(params.width_m) + " x " +
             format_number(height_m) + " m are there");
+  return {x0, y0, part};
+}
+
+HeightField crop(const HeightField& terrain, const CropParams& params, const RunContext& run) {
+  if (terrain.empty()) throw InvalidArgument("terrain", "has no cells");
+  const Vec2 extreme =
+      around_extreme(params) ? extreme_place(terrain, params.around == Around::highest ? 1.0F : -1.0F) : Vec2{};
+  const CropCells cells = crop_cells(terrain.frame(), params, extreme, run);
+  const GridFrame& part = cells.frame;
   HeightField out(part);
   for (int y = 0; y < part.height; ++y) {
     if (y % 256 == 0) run.check_cancelled();
-    for (int x = 0; x < part.width; ++x) out(x, y) = terrain(x0 + x, y0 + y);
+    for (int x = 0; x < part.width; ++x) out(x, y) = terrain(cells.column + x, cells.row + y);
   }
   return out;
 }

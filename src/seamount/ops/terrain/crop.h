@@ -8,6 +8,7 @@
 
 #include "seamount/base/fields.h"
 #include "seamount/base/run_context.h"
+#include "seamount/model/drawn.h"
 #include "seamount/model/grid.h"
 
 namespace seamount::terrain {
@@ -38,6 +39,19 @@ struct CropParams {
               "with longitude_deg: the place in the middle"));
   }
 };
+
+/// Cells of a terrain that a crop keeps, and their frame.
+struct CropCells {
+  int column = 0, row = 0;
+  GridFrame frame;
+};
+
+/// Those of crop(). `extreme`: the middle of the highest or lowest cell, where that is asked for. Says and throws what
+/// crop() does.
+CropCells crop_cells(const GridFrame& terrain, const CropParams& params, Vec2 extreme, const RunContext& run);
+
+/// Is it cut around the highest or the lowest cell?
+inline bool around_extreme(const CropParams& params) { return !params.x_m && params.around != Around::middle; }
 
 /// The cells whose middles lie in the rectangle, at least one, unchanged and where they lay; of equally high or low
 /// cells the first. What reaches beyond the terrain is cut off, which is said. Longitude and latitude are not for this

@@ -16,6 +16,8 @@ namespace seamount::terrain {
 /// The layers of a terrain; borders that are absent are shares of the relief between its lowest cell, or sea level
 /// where it has land and sea, and its highest.
 /// Throws InvalidArgument for params out of range and a high border below the low one. Parallel; about 25 ns per cell.
-geom::Layers layers(const HeightField& terrain, const LayerBorders& params, const RunContext& run);
+/// `whole`: the frame of which the terrain is a window; null: none.
+geom::Layers layers(const HeightField& terrain, const LayerBorders& params, const RunContext& run,
+                    const GridFrame* whole = nullptr);
 
 }  // namespace seamount::terrain

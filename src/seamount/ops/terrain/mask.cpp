@@ -310,13 +310,23 @@ Reach reach_of(const By&, double) {
   return Reach::place();
 }
 
+/// Does a criterion look at the ground beside a cell? Then unknown ground there must be filled.
+bool looks_beside(const Criterion& criterion) {
+  return std::holds_alternative<ByDepth>(criterion) || std::holds_alternative<BySlope>(criterion) ||
+         std::holds_alternative<ByAspect>(criterion) || std::holds_alternative<ByCurvature>(criterion);
+}
+bool looks_beside(const MaskParams& params) {
+  return std::any_of(params.criteria.begin(), params.criteria.end(),
+                     [](const Criterion& criterion) { return looks_beside(criterion); });
+}
+
 }  // namespace
 
 Reach mask_reach(const MaskParams& params, double cell_m) {
   Reach reach = Reach::place();
   for (const Criterion& criterion : params.criteria)
     reach = reach.with(std::visit([&](const auto& by) { return reach_of(by, cell_m); }, criterion));
-  reach.known = true;
+  reach.known = looks_beside(params);
   return reach;
 }
 
@@ -324,16 +334,16 @@ Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunCo
   check_params(params);
   check_inputs(in);
   run.check_cancelled();
-  if (geom::count_voids(in.terrain, run) == 0) {
-    Mask out = mask_known(in, params, seed, run);
-    say_if_nothing(out, run);
-    give_values(params, out);
-    return out;
+  const bool holes = geom::count_voids(in.terrain, run) > 0;
+  Mask out;
+  if (holes && looks_beside(params)) {
+    HeightField filled = in.terrain;  // slopes at the rim of a hole need something beyond it
+    geom::fill_voids(filled, run.part(0.0, 0.2));
+    out = mask_known({filled, in.labels, in.drawing, in.values, in.mask}, params, seed, run.part(0.2, 1.0));
+  } else {
+    out = mask_known(in, params, seed, run);
   }
-  HeightField filled = in.terrain;  // slopes at the rim of a hole need something beyond it
-  geom::fill_voids(filled, run.part(0.0, 0.2));
-  Mask out = mask_known({filled, in.labels, in.drawing, in.values, in.mask}, params, seed, run.part(0.2, 1.0));
-  select_nothing_unknown(in.terrain, out);
+  if (holes) select_nothing_unknown(in.terrain, out);
   say_if_nothing(out, run);
   give_values(params, out);
   return out;

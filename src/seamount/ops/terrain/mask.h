@@ -67,7 +67,8 @@ double soft_range(double x, std::optional<double> low, std::optional<double> hig
 Mask mask(const MaskInputs& in, const MaskParams& params, Seed seed, const RunContext& run);
 
 /// As far as the criterion that looks furthest: slope, aspect and curvature at their scale, region as far as its
-/// limits, depth at everything, for what is sea; others at their own place. Where ground is unknown, at everything.
+/// limits, depth at everything, for what is sea; others at their own place. Those that look further look at everything
+/// where ground is unknown.
 Reach mask_reach(const MaskParams& params, double cell_m);
 
 }  // namespace seamount::terrain

@@ -31,8 +31,8 @@ void lay_over(std::span<const float> weights, double opacity, float* row, Value&
 
 class Session {
  public:
-  Session(ScalarField before, const std::vector<PaintStroke>& strokes, const RunContext& run)
-      : before_(std::move(before)), field_(before_), strokes_(strokes), run_(run) {}
+  Session(ScalarField before, const std::vector<PaintStroke>& strokes, const RunContext& run, const GridFrame& whole)
+      : before_(std::move(before)), field_(before_), strokes_(strokes), run_(run), whole_(whole) {}
 
   ScalarField replay() {
     std::vector<const Brush*> brushes;
@@ -41,7 +41,7 @@ class Session {
       const auto* brush = std::get_if<PaintBrush>(&stroke);
       brushes.push_back(brush != nullptr ? brush : static_cast<const Brush*>(std::get_if<PaintErase>(&stroke)));
     }
-    paths_ = geom::brush_paths(brushes, before_.frame(), "strokes", run_.part(0.0, 0.2));
+    paths_ = geom::brush_paths(brushes, whole_, "strokes", run_.part(0.0, 0.2));
     size_t done = 0;
     for (size_t next = 0; next < strokes_.size(); ++next) {
       const auto* area = std::get_if<PaintArea>(&strokes_[next]);
@@ -89,21 +89,24 @@ class Session {
   ScalarField field_;
   const std::vector<PaintStroke>& strokes_;
   const RunContext& run_;
+  const GridFrame& whole_;
   std::vector<geom::BrushPath> paths_;
 };
 
 }  // namespace
 
-ScalarField paint(const GridFrame& frame, const ScalarField* values, const PaintParams& params, const RunContext& run) {
+ScalarField paint(const GridFrame& frame, const ScalarField* values, const PaintParams& params, const RunContext& run,
+                  const GridFrame* whole) {
   check_params(params);
+  const GridFrame& all = whole != nullptr ? *whole : frame;
   run.check_cancelled();
   if (values != nullptr) {
     check_same_size("values", values->frame(), frame, "result");
     if (params.unknown) run.say("unknown says nothing here: what is not painted is what the input 'values' says");
-    return Session(*values, params.strokes, run).replay();
+    return Session(*values, params.strokes, run, all).replay();
   }
   const float base = params.unknown ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(params.base);
-  return Session(ScalarField(frame, base), params.strokes, run).replay();
+  return Session(ScalarField(frame, base), params.strokes, run, all).replay();
 }
 
 }  // namespace seamount::terrain

@@ -79,7 +79,8 @@ struct PaintParams {
 /// The field after all strokes, in `frame`; `values` may be null. What strokes do not touch stays to the bit. Throws
 /// InvalidArgument{"strokes[i]..."} for params out of range, a stroke without points or with other than one pressure
 /// each, an area without three points; IncompatibleInputs for values of another size. Parallel; 1000 strokes of 30
-/// points over 256 x 256 in 30 ms.
-ScalarField paint(const GridFrame& frame, const ScalarField* values, const PaintParams& params, const RunContext& run);
+/// points over 256 x 256 in 30 ms. `whole`: of which the frame is a window; null: none. A cell looks at its own place.
+ScalarField paint(const GridFrame& frame, const ScalarField* values, const PaintParams& params, const RunContext& run,
+                  const GridFrame* whole = nullptr);
 
 }  // namespace seamount::terrain

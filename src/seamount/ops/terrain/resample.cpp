@@ -31,8 +31,9 @@ GridFrame recelled(const GridFrame& frame, double cell_m) {
   return out;
 }
 
-/// Cells whose middle lies beyond the source become unknown.
-void forget_beyond(HeightField& out, const GridFrame& source, const RunContext& run) {
+}  // namespace
+
+int64_t forget_beyond(HeightField& out, const GridFrame& source) {
   const GridFrame& frame = out.frame();
   constexpr double kRounding = 1e-6;  // of a cell
   const double x0 = source.west_m - kRounding * source.cell_m, x1 = source.east_m() + kRounding * source.cell_m;
@@ -46,6 +47,10 @@ void forget_beyond(HeightField& out, const GridFrame& source, const RunContext& 
       ++beyond;
     }
   }
+  return beyond;
+}
+
+void judge_beyond(int64_t beyond, const GridFrame& frame, const GridFrame& source, const RunContext& run) {
   if (beyond == frame.cells())
     throw IncompatibleInputs("terrain: none of the domain lies on it: it covers " + extent_text(Extent::of(source)) +
                              ", the domain " + extent_text(Extent::of(frame)));
@@ -53,8 +58,6 @@ void forget_beyond(HeightField& out, const GridFrame& source, const RunContext& 
     run.say(std::to_string(beyond) + " of " + std::to_string(frame.cells()) +
             " cells lie beyond the terrain and have no height (\"beyond\": \"edge\" lets it go on)");
 }
-
-}  // namespace
 
 ResampleFrames resample_frames(const GridFrame& terrain, const ResampleParams& params, const GridFrame& domain) {
   GridFrame source = terrain, target = domain;
@@ -89,7 +92,7 @@ HeightField resample(const HeightField& terrain, const ResampleParams& params, c
   const bool in_domain = !params.cell_m && params.beyond == Beyond::unknown;
   if (params.scale == 1.0 && source == terrain.frame()) {
     HeightField out = geom::resample(terrain, target, run);
-    if (in_domain) forget_beyond(out, source, run);
+    if (in_domain) judge_beyond(forget_beyond(out, source), target, source, run);
     return out;
   }
   HeightField moved = terrain;
@@ -102,7 +105,7 @@ HeightField resample(const HeightField& terrain, const ResampleParams& params, c
     });
   }
   HeightField out = geom::resample(moved, target, run.part(0.2, 1.0));
-  if (in_domain) forget_beyond(out, source, run);
+  if (in_domain) judge_beyond(forget_beyond(out, source), target, source, run);
   return out;
 }
 

@@ -52,6 +52,11 @@ struct ResampleFrames {
 };
 ResampleFrames resample_frames(const GridFrame& terrain, const ResampleParams& params, const GridFrame& domain);
 
+/// For who makes it part by part. Cells of `out` whose middle lies beyond `source` become unknown; how many there are.
+int64_t forget_beyond(HeightField& out, const GridFrame& source);
+/// Says how many of `frame` lie beyond `source`. Throws IncompatibleInputs if all do.
+void judge_beyond(int64_t beyond, const GridFrame& frame, const GridFrame& source, const RunContext& run);
+
 /// On the domain each cell hangs on the terrain alone, if its place does not hang on the domain's size.
 Reach resample_reach(const ResampleParams& params);
 

@@ -61,8 +61,15 @@ struct Row {
 
 class Session {
  public:
-  Session(const HeightField& before, const Mask* mask, const SculptParams& params, Seed seed, const RunContext& run)
-      : before_(before), ground_(before), mask_(mask), strokes_(params.strokes), seed_(seed), run_(run) {}
+  Session(const HeightField& before, const Mask* mask, const SculptParams& params, Seed seed, const RunContext& run,
+          const GridFrame& whole)
+      : before_(before),
+        ground_(before),
+        mask_(mask),
+        strokes_(params.strokes),
+        seed_(seed),
+        run_(run),
+        whole_(whole) {}
 
   HeightField replay() {
     prepare();
@@ -85,7 +92,7 @@ class Session {
     brushes.reserve(strokes_.size());
     for (const SculptStroke& stroke : strokes_)
       brushes.push_back(std::visit([](const Brush& brush) { return &brush; }, stroke));
-    paths_ = geom::brush_paths(brushes, frame(), "strokes", run_.part(0.0, kPrepared));
+    paths_ = geom::brush_paths(brushes, whole_, "strokes", run_.part(0.0, kPrepared));
     seen_.resize(strokes_.size());
   }
 
@@ -101,7 +108,7 @@ class Session {
   void look(const SmoothTool& tool, const geom::BrushPath& path, Seen& seen) const {
     seen.window = geom::cells_of(path.box, frame(), tool.radius_m);
     if (seen.window.empty()) return;
-    HeightField part(geom::window_frame(seen.window, frame()));
+    HeightField part(geom::cells_frame(path.box, frame(), tool.radius_m));
     for (int y = 0; y < part.height(); ++y) {
       const float* from = &ground_(seen.window.left, seen.window.top + y);
       std::copy(from, from + part.width(), part.row(y).data());
@@ -178,17 +185,18 @@ class Session {
     const double length2 = dot(way, way);
     const Vec2 per_m = length2 > 0.0 ? (1.0 / length2) * way : Vec2{};
     const double start = tool.start_m.value_or(seen.start_m), rise = tool.end_m.value_or(seen.end_m) - start;
-    const double across = per_m.x * frame().cell_m;
-    const double first = dot(per_m, Vec2{frame().x(row.x), frame().y(row.y)} - from);
-    approach(path.thinned * tool.strength, row, [=](size_t i) {
-      return static_cast<float>(start + rise * std::clamp(first + across * static_cast<double>(i), 0.0, 1.0));
+    const double along = per_m.y * (frame().y(row.y) - from.y);
+    approach(path.thinned * tool.strength, row, [&, x = row.x](size_t i) {
+      const double across = per_m.x * (frame().x(x + static_cast<double>(i)) - from.x);
+      return static_cast<float>(start + rise * std::clamp(across + along, 0.0, 1.0));
     });
   }
 
   void draw(const RoughenTool& tool, const geom::BrushPath& path, const Seen&, const Row& row) const {
     const geom::Fbm shape{.wavelength_m = tool.wavelength_m, .octaves = 12, .cell_m = frame().cell_m};
     std::vector<float> noise(row.weights.size());
-    geom::fbm_row(seed_, shape, frame().x(row.x), frame().cell_m, frame().y(row.y), noise);
+    const GridFrame cells = frame().window(row.x, row.y, static_cast<int>(noise.size()), 1);
+    geom::fbm_row(seed_, shape, cells, 0, noise);
     const auto by = static_cast<float>(kNoiseReach * path.thinned * tool.amplitude_m);
     for (size_t i = 0; i < noise.size(); ++i) row.ground[i] += by * row.weights[i] * noise[i];
   }
@@ -204,23 +212,38 @@ class Session {
   const std::vector<SculptStroke>& strokes_;
   Seed seed_;
   const RunContext& run_;
+  const GridFrame& whole_;
   std::vector<geom::BrushPath> paths_;
   std::vector<Seen> seen_;
 };
 
 }  // namespace
 
+Reach sculpt_reach(const SculptParams& params) {
+  for (const SculptStroke& stroke : params.strokes) {
+    if (std::holds_alternative<SmoothTool>(stroke))
+      return Reach::everything(
+          "the pen's smooth looks at all ground under its stroke; terrain.smooth with a mask does not");
+    if (looks(stroke))
+      return Reach::everything("flatten and ramp look for the ground where a stroke begins; stated heights do not");
+  }
+  Reach reach = Reach::place();
+  reach.known = true;
+  return reach;
+}
+
 HeightField sculpt(const HeightField& terrain, const Mask* mask, const SculptParams& params, Seed seed,
-                   const RunContext& run) {
+                   const RunContext& run, const GridFrame* whole) {
   check_params(params);
   if (mask != nullptr) check_same_size("mask", mask->frame(), terrain.frame());
   run.check_cancelled();
   if (params.strokes.empty()) return terrain;
   const Seed noise = seed.derive("sculpt");
-  if (geom::count_voids(terrain, run) == 0) return Session(terrain, mask, params, noise, run).replay();
+  const GridFrame& all = whole != nullptr ? *whole : terrain.frame();
+  if (geom::count_voids(terrain, run) == 0) return Session(terrain, mask, params, noise, run, all).replay();
   HeightField filled = terrain;  // strokes at the rim of a hole need something beyond it
   geom::fill_voids(filled, run.part(0.0, 0.2));
-  HeightField out = Session(filled, mask, params, noise, run.part(0.2, 1.0)).replay();
+  HeightField out = Session(filled, mask, params, noise, run.part(0.2, 1.0), all).replay();
   for (size_t i = 0; i < out.size(); ++i)
     if (std::isnan(terrain.cells()[i])) out.cells()[i] = std::numeric_limits<float>::quiet_NaN();
   return out;

@@ -20,6 +20,7 @@
 #include "seamount/base/rng.h"
 #include "seamount/base/run_context.h"
 #include "seamount/model/grid.h"
+#include "seamount/model/reach.h"
 #include "seamount/ops/terrain/sculpt_tools.h"
 
 namespace seamount::terrain {
@@ -36,8 +37,11 @@ struct SculptParams {
 /// may be null: everywhere; values beyond [0, 1] count as the nearer end. Throws InvalidArgument{"strokes[i]..."} for
 /// params out of range, a stroke without points or with other than one pressure each; IncompatibleInputs for a mask of
 /// another size. Parallel; 1000 strokes of 30 points over 256 x 256 in 30 ms; cost follows the cells under strokes, and
-/// those within a radius of where it is smoothed.
+/// those within a radius of where it is smoothed. `whole`: the frame of which the terrain is a window; null: none.
 HeightField sculpt(const HeightField& terrain, const Mask* mask, const SculptParams& params, Seed seed,
-                   const RunContext& run);
+                   const RunContext& run, const GridFrame* whole = nullptr);
+
+/// At its own place, unless a stroke looks at the ground as it is when its turn comes.
+Reach sculpt_reach(const SculptParams& params);
 
 }  // namespace seamount::terrain

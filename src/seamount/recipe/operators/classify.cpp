@@ -32,7 +32,8 @@ void add_classify_operators(Registry& registry) {
       {.name = "classify.paint",
        .summary =
            "Regions of an island painted with a pen, over those of a label map or from nothing, and its subsidence",
-       .source = "P0 sec. 1.7 for what may be painted"},
+       .source = "P0 sec. 1.7 for what may be painted",
+       .looks = "at its own place"},
       inputs(optional_in<kinds::Labels>("labels", "what is painted on; `base` everywhere if open"),
              optional_in<kinds::Field>("subsidence", "how far the ground has sunk before, 0 to 1; 0 if open"),
              with_voids(optional_in<kinds::Terrain>("terrain", "where the map is to lie; its heights do not count"))),
@@ -44,9 +45,10 @@ void add_classify_operators(Registry& registry) {
                                  : subsidence != nullptr ? subsidence->frame()
                                  : terrain != nullptr    ? terrain->frame()
                                                          : call.domain;
-        classify::Painted made = classify::paint(frame, labels, subsidence, params, call.run);
+        classify::Painted made = classify::paint(frame, labels, subsidence, params, call.run, call.whole);
         return std::tuple(std::move(made.labels), std::move(made.subsidence));
-      }));
+      },
+      [](const classify::PaintParams&, double) { return Reach::place(); }));
 }
 
 }  // namespace seamount::recipe

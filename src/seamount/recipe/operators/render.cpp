@@ -48,7 +48,7 @@ Image map(const render::MapParams& params, const Call& call, const HeightField& 
 
 std::tuple<ScalarField, ScalarField, ScalarField> layers(const render::LayersParams& params, const Call& call,
                                                          const HeightField& terrain) {
-  geom::Layers made = render::layers(terrain, params, call.run);
+  geom::Layers made = render::layers(terrain, params, call.run, call.whole);
   return {std::move(made.low), std::move(made.middle), std::move(made.high)};
 }
 
@@ -104,17 +104,19 @@ void add_render_operators(Registry& registry) {
       [](const render::ContoursParams& params, const Call& call, const ContourSet& contours) {
         return render::contours(contours, params, call.run);
       }));
-  registry.add(make_operator<render::LayersParams>(
-      {.name = "render.layers",
-       .revision = 2,
-       .summary = "The layers of ground that a style's pictures show: three masks that sum to one, for splat maps",
-       .source = "P4 sec. 3.4, eq. 3-6",
-       .looks = "at everything; natural with stated borders and no variation at its own place"},
-      inputs(in<Terrain>("terrain", "heights in metres")),
-      outputs(out<kinds::Field>("low", "share of the low layer"),
-              out<kinds::Field>("middle", "share of the middle layer"),
-              out<kinds::Field>("high", "share of the high layer")),
-      layers, [](const render::LayersParams& params, double) { return render::layers_reach(params); }));
+  registry.add(settled_by_relief<render::LayersParams>(
+      make_operator<render::LayersParams>(
+          {.name = "render.layers",
+           .revision = 2,
+           .summary = "The layers of ground that a style's pictures show: three masks that sum to one, for splat maps",
+           .source = "P4 sec. 3.4, eq. 3-6",
+           .looks = "at its own place, once the lowest and the highest of the whole are known"},
+          inputs(in<Terrain>("terrain", "heights in metres")),
+          outputs(out<kinds::Field>("low", "share of the low layer"),
+                  out<kinds::Field>("middle", "share of the middle layer"),
+                  out<kinds::Field>("high", "share of the high layer")),
+          layers, [](const render::LayersParams& params, double) { return geom::layers_reach(params.layers); }),
+      render::settled_layers));
 }
 
 }  // namespace seamount::recipe

@@ -16,7 +16,8 @@
 #include "seamount/ops/terrain/sea_floor.h"
 #include "seamount/ops/terrain/smooth.h"
 #include "seamount/ops/terrain/terrace.h"
-#include "seamount/recipe/degrees.h"
+#include "seamount/recipe/crop_place.h"
+#include "seamount/recipe/import_params.h"
 #include "seamount/recipe/ports.h"
 
 namespace seamount::recipe {
@@ -26,60 +27,7 @@ using kinds::Field, kinds::Terrain;
 
 const char* const kHeights = "heights in metres";
 const char* const kOwnPlace = "at its own place";
-
-/// terrain.import has no algorithm of its own: it is the raster reader with its options as parameters.
-struct ImportParams {
-  FilePath file;
-  std::optional<double> cell_m;
-  std::optional<double> low_m;
-  std::optional<double> high_m;
-  bool fill_voids = false;
-  int band = 0;
-  io::ElevationCoding coding = io::ElevationCoding::numbers;
-  std::string unit;
-  std::string crs;
-  io::ByteOrder byte_order = io::ByteOrder::little;
-
-  static constexpr auto fields() {
-    using P = ImportParams;
-    return std::tuple(
-        field(&P::file, "file", "GeoTIFF, HGT, ASC, PNG, EXR, R16, R32 or NPY file"),
-        field(&P::cell_m, "cell_m", "m", between(1e-4, 1e6), "cell size, where the file does not say"),
-        field(&P::low_m, "low_m", "m", between(-20000, 20000), "height of the lowest code of an 8- or 16-bit image"),
-        field(&P::high_m, "high_m", "m", between(-20000, 20000), "height of the highest code of an 8- or 16-bit image"),
-        field(&P::fill_voids, "fill_voids",
-              "give cells without data the heights that the rims of their holes lead to; otherwise they stay unknown"),
-        field(&P::band, "band", "", between(0, 1000),
-              "band of a raster with several; 0: the first, unless they are colours"),
-        field(&P::coding, "coding",
-              "how heights are held: numbers, or in the colours of web map tiles: terrarium, mapbox (Terrain-RGB)"),
-        field(&P::unit, "unit", "unit of the heights, such as feet, where the file says none or a wrong one"),
-        field(&P::crs, "crs",
-              "coordinate system, such as EPSG:4326, where the file says none or a wrong one; local: metres"),
-        field(&P::byte_order, "byte_order", "which byte of a sample of a raw 16-bit file comes first: little, big"));
-  }
-};
-
-/// What a document in a coordinate system imports comes into it.
-io::ReadOptions read_options(const ImportParams& params, const Call& call, const RunContext& run) {
-  if (params.low_m.has_value() != params.high_m.has_value())
-    throw InvalidArgument("low_m", "low_m and high_m go together");
-  io::ReadOptions options;
-  options.cell_m = params.cell_m;
-  if (params.low_m) {
-    if (*params.low_m >= *params.high_m)
-      throw InvalidArgument("low_m", format_number(*params.low_m) + " is not below high_m");
-    options.range = io::HeightRange{*params.low_m, *params.high_m};
-  }
-  if (params.band > 0) options.band = params.band;
-  options.coding = params.coding;
-  options.unit = params.unit;
-  options.crs = params.crs;
-  options.byte_order = params.byte_order;
-  options.into = call.domain.crs;
-  options.run = run;
-  return options;
-}
+const char* const kByRelief = "at its own place, once the lowest and the highest of the whole are known";
 
 /// terrain.join: as import, of several files.
 struct JoinParams {
@@ -136,7 +84,7 @@ HeightField join(const JoinParams& params, const Call& call) {
 
 std::tuple<ScalarField, ScalarField, ScalarField> layers(const LayerBorders& params, const Call& call,
                                                          const HeightField& terrain) {
-  geom::Layers made = terrain::layers(terrain, params, call.run);
+  geom::Layers made = terrain::layers(terrain, params, call.run, call.whole);
   return {std::move(made.low), std::move(made.middle), std::move(made.high)};
 }
 
@@ -204,21 +152,7 @@ void add_sampling(Registry& registry) {
 }
 
 HeightField crop(const terrain::CropParams& params, const Call& call, const HeightField& terrain) {
-  terrain::CropParams placed = params;
-  const GridFrame& frame = terrain.frame();
-  const Degrees degrees{params.longitude_deg, params.latitude_deg};
-  const auto place = place_in_metres(degrees, params.x_m || params.y_m, frame, "", "x_m and y_m");
-  if (place) {
-    const double east = 0.5 * params.width_m, north = 0.5 * params.height_m.value_or(params.width_m);
-    if (!Extent{frame.crs, place->x - east, place->y - north, place->x + east, place->y + north}.overlaps(
-            Extent::of(frame)))
-      throw InvalidArgument("longitude_deg", "the rectangle around " +
-                                                 degrees_text(Vec2{*degrees.longitude, *degrees.latitude}) +
-                                                 " lies beside the terrain, which covers " + degrees_text(frame));
-    placed.x_m = place->x;
-    placed.y_m = place->y;
-  }
-  return terrain::crop(terrain, placed, call.run);
+  return terrain::crop(terrain, in_metres(params, terrain.frame()), call.run);
 }
 
 void add_shaping(Registry& registry) {
@@ -257,18 +191,21 @@ void add_shaping(Registry& registry) {
 void add_drawing(Registry& registry) {
   registry.add(make_operator<terrain::SculptParams>(
       {.name = "terrain.sculpt",
-       .revision = 2,
+       .revision = 3,
        .summary = "Strokes of a pen raise, lower, smooth, flatten, slope, roughen the ground, and are erased",
-       .stochastic = true},
+       .stochastic = true,
+       .looks = "at its own place; with smooth, and with flatten and ramp without stated heights, at everything"},
       inputs(with_voids(in<Terrain>("terrain", kHeights)),
              optional_in<Field>("mask", "where it is done, 0 to 1; everywhere if open")),
       outputs(out<Terrain>("terrain", kHeights)),
       [](const terrain::SculptParams& params, const Call& call, const HeightField& terrain, const ScalarField* mask) {
-        return terrain::sculpt(terrain, mask, params, call.seed, call.run);
-      }));
+        return terrain::sculpt(terrain, mask, params, call.seed, call.run, call.whole);
+      },
+      [](const terrain::SculptParams& params, double) { return terrain::sculpt_reach(params); }));
   registry.add(make_operator<terrain::PaintParams>(
       {.name = "terrain.paint",
-       .summary = "A field painted with a pen: a mask, a density, a hardness, where ground is to be made anew"},
+       .summary = "A field painted with a pen: a mask, a density, a hardness, where ground is to be made anew",
+       .looks = kOwnPlace},
       inputs(with_voids(optional_in<Field>("values", "what is painted on; `base` everywhere if open")),
              with_voids(optional_in<Terrain>("terrain", "where the field is to lie; its heights do not count"))),
       outputs(out<Field>("values", "the painted field")),
@@ -276,8 +213,9 @@ void add_drawing(Registry& registry) {
         const GridFrame& frame = values != nullptr    ? values->frame()
                                  : terrain != nullptr ? terrain->frame()
                                                       : call.domain;
-        return terrain::paint(frame, values, params, call.run);
-      }));
+        return terrain::paint(frame, values, params, call.run, call.whole);
+      },
+      [](const terrain::PaintParams&, double) { return Reach::place(); }));
 }
 
 void add_joining(Registry& registry) {
@@ -297,10 +235,12 @@ void add_joining(Registry& registry) {
       {.name = "terrain.compose",
        .revision = 2,
        .summary = "Several terrains in one domain, moved, turned and scaled, with feathered seams",
-       .source = "Porter and Duff 1984"},
+       .source = "Porter and Duff 1984",
+       .looks = "at everything; with places and outside_m at its own place in the domain, at the whole terrains"},
       inputs(with_voids(placed(Placing::system, in_rows<Terrain>(kMostTerrains, {"terrain"}, {"the lowest terrain"},
                                                                  {"a terrain over those before it"})))),
-      outputs(out<Terrain>("terrain", kHeights)), compose));
+      outputs(out<Terrain>("terrain", kHeights)), compose,
+      [](const terrain::ComposeParams& params, double) { return terrain::compose_reach(params); }));
 }
 
 }  // namespace
@@ -319,7 +259,7 @@ void add_terrain_operators(Registry& registry) {
            "any field",
        .stochastic = true,
        .looks = "at its own place; with slope, aspect and curvature 2 scale_m around, with region as far as its "
-                "limits; with depth, and where heights are unknown, at everything"},
+                "limits; with depth, and where heights are unknown with slope, aspect and curvature, at everything"},
       inputs(with_voids(in<Terrain>("terrain", kHeights)),
              optional_in<kinds::Labels>("labels", "its regions, for the criterion region"),
              optional_in<kinds::Drawing>("drawing", "areas and lines, for the criteria area and line"),
@@ -331,16 +271,20 @@ void add_terrain_operators(Registry& registry) {
         return terrain::mask({terrain, labels, drawing, values, mask}, params, call.seed, call.run);
       },
       terrain::mask_reach));
-  registry.add(make_operator<LayerBorders>(
-      {.name = "terrain.layers",
-       .revision = 2,
-       .summary = "How much of each place is low, middle and high ground: three masks that sum to one",
-       .source = "P4 sec. 3.4, eq. 3-6",
-       .looks = "at everything; with stated borders and no variation at its own place"},
-      inputs(in<Terrain>("terrain", kHeights)),
-      outputs(out<Field>("low", "share of the low layer"), out<Field>("middle", "share of the middle layer"),
-              out<Field>("high", "share of the high layer")),
-      layers, [](const LayerBorders& params, double) { return geom::layers_reach(params); }));
+  registry.add(settled_by_relief<LayerBorders>(
+      make_operator<LayerBorders>(
+          {.name = "terrain.layers",
+           .revision = 2,
+           .summary = "How much of each place is low, middle and high ground: three masks that sum to one",
+           .source = "P4 sec. 3.4, eq. 3-6",
+           .looks = kByRelief},
+          inputs(in<Terrain>("terrain", kHeights)),
+          outputs(out<Field>("low", "share of the low layer"), out<Field>("middle", "share of the middle layer"),
+                  out<Field>("high", "share of the high layer")),
+          layers, [](const LayerBorders& params, double) { return geom::layers_reach(params); }),
+      [](const LayerBorders& params, float lowest, float highest) {
+        return geom::stated(params, geom::relief_borders(params, lowest, highest));
+      }));
 }
 
 }  // namespace seamount::recipe
