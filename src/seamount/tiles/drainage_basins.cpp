@@ -43,7 +43,8 @@ void Drainage::number_basins(const RunContext& run) {
   const auto nodes = static_cast<size_t>(first_node_.back());
   std::vector<Mouth> mouths;
   std::vector<int32_t> next(nodes, -1), end(nodes, -1);  // the node that its flow enters, or the cell where it ends
-  each_tile(run, [&](int tile) {
+  for (int tile = 0; tile < layout_.count(); ++tile) {
+    run.check_cancelled();
     const geom::FlowDirections codes = directions(tile);
     const HeightField z = filled(tile);
     const Grid<uint64_t> drained = cells(tile);
@@ -60,7 +61,8 @@ void Drainage::number_basins(const RunContext& run) {
       next[node] = entered_from(tile, cell, codes.data()[cell]);
       end[node] = cell;
     }
-  });
+    run.report((tile + 1.0) / layout_.count());
+  }
   std::sort(mouths.begin(), mouths.end(), [](const Mouth& a, const Mouth& b) {
     return a.drained != b.drained ? a.drained > b.drained : a.place < b.place;
   });

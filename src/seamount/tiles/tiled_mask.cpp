@@ -42,7 +42,6 @@ terrain::MaskParams by_values(terrain::MaskParams params) {
 std::shared_ptr<const StoredRaster> over_the_sea(const World& world, const OutputOf& name, const OutputOf& terrain,
                                                  const RunContext& run) {
   const auto stored = world.on_disk_as(name, recipe::kinds::Field::kind(), world.frame(terrain));
-  if (stored->complete()) return stored;
   Drainage water(world, name.first, terrain, 0.0F, {}, run);
   try {
     water.find_hollows(run);

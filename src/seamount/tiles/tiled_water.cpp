@@ -131,7 +131,7 @@ void keep_drawing(World& world, const OutputOf& output, Drawing drawing) {
 std::shared_ptr<const StoredRaster> numbers_on_disk(const World& world, size_t step, const Drainage& water,
                                                     const Outputs& outputs) {
   if (outputs.wants("basins")) return outputs.raster("basins");
-  auto stored = world.on_disk_as({step, "-basins"}, kinds::Field::kind(), water.frame());
+  auto stored = world.on_disk_as({step, "-numbers"}, kinds::Field::kind(), water.frame());
   for (int tile = 0; tile < water.layout().count(); ++tile) {
     if (stored->has(tile)) continue;
     const Grid<int32_t> basins = water.basins(tile);
@@ -194,7 +194,7 @@ void run_tiled_flow(World& world, size_t step, const RunContext& run) {
           params.min_catchment_m2.value_or(water.frame().width_m() * water.frame().height_m() / kCatchmentPart);
       const auto numbers = numbers_on_disk(world, step, water, outputs);
       keep_drawing(world, {step, "catchments"}, trace_tiled_catchments(world, water, *numbers, least, quiet(run)));
-      if (!outputs.wants("basins")) numbers->remove();
+      if (!outputs.wants("basins")) world.keep_tiles({step, "-numbers"}, numbers);
     }
   }
   outputs.keep();
