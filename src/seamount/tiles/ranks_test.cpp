@@ -169,7 +169,8 @@ const char* const kWorld = R"({"seamount": 1, "seed": 9,
     {"id": "soft", "op": "terrain.smooth", "in": {"terrain": "filled.terrain", "mask": "steep"}, "params": {"radius_m": 90}},
     {"id": "flow", "op": "hydrology.flow", "in": {"terrain": "soft"}},
     {"id": "traced", "op": "hydrology.flow", "in": {"terrain": "filled.terrain"}, "params": {"min_catchment_m2": 90000}},
-    {"id": "wet", "op": "terrain.mask", "in": {"terrain": "hills"}, "params": {"criteria": [{"tool": "depth", "low_m": 2, "falloff_m": 20}]}},
+    {"id": "shore", "op": "terrain.noise", "params": {"kind": "smooth", "wavelength_m": 300, "base_m": 80}},
+    {"id": "wet", "op": "terrain.mask", "in": {"terrain": "shore"}, "params": {"criteria": [{"tool": "depth", "low_m": 2, "falloff_m": 20}]}},
     {"id": "layered", "op": "terrain.layers", "in": {"terrain": "soft"}},
     {"id": "peak", "op": "terrain.crop", "in": {"terrain": "soft"}, "params": {"around": "highest", "width_m": 7000, "height_m": 6000}},
     {"id": "coarse", "op": "terrain.resample", "in": {"terrain": "soft"}, "params": {"cell_m": 200}},
@@ -234,6 +235,26 @@ TEST_F(TiledRanks, SayWhichTileFailed) {
   EXPECT_THAT(failures[0]->text, HasSubstr("step 'some' (terrain.mask)"));
   EXPECT_THAT(failures[0]->text, HasSubstr("of row 1 (columns"));
   EXPECT_FALSE(fs::exists(at("out")));
+}
+
+/// What the raster itself shows, all of them find.
+TEST_F(TiledRanks, FindTogetherThatOnlyTheWholeTells) {
+  const recipe::Recipe recipe = recipe::parse_recipe(
+      R"({"seamount": 1, "seed": 9, "domain": {"width_m": 12000, "height_m": 9500, "cell_m": 31.3},
+    "steps": [{"id": "lakes", "op": "terrain.noise", "params": {"kind": "smooth", "wavelength_m": 3000, "base_m": 80}},
+              {"id": "sea", "op": "terrain.mask", "in": {"terrain": "lakes"}, "params": {"criteria": [{"tool": "depth"}]}}],
+    "outputs": [{"from": "sea", "path": "a.tif"}]})",
+      "world.json", "");
+  constexpr uint64_t kTooLittle = 3000000;
+  const auto failures = as_ranks(2, [&](Ranks& ranks, const std::atomic<bool>& cancelled) {
+    execute(recipe, {at("out"), at("cache"), 92, kTooLittle, &ranks}, {.threads = 1, .cancelled = &cancelled});
+  });
+  for (const auto& failure : failures) {
+    ASSERT_TRUE(failure);
+    EXPECT_THAT(failure->text, HasSubstr("(terrain.mask) looks at everything (an enclosed water below sea level"));
+  }
+  for (const auto& left : fs::directory_iterator(at("cache/tiles")))
+    EXPECT_THAT(left.path().filename().string(), HasSubstr(".terrain.")) << "what was found is of no use any more";
 }
 
 /// Two runs that share a folder: the one that ends first leaves it to the other.
