@@ -50,6 +50,7 @@ Drainage::Drainage(const World& world, size_t step, OutputOf terrain, float sea_
   flats_ = notes("-flats");
   drained_ = notes("-drained");
   exits_ = notes("-exits");
+  flat_codes_ = notes("-flat_codes");
 }
 
 Drainage::Raster Drainage::raster(const std::string& name, const recipe::Kind& kind) const {
@@ -62,7 +63,7 @@ Drainage::Notes Drainage::notes(const std::string& name) const {
 
 void Drainage::forget() const {
   remove_together(world_.ranks(), std::vector<Raster>{flooded_, basins_, codes_, directions_});
-  remove_together(world_.ranks(), std::vector<Notes>{waters_, spills_, flats_, drained_, exits_});
+  remove_together(world_.ranks(), std::vector<Notes>{waters_, spills_, flats_, drained_, exits_, flat_codes_});
 }
 
 /// Is something there on the disk? All ranks get the answer of the first.
