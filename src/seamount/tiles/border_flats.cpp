@@ -101,16 +101,16 @@ BorderFlats::BorderFlats(const Layout& layout, const GridFrame& frame, float sea
   }
 }
 
-std::vector<FlatCode> BorderFlats::drain(int tile, const std::function<HeightField(const Rect&)>& read,
-                                         const std::function<void(const GridFrame&)>& check,
-                                         const RunContext& run) const {
+std::map<int, FlatCodes> BorderFlats::drain(int tile, const std::function<HeightField(const Rect&)>& read,
+                                            const std::function<void(const GridFrame&)>& check,
+                                            const RunContext& run) const {
   // Most are small and lie near: their ground is read once.
   const Rect near = with_reach(layout_.tile(tile), Reach::neighbourhood(layout_.size / 4 + 3), frame_);
   Rect common;
   for (const Flat& flat : flats_[static_cast<size_t>(tile)])
     if (near.contains(window_of(flat))) common = united(common, window_of(flat));
   const HeightField ground = common.empty() ? HeightField() : read(common);
-  std::vector<FlatCode> codes;
+  std::map<int, FlatCodes> codes;
   for (const Flat& flat : flats_[static_cast<size_t>(tile)]) {
     run.check_cancelled();
     const Rect window = window_of(flat);
@@ -124,7 +124,7 @@ std::vector<FlatCode> BorderFlats::drain(int tile, const std::function<HeightFie
 Rect BorderFlats::window_of(const Flat& flat) const { return with_reach(flat.around, Reach::neighbourhood(2), frame_); }
 
 void BorderFlats::drain_one(const Flat& flat, const HeightField& surface, const RunContext& run,
-                            std::vector<FlatCode>& codes) const {
+                            std::map<int, FlatCodes>& codes) const {
   const Rect &around = flat.around, window = window_of(flat);
   const geom::FlowDirections made = geom::flow_directions(surface, sea_m_, run);
   Grid<uint8_t> seen(surface.frame(), uint8_t{0});
@@ -135,7 +135,9 @@ void BorderFlats::drain_one(const Flat& flat, const HeightField& surface, const 
     const int column = window.column + cell % window.width, row = window.row + cell / window.width;
     const int tile = row / layout_.size * layout_.columns() + column / layout_.size;
     const Rect rect = layout_.tile(tile);
-    codes.push_back({tile, (row - rect.row) * rect.width + column - rect.column, made.data()[cell]});
+    FlatCodes& of_tile = codes[tile];
+    of_tile.cells.push_back((row - rect.row) * rect.width + column - rect.column);
+    of_tile.codes.push_back(made.data()[cell]);
   }
 }
 

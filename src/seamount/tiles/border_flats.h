@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -27,11 +28,10 @@ struct TileFlats {
 /// `surface`: filled heights of the tile and a ring of one cell around it, as far as the whole goes.
 TileFlats find_flats(const Layout& layout, const GridFrame& frame, int tile, const HeightField& surface, float sea_m);
 
-/// Directions of a flat's cells in a tile.
-struct FlatCode {
-  int32_t tile;
-  int32_t cell;
-  int32_t code;
+/// Directions of cells of flats in a tile.
+struct FlatCodes {
+  std::vector<int32_t> cells;
+  std::vector<uint8_t> codes;
 };
 
 class BorderFlats {
@@ -39,10 +39,11 @@ class BorderFlats {
   /// `tiles`: what each of them says.
   BorderFlats(const Layout& layout, const GridFrame& frame, float sea_m, std::vector<TileFlats> tiles);
 
-  /// Drains those that are a tile's: each flat belongs to the first tile that it lies in. `read` gives filled heights;
+  /// Drains those that are a tile's: each flat belongs to the first tile that it lies in. By tile in which cells lie;
+  /// 5 bytes a cell. `read` gives filled heights;
   /// `check` may throw for a rectangle that is too large.
-  std::vector<FlatCode> drain(int tile, const std::function<HeightField(const Rect&)>& read,
-                              const std::function<void(const GridFrame&)>& check, const RunContext& run) const;
+  std::map<int, FlatCodes> drain(int tile, const std::function<HeightField(const Rect&)>& read,
+                                 const std::function<void(const GridFrame&)>& check, const RunContext& run) const;
 
   /// The tiles whose flats lie in a tile too.
   const std::set<int>& owners(int tile) const { return owners_[static_cast<size_t>(tile)]; }
@@ -55,7 +56,7 @@ class BorderFlats {
   Rect window_of(const Flat& flat) const;
   /// `surface`: of its window.
   void drain_one(const Flat& flat, const HeightField& surface, const RunContext& run,
-                 std::vector<FlatCode>& codes) const;
+                 std::map<int, FlatCodes>& codes) const;
 
   const Layout& layout_;
   const GridFrame& frame_;

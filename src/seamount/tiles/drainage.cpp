@@ -51,6 +51,7 @@ Drainage::Drainage(const World& world, size_t step, OutputOf terrain, float sea_
   drained_ = notes("-drained");
   exits_ = notes("-exits");
   ends_ = notes("-ends");
+  flat_codes_ = notes("-flat_codes");
 }
 
 Drainage::Raster Drainage::raster(const std::string& name, const recipe::Kind& kind) const {
@@ -63,7 +64,7 @@ std::shared_ptr<const StoredNotes> Drainage::notes(const std::string& name) cons
 
 void Drainage::forget() const {
   remove_together(world_.ranks(), std::vector<Raster>{flooded_, basins_, codes_, directions_});
-  remove_together(world_.ranks(), std::vector<Notes>{waters_, spills_, flats_, drained_, exits_, ends_});
+  remove_together(world_.ranks(), std::vector<Notes>{waters_, spills_, flats_, flat_codes_, drained_, exits_, ends_});
 }
 
 /// Is something there on the disk? All ranks get the answer of the first.

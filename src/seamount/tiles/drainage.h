@@ -83,6 +83,7 @@ class Drainage {
   HeightField with_ring(int tile) const;
   void direct_tiles(const RunContext& run);
   BorderFlats border_flats() const;
+  bool has_drained(int tile) const;
   void put_flats(int tile, const BorderFlats& flats) const;
   std::vector<bool> tilt_round(const std::vector<int>& tiles);
   void gather_tiles(const RunContext& run);
@@ -92,6 +93,7 @@ class Drainage {
   int32_t basin_at(int tile, int32_t cell) const;
   bool all_have(const std::function<bool()>& complete) const;
   Raster raster(const std::string& name, const recipe::Kind& kind) const;
+  int64_t pair_of(int owner, int tile) const { return int64_t{owner} * layout_.count() + tile; }
   int32_t node_of(const RimPlace& place) const { return first_node_[static_cast<size_t>(place.tile)] + place.rim; }
 
   const World& world_;
@@ -107,6 +109,7 @@ class Drainage {
   Raster flooded_, basins_;                 ///< each tile's own level, and over which rim cell (+ 1) its water leaves
   Raster codes_, directions_;               ///< without the flats across borders, and with them
   Notes waters_, spills_, flats_, drained_, exits_, ends_;
+  Notes flat_codes_;                ///< of flats of one tile in another, by both
   std::vector<float> levels_;       ///< by node: at which it overflows
   std::vector<float> rims_;         ///< by node: filled heights of rims
   std::vector<float> tilted_;       ///< by node: heights of rims once they fall; empty: filled as it is

@@ -63,13 +63,20 @@ BorderFlats Drainage::border_flats() const {
   return {layout_, frame_, sea_m_, std::move(all)};
 }
 
+/// Are the flats of a tile drained, in all tiles in which they lie?
+bool Drainage::has_drained(int tile) const {
+  if (!drained_->has(tile)) return false;
+  std::vector<int32_t> in;
+  drained_->read(tile, in);
+  return std::all_of(in.begin(), in.end(), [&](int32_t other) { return flat_codes_->has(pair_of(tile, other)); });
+}
+
 void Drainage::put_flats(int tile, const BorderFlats& flats) const {
   geom::FlowDirections codes = codes_in(*codes_, layout_.tile(tile));
-  std::vector<FlatCode> drained;
+  FlatCodes drained;
   for (const int owner : flats.owners(tile)) {
-    drained_->read(owner, drained);
-    for (const FlatCode& one : drained)
-      if (one.tile == tile) codes.data()[one.cell] = static_cast<uint8_t>(one.code);
+    flat_codes_->read(pair_of(owner, tile), drained.cells, drained.codes);
+    for (size_t i = 0; i < drained.cells.size(); ++i) codes.data()[drained.cells[i]] = drained.codes[i];
   }
   keep_codes(*directions_, tile, codes);
 }
@@ -85,7 +92,13 @@ void Drainage::direct(const RunContext& run) {
                       "is drained as a whole", around);
   };
   each_tile(run.part(0.6, 0.8), [&](int tile) {
-    if (!drained_->has(tile)) drained_->write(tile, flats.drain(tile, read, check, run_));
+    if (has_drained(tile)) return;
+    std::vector<int32_t> in;
+    for (const auto& [other, codes] : flats.drain(tile, read, check, run_)) {
+      flat_codes_->write(pair_of(tile, other), codes.cells, codes.codes);
+      in.push_back(other);
+    }
+    drained_->write(tile, in);
   });
   each_tile(run.part(0.8, 1.0), [&](int tile) {
     if (!directions_->has(tile)) put_flats(tile, flats);

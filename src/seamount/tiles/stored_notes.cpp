@@ -12,11 +12,11 @@ namespace fs = std::filesystem;
 StoredNotes::StoredNotes(std::string folder, int count)
     : folder_(std::move(folder)), count_(count), use_(std::make_unique<FolderUse>(folder_)) {}
 
-std::string StoredNotes::path_of(int tile) const {
+std::string StoredNotes::path_of(int64_t tile) const {
   return (fs::path(folder_) / (std::to_string(tile) + ".note")).string();
 }
 
-bool StoredNotes::has(int tile) const {
+bool StoredNotes::has(int64_t tile) const {
   std::error_code none_there;
   return fs::is_regular_file(path_of(tile), none_there);
 }
@@ -28,7 +28,7 @@ bool StoredNotes::complete() const {
   return true;
 }
 
-void StoredNotes::write_bytes(int tile, const std::function<void(recipe::Writer&)>& write) const {
+void StoredNotes::write_bytes(int64_t tile, const std::function<void(recipe::Writer&)>& write) const {
   const std::string path = path_of(tile);
   const auto write_file = [&](const std::string& temporary) {
     std::ofstream file(temporary, std::ios::binary);
@@ -40,7 +40,7 @@ void StoredNotes::write_bytes(int tile, const std::function<void(recipe::Writer&
   io::write_atomically(path, write_file, io::Durable::later);
 }
 
-void StoredNotes::read_bytes(int tile, const std::function<void(recipe::Reader&)>& read) const {
+void StoredNotes::read_bytes(int64_t tile, const std::function<void(recipe::Reader&)>& read) const {
   const std::string path = path_of(tile);
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError(path, "what this run needs of a tile has gone; run again");

@@ -14,20 +14,21 @@ namespace seamount::tiles {
 
 class StoredNotes {
  public:
-  /// One of each of `count` tiles in `folder`, which belongs to them and is used as long as this lives.
+  /// One of each of `count` tiles, or of other numbers, in `folder`, which belongs to them and is used as long as this
+  /// lives.
   StoredNotes(std::string folder, int count);
 
-  bool has(int tile) const;
+  bool has(int64_t tile) const;
   bool complete() const;
 
   /// Lists of plain values. Throws WriteError.
   template <class... T>
-  void write(int tile, const std::vector<T>&... lists) const {
+  void write(int64_t tile, const std::vector<T>&... lists) const {
     write_bytes(tile, [&](recipe::Writer& writer) { (writer.list(lists), ...); });
   }
   /// The same lists. Throws IoError for a note that is missing or damaged; the latter is removed.
   template <class... T>
-  void read(int tile, std::vector<T>&... lists) const {
+  void read(int64_t tile, std::vector<T>&... lists) const {
     read_bytes(tile, [&](recipe::Reader& reader) { ((lists = reader.list<T>()), ...); });
   }
 
@@ -36,9 +37,9 @@ class StoredNotes {
   void remove() const noexcept { use_->end_and_remove(); }
 
  private:
-  std::string path_of(int tile) const;
-  void write_bytes(int tile, const std::function<void(recipe::Writer&)>& write) const;
-  void read_bytes(int tile, const std::function<void(recipe::Reader&)>& read) const;
+  std::string path_of(int64_t tile) const;
+  void write_bytes(int64_t tile, const std::function<void(recipe::Writer&)>& write) const;
+  void read_bytes(int64_t tile, const std::function<void(recipe::Reader&)>& read) const;
 
   std::string folder_;
   int count_;
