@@ -61,6 +61,11 @@ std::string resample_refusal(const recipe::Step& step, const recipe::PlannedStep
   return step.in.at("terrain").from_file() ? "its terrain comes from a file" : "";
 }
 
+HeightField resample_by_rows(const World& world, const OutputOf& from, const GridFrame& source, const GridFrame& target,
+                             const RunContext& run) {
+  return make_tile(world, from, source, 1.0, target, run);
+}
+
 void run_tiled_resample(World& world, size_t step, const RunContext& run) {
   const OutputOf from = world.output_of(world.step(step).in.at("terrain"));
   const terrain::ResampleParams params = params_of(world.step(step));
