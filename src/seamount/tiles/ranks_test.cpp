@@ -209,9 +209,9 @@ TEST_F(TiledRanks, MakeTheSameBytes) {
       execute(recipe, {out, cache, 90 + count, kTooLittle, &ranks}, {.threads = 1, .cancelled = &cancelled});
     });
     for (const auto& failure : failures) EXPECT_FALSE(failure) << failure->text;
-    for (const char* name :
-         {"height.tif", "water.tif", "change.tif", "labels.tif", "lakes.geojson", "basins.tif", "catchments.geojson",
-          "traced.geojson", "wet.tif", "layered.tif", "peak.tif", "u_x3_y2.r16", "u_tiles.json", "m_x1_y1_lod0.glb", "m.gltf"})
+    for (const char* name : {"height.tif", "water.tif", "change.tif", "labels.tif", "lakes.geojson", "basins.tif",
+                             "catchments.geojson", "traced.geojson", "wet.tif", "layered.tif", "peak.tif",
+                             "u_x3_y2.r16", "u_tiles.json", "m_x1_y1_lod0.glb", "m.gltf"})
       EXPECT_TRUE(bytes_of(out + "/" + name) == bytes_of(at("one/") + name)) << name << ", " << count << " ranks";
     EXPECT_TRUE(fs::exists(out + "/map.png")) << "from larger cells";
     if (cache.empty()) continue;
