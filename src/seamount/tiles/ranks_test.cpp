@@ -11,10 +11,12 @@
 #include <numeric>
 #include <sstream>
 
+#include "seamount/io/test_files.h"
 #include "seamount/tiles/folder_use.h"
 #include "seamount/tiles/rank_messages.h"
 #include "seamount/tiles/run.h"
 #include "seamount/tiles/spread.h"
+#include "seamount/tiles/test_world.h"
 
 namespace seamount::tiles {
 namespace {
@@ -151,13 +153,6 @@ TEST(Ranks, OneThatFailsStopsAll) {
   }
 }
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// Chains, a step that is run as a whole, one that is small, water over the borders of tiles, with its lakes and
 /// catchments, a mask by depth, colours that hang on the relief, a part cut out.
 const char* const kWorld = R"({"seamount": 1, "seed": 9,
@@ -187,15 +182,10 @@ const char* const kWorld = R"({"seamount": 1, "seed": 9,
 
 class TiledRanks : public ::testing::Test {
  protected:
-  TiledRanks() : path_(fs::temp_directory_path() / ("seamount_ranks_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~TiledRanks() override { fs::remove_all(path_); }
-  std::string at(const std::string& name) const { return (path_ / name).string(); }
+  std::string at(const std::string& name) const { return folder_(name); }
 
  private:
-  fs::path path_;
+  io::TestFolder folder_;
 };
 
 TEST_F(TiledRanks, MakeTheSameBytes) {

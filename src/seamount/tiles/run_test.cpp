@@ -12,8 +12,10 @@
 #include <sstream>
 
 #include "seamount/io/raster.h"
+#include "seamount/io/test_files.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/tiles/stored_raster.h"
+#include "seamount/tiles/test_world.h"
 #include "seamount/tiles/windows.h"
 
 namespace seamount::tiles {
@@ -21,27 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-/// A folder of its own, gone at the end.
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("seamount_tiles_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// Local chains around a step that looks at everything, on cells of no round size; several outputs of one chain.
 const char* const kWorld = R"({"seamount": 1, "seed": 9,
@@ -73,14 +54,14 @@ std::map<std::string, std::vector<float>> cells_of_outputs(const std::string& fo
 }
 
 TEST(TiledRun, HasTheBytesOfTheWholeForAnySizeOfTiles) {
-  const Folder folder;
+  const io::TestFolder folder;
   const recipe::Recipe recipe = parse(kWorld);
-  recipe::execute(recipe, {folder / "whole", ""}, {});
-  const auto whole = cells_of_outputs(folder / "whole");
+  recipe::execute(recipe, {folder("whole"), ""}, {});
+  const auto whole = cells_of_outputs(folder("whole"));
   std::map<std::string, std::string> files;
   for (const int tile : {100, 333, 997, 5000}) {
-    const std::string out = folder / std::to_string(tile);
-    execute(recipe, {out, folder / ("cache" + std::to_string(tile)), tile, 0}, {});
+    const std::string out = folder(std::to_string(tile));
+    execute(recipe, {out, folder("cache" + std::to_string(tile)), tile, 0}, {});
     const auto cells = cells_of_outputs(out);
     for (const auto& [name, values] : whole) {
       const auto& found = cells.at(name);
@@ -89,40 +70,40 @@ TEST(TiledRun, HasTheBytesOfTheWholeForAnySizeOfTiles) {
       const std::string bytes = bytes_of(out + "/" + name);
       EXPECT_TRUE(files.emplace(name, bytes).first->second == bytes) << "the file " << name << ", tiles of " << tile;
     }
-    EXPECT_TRUE(fs::is_empty(folder / ("cache" + std::to_string(tile)) + "/tiles")) << "what is done leaves no tiles";
+    EXPECT_TRUE(fs::is_empty(folder("cache" + std::to_string(tile)) + "/tiles")) << "what is done leaves no tiles";
   }
 }
 
 /// A run that stops halfway leaves its tiles, and the next one makes only the others.
 TEST(TiledRun, GoesOnWhereARunWasStopped) {
-  const Folder folder;
+  const io::TestFolder folder;
   const recipe::Recipe recipe = parse(R"({"seamount": 1, "domain": {"width_m": 8000, "height_m": 8000, "cell_m": 20},
     "steps": [{"id": "hills", "op": "terrain.noise", "params": {"kind": "smooth"}}],
     "outputs": [{"from": "hills", "path": "a.tif"}]})");
-  const TileOptions options{folder / "out", folder / "cache", 100, 0};
+  const TileOptions options{folder("out"), folder("cache"), 100, 0};
   std::atomic<bool> stop{false};
   EXPECT_THROW(
       execute(recipe, options, {.threads = 1, .progress = [&](double f) { stop = f > 0.4; }, .cancelled = &stop}),
       Cancelled);
   std::vector<fs::path> left;
-  for (const auto& entry : fs::recursive_directory_iterator(folder / "cache/tiles"))
+  for (const auto& entry : fs::recursive_directory_iterator(folder("cache/tiles")))
     if (entry.path().extension() == ".tile") left.push_back(entry.path());
   ASSERT_GT(left.size(), 4U);
   ASSERT_LT(left.size(), 16U);
-  EXPECT_FALSE(fs::exists(folder / "out"));
+  EXPECT_FALSE(fs::exists(folder("out")));
   // Another's noise in one of the tiles that are left: it is taken as it is, for nothing is made twice.
   const StoredRaster raster(left[0].parent_path().string(), *recipe.steps[0].op->out[0].kind, recipe.domain, 100);
   raster.write(0, recipe::Value::of<recipe::kinds::Terrain>(HeightField(GridFrame{100, 100, 20.0}, 77.0F)));
   execute(recipe, options, {});
-  const HeightField made = io::read_heights(folder / "out/a.tif");
+  const HeightField made = io::read_heights(folder("out/a.tif"));
   EXPECT_EQ(made(5, 5), 77.0F);
   EXPECT_NE(made(105, 5), 77.0F);
 }
 
 TEST(TiledRun, ADamagedTileIsMadeAnew) {
-  const Folder folder;
+  const io::TestFolder folder;
   const GridFrame frame{300, 200, 10.0};
-  const StoredRaster raster(folder / "tiles", recipe::kinds::Terrain::kind(), frame, 128);
+  const StoredRaster raster(folder("tiles"), recipe::kinds::Terrain::kind(), frame, 128);
   HeightField whole(frame);
   for (size_t i = 0; i < whole.size(); ++i) whole.data()[i] = static_cast<float>(i);
   const recipe::Value value = recipe::Value::of<recipe::kinds::Terrain>(whole);
@@ -135,7 +116,7 @@ TEST(TiledRun, ADamagedTileIsMadeAnew) {
   const recipe::Value read = raster.read(rect);
   EXPECT_EQ(read.get<recipe::kinds::Terrain>(), window_of(value, rect).get<recipe::kinds::Terrain>());
   EXPECT_EQ(raster.read({0, 0, 300, 200}).get<recipe::kinds::Terrain>().cells().size(), whole.size());
-  const std::string file = folder / "tiles/0_1.tile";
+  const std::string file = folder("tiles/0_1.tile");
   {
     std::fstream damage(file, std::ios::binary | std::ios::in | std::ios::out);
     damage.seekp(40000);
@@ -144,7 +125,7 @@ TEST(TiledRun, ADamagedTileIsMadeAnew) {
   EXPECT_TRUE(raster.has(1)) << "its length says nothing";
   EXPECT_THROW(raster.read(rect), IoError);
   EXPECT_FALSE(raster.has(1));
-  fs::resize_file(folder / "tiles/0_0.tile", 1000);
+  fs::resize_file(folder("tiles/0_0.tile"), 1000);
   EXPECT_FALSE(raster.has(0));
 }
 
@@ -159,58 +140,58 @@ std::string message_of(const std::string& recipe, TileOptions options) {
 
 /// A picture's ground of a world that does not fit: means over larger cells, unknown ones too.
 TEST(TiledRun, LargerCellsOfWhatDoesNotFit) {
-  const Folder folder;
+  const io::TestFolder folder;
   const std::string text = R"({"seamount": 1, "domain": {"width_m": 12345, "height_m": 9876, "cell_m": 19.7},
     "steps": [{"id": "hills", "op": "terrain.noise", "params": {"kind": "smooth"}},
               {"id": "coarse", "op": "terrain.resample", "params": {"cell_m": 83}}],
     "outputs": [{"from": "coarse", "path": "coarse.npy"}]})";
-  recipe::execute(parse(text), {folder / "whole", ""}, {});
+  recipe::execute(parse(text), {folder("whole"), ""}, {});
   const recipe::Recipe recipe = parse(text);
-  execute(recipe, {folder / "tiles", "", 200, 3000000}, {});
-  EXPECT_TRUE(bytes_of(folder / "tiles/coarse.npy") == bytes_of(folder / "whole/coarse.npy"));
+  execute(recipe, {folder("tiles"), "", 200, 3000000}, {});
+  EXPECT_TRUE(bytes_of(folder("tiles/coarse.npy")) == bytes_of(folder("whole/coarse.npy")));
 }
 
 TEST(TiledRun, SaysWhatDoesNotFitAndWhatToDo) {
-  const Folder folder;
-  const std::string message = message_of(kWorld, {folder / "out", "", 200, 20000000});
+  const io::TestFolder folder;
+  const std::string message = message_of(kWorld, {folder("out"), "", 200, 20000000});
   EXPECT_THAT(message, HasSubstr("step 'isle' (classify.terrain) looks at everything: 998 x 853 cells"));
   EXPECT_THAT(message, HasSubstr("--memory"));
-  EXPECT_FALSE(fs::exists(folder / "out"));
+  EXPECT_FALSE(fs::exists(folder("out")));
 }
 
 TEST(TiledRun, NamesTheTileThatFails) {
-  const Folder folder;
+  const io::TestFolder folder;
   const std::string message = message_of(R"({"seamount": 1, "domain": {"width_m": 8000, "height_m": 8000, "cell_m": 20},
     "steps": [{"id": "hills", "op": "terrain.noise", "params": {"kind": "smooth"}},
               {"id": "some", "op": "terrain.mask", "params": {"criteria": [{"tool": "region"}]}}],
     "outputs": [{"from": "some", "path": "a.tif"}]})",
-                                         {folder / "out", "", 256, 0});
+                                         {folder("out"), "", 256, 0});
   EXPECT_THAT(message, HasSubstr("tile 1 of row 1 (columns 0 to 255, rows 0 to 255)"));
   EXPECT_THAT(message, HasSubstr("step 'some' (terrain.mask)"));
 }
 
 /// Cells without a value are filled as in a run of the whole, which is said.
 TEST(TiledRun, UnknownCellsAreLookedAtAsAWhole) {
-  const Folder folder;
+  const io::TestFolder folder;
   HeightField holed(GridFrame{400, 300, 25.0, 1000.0, 2000.0, "EPSG:32627"});
   for (int y = 0; y < 300; ++y) {
     for (int x = 0; x < 400; ++x)
       holed(x, y) = std::hypot(x - 250.F, y - 120.F) < 30.F ? NAN : 0.1F * static_cast<float>(x * (y % 17));
   }
-  io::write_heights(holed, folder / "holed.tif");
+  io::write_heights(holed, folder("holed.tif"));
   const std::string text = R"({"seamount": 1, "domain": {"crs": "EPSG:32627", "x_m": 5000, "y_m": -2000},
     "steps": [{"id": "dem", "op": "terrain.import", "params": {"file": ")" +
-                           (folder / "holed.tif") + R"("}},
+                           folder("holed.tif") + R"("}},
               {"id": "steep", "op": "terrain.mask", "params": {"criteria": [{"tool": "slope", "scale_m": 60}]}},
               {"id": "soft", "op": "terrain.smooth", "in": {"terrain": "dem"}, "params": {"radius_m": 60}}],
     "outputs": [{"from": "steep", "path": "steep.tif"}, {"from": "soft", "path": "soft.tif"}]})";
   std::vector<std::string> said;
-  execute(parse(text), {folder / "tiles", folder / "cache", 128, 0},
+  execute(parse(text), {folder("tiles"), folder("cache"), 128, 0},
           {.note = [&](const std::string& line) { said.push_back(line); }});
-  recipe::execute(parse(text), {folder / "whole", ""}, {});
+  recipe::execute(parse(text), {folder("whole"), ""}, {});
   for (const char* name : {"steep.tif", "soft.tif"}) {
-    const ScalarField a = io::read_field(folder / (std::string("tiles/") + name)),
-                      b = io::read_field(folder / (std::string("whole/") + name));
+    const ScalarField a = io::read_field(folder(std::string("tiles/") + name)),
+                      b = io::read_field(folder(std::string("whole/") + name));
     EXPECT_EQ(a.frame(), b.frame());
     EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(float)), 0) << name;
   }

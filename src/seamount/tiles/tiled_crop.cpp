@@ -5,15 +5,11 @@
 
 #include "seamount/recipe/crop_place.h"
 #include "seamount/recipe/kinds.h"
+#include "seamount/tiles/step_params.h"
 #include "seamount/tiles/tiled_ways.h"
 
 namespace seamount::tiles {
 namespace {
-
-terrain::CropParams params_of(const recipe::Step& step) {
-  recipe::Diagnostics none;
-  return recipe::read_params<terrain::CropParams>(step.params, {"", none});
-}
 
 /// The middle of the highest cell, or of the lowest where `sign` is -1; of equals the first, row by row.
 Vec2 extreme_place(const World& world, const OutputOf& terrain, float sign, const RunContext& run) {
@@ -53,7 +49,7 @@ void run_tiled_crop(World& world, size_t step, const RunContext& run) {
   const std::string& crs = world.recipe().domain.crs;
   if (!crs.empty() && !terrain.crs.empty() && crs != terrain.crs)
     throw NeedsWhole{"it lies in another coordinate system than the document"};
-  const terrain::CropParams params = recipe::in_metres(params_of(world.step(step)), terrain);
+  const terrain::CropParams params = recipe::in_metres(step_params<terrain::CropParams>(world.step(step)), terrain);
   const float sign = params.around == terrain::Around::highest ? 1.0F : -1.0F;
   const Vec2 extreme = terrain::around_extreme(params) ? extreme_place(world, from, sign, run) : Vec2{};
   const terrain::CropCells cells = terrain::crop_cells(terrain, params, extreme, run);

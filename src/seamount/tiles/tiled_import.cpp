@@ -7,15 +7,11 @@
 #include "seamount/io/large_raster.h"
 #include "seamount/recipe/import_params.h"
 #include "seamount/recipe/kinds.h"
+#include "seamount/tiles/step_params.h"
 #include "seamount/tiles/windows.h"
 
 namespace seamount::tiles {
 namespace {
-
-recipe::ImportParams params_of(const recipe::Step& step) {
-  recipe::Diagnostics none;
-  return recipe::read_params<recipe::ImportParams>(step.params, {"", none});
-}
 
 bool is_tiff(const std::string& path) {
   const std::string extension = io::extension_of(path);
@@ -62,7 +58,7 @@ void read_tiles(const io::LargeRaster& file, const StoredRaster& to, int at_once
 }  // namespace
 
 std::string import_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
-  const recipe::ImportParams params = params_of(step);
+  const recipe::ImportParams params = step_params<recipe::ImportParams>(step);
   if (!is_tiff(params.file.path)) return "only a GeoTIFF is read in parts";
   if (params.fill_voids) return "holes are filled from everything; fill_voids false leaves them unknown";
   if (params.low_m || params.high_m || params.coding != io::ElevationCoding::numbers)
@@ -71,7 +67,7 @@ std::string import_refusal(const recipe::Step& step, const recipe::PlannedStep&)
 }
 
 std::optional<GridFrame> import_size(const World& world, size_t step) {
-  const recipe::ImportParams params = params_of(world.step(step));
+  const recipe::ImportParams params = step_params<recipe::ImportParams>(world.step(step));
   if (!is_tiff(params.file.path)) return std::nullopt;
   const RunContext quiet;
   const auto [width, height] = io::stored_size(call_of(world, step, quiet).resolve(params.file));
@@ -79,7 +75,7 @@ std::optional<GridFrame> import_size(const World& world, size_t step) {
 }
 
 void run_tiled_import(World& world, size_t step, const RunContext& run) {
-  const recipe::ImportParams params = params_of(world.step(step));
+  const recipe::ImportParams params = step_params<recipe::ImportParams>(world.step(step));
   const RunContext looking = run.part(0.0, 0.3);
   const recipe::Call call = call_of(world, step, looking);
   const io::LargeRaster file(call.resolve(params.file), recipe::read_options(params, call, looking));

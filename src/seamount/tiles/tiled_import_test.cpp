@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "seamount/io/raster.h"
+#include "seamount/io/test_files.h"
 #include "seamount/tiles/run.h"
 
 namespace seamount::tiles {
@@ -20,12 +21,7 @@ using ::testing::HasSubstr;
 
 class TiledImport : public ::testing::Test {
  protected:
-  TiledImport() : path_(fs::temp_directory_path() / ("seamount_import_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~TiledImport() override { fs::remove_all(path_); }
-  std::string folder(const std::string& name) const { return (path_ / name).string(); }
+  std::string folder(const std::string& name) const { return folder_(name); }
 
   /// A terrain of 430 x 371 cells in a file.
   std::string dem(const std::string& name, GridFrame frame, bool hole) const {
@@ -82,7 +78,7 @@ class TiledImport : public ::testing::Test {
   }
 
  private:
-  fs::path path_;
+  io::TestFolder folder_;
 };
 
 TEST_F(TiledImport, InMetresWithItsOwnCells) {

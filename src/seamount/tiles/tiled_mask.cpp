@@ -11,18 +11,12 @@
 #include "seamount/recipe/value_stream.h"
 #include "seamount/tiles/chain.h"
 #include "seamount/tiles/drainage.h"
+#include "seamount/tiles/step_params.h"
 #include "seamount/tiles/tiled_ways.h"
 #include "seamount/tiles/windows.h"
 
 namespace seamount::tiles {
 namespace {
-
-constexpr float kLand_m = 9000.0F;  ///< of hollows, as terrain.mask has them
-
-terrain::MaskParams params_of(const recipe::Step& step) {
-  recipe::Diagnostics none;
-  return recipe::read_params<terrain::MaskParams>(step.params, {"", none});
-}
 
 template <class By>
 bool selects(const terrain::MaskParams& params) {
@@ -32,12 +26,8 @@ bool selects(const terrain::MaskParams& params) {
 
 /// The same selection where the input `values` says how high the ground is over the sea.
 terrain::MaskParams by_values(terrain::MaskParams params) {
-  const auto negative = [](std::optional<double> depth) { return depth ? std::optional(-*depth) : std::nullopt; };
   for (terrain::Criterion& one : params.criteria) {
-    if (const auto* by = std::get_if<terrain::ByDepth>(&one)) {
-      const terrain::ByValue value{negative(by->high_m), negative(by->low_m), by->falloff_m, by->invert};
-      one = value;
-    }
+    if (const auto* by = std::get_if<terrain::ByDepth>(&one)) one = terrain::over_the_sea(*by);
   }
   return params;
 }
@@ -55,7 +45,7 @@ std::string write_over_the_sea(Drainage& water, Ranks& ranks, const StoredRaster
     if (has_unknown(recipe::Value::of<recipe::kinds::Terrain>(water.terrain(tile))))
       unknown = true;
     else if (!to.has(tile))
-      to.write(tile, recipe::Value::of<recipe::kinds::Field>(water.ground(tile, kLand_m)));
+      to.write(tile, recipe::Value::of<recipe::kinds::Field>(water.ground(tile, terrain::kDryGround_m)));
   });
   return lowest(ranks, unknown ? 0 : 1) == 0 ? "some heights are unknown, which are filled first" : "";
 }
@@ -79,7 +69,7 @@ LocalStep step_by_values(const World& world, size_t index, const OutputOf& value
   if (!found) throw NeedsWhole{"what goes with it lies on other cells"};
   const recipe::Step& step = world.step(index);
   found->inputs.push_back({step.op->find_in("values"), values});
-  const recipe::Json params = recipe::write_params(by_values(params_of(step)));
+  const recipe::Json params = recipe::write_params(by_values(step_params<terrain::MaskParams>(step)));
   auto local = local_step(world, index, *found, frame_of, run, &params);
   if (!local) throw NeedsWhole{"another criterion looks further than the raster is large"};
   return *local;
@@ -121,7 +111,7 @@ class TileNotes {
 }  // namespace
 
 std::string mask_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
-  const terrain::MaskParams params = params_of(step);
+  const terrain::MaskParams params = step_params<terrain::MaskParams>(step);
   if (!selects<terrain::ByDepth>(params)) return "some heights are unknown";
   if (step.in.contains("values") || selects<terrain::ByValue>(params))
     return "depth together with value; a mask of its own for each of them goes over borders";

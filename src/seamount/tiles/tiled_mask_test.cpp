@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "seamount/io/raster.h"
+#include "seamount/io/test_files.h"
 #include "seamount/tiles/run.h"
 
 namespace seamount::tiles {
@@ -26,12 +27,7 @@ std::string text_of(int seed, const std::string& criteria) {
 
 class TiledMask : public ::testing::Test {
  protected:
-  TiledMask() : path_(fs::temp_directory_path() / ("seamount_mask_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~TiledMask() override { fs::remove_all(path_); }
-  std::string folder(const std::string& name) const { return (path_ / name).string(); }
+  std::string folder(const std::string& name) const { return folder_(name); }
 
   void expect_same(const std::string& text) const {
     const recipe::Recipe recipe = recipe::parse_recipe(text, "mask.json", "");
@@ -48,7 +44,7 @@ class TiledMask : public ::testing::Test {
   }
 
  private:
-  fs::path path_;
+  io::TestFolder folder_;
 };
 
 TEST_F(TiledMask, DepthAloneAndBesideWhatLooksAround) {

@@ -10,17 +10,13 @@
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/one_frame.h"
 #include "seamount/recipe/step_work.h"
+#include "seamount/tiles/step_params.h"
 #include "seamount/tiles/tiled_ways.h"
 
 namespace seamount::tiles {
 namespace {
 
 constexpr int64_t kAtOnce = int64_t{1} << 22;  ///< cells of the source, about
-
-terrain::ResampleParams params_of(const recipe::Step& step) {
-  recipe::Diagnostics none;
-  return recipe::read_params<terrain::ResampleParams>(step.params, {"", none});
-}
 
 /// The document's domain as it meets a terrain.
 GridFrame domain_for(const World& world, const GridFrame& terrain) {
@@ -68,7 +64,7 @@ HeightField resample_by_rows(const World& world, const OutputOf& from, const Gri
 
 void run_tiled_resample(World& world, size_t step, const RunContext& run) {
   const OutputOf from = world.output_of(world.step(step).in.at("terrain"));
-  const terrain::ResampleParams params = params_of(world.step(step));
+  const terrain::ResampleParams params = step_params<terrain::ResampleParams>(world.step(step));
   const GridFrame& terrain = world.frame(from);
   const auto frames = terrain::resample_frames(terrain, params, params.cell_m ? terrain : domain_for(world, terrain));
   const bool ends = !params.cell_m && params.beyond == terrain::Beyond::unknown;

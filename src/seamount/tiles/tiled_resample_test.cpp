@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "seamount/io/raster.h"
+#include "seamount/io/test_files.h"
 #include "seamount/tiles/run.h"
 
 namespace seamount::tiles {
@@ -40,15 +41,10 @@ const Case kCases[] = {
 
 class TiledResample : public ::testing::TestWithParam<Case> {
  protected:
-  TiledResample() : path_(fs::temp_directory_path() / ("seamount_resample_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~TiledResample() override { fs::remove_all(path_); }
-  std::string folder(const std::string& name) const { return (path_ / name).string(); }
+  std::string folder(const std::string& name) const { return folder_(name); }
 
  private:
-  fs::path path_;
+  io::TestFolder folder_;
 };
 
 TEST_P(TiledResample, HasTheBytesOfTheWhole) {

@@ -11,6 +11,7 @@
 #include "seamount/ops/hydrology/flow.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/tiles/drainage.h"
+#include "seamount/tiles/step_params.h"
 #include "seamount/tiles/traced_water.h"
 #include "seamount/tiles/windows.h"
 
@@ -19,12 +20,6 @@ namespace {
 
 using recipe::Value;
 namespace kinds = recipe::kinds;
-
-template <class Params>
-Params params_of(const recipe::Step& step) {
-  recipe::Diagnostics none;
-  return recipe::read_params<Params>(step.params, {"", none});
-}
 
 /// Outputs that are read, tile by tile.
 class Outputs {
@@ -154,10 +149,8 @@ std::shared_ptr<const StoredRaster> numbers_on_disk(const World& world, size_t s
 
 /// Once the catchments are numbered.
 void keep_catchments(World& world, size_t step, const Drainage& water, const Outputs& outputs, const RunContext& run) {
-  constexpr double kCatchmentPart = 500.0;  // of the terrain, as hydrology.flow has it
-  const auto params = params_of<hydrology::FlowParams>(world.step(step));
   const double least =
-      params.min_catchment_m2.value_or(water.frame().width_m() * water.frame().height_m() / kCatchmentPart);
+      hydrology::least_catchment_m2(step_params<hydrology::FlowParams>(world.step(step)), water.frame());
   const auto numbers = numbers_on_disk(world, step, water, outputs, run);
   keep_drawing(world, {step, "catchments"}, trace_tiled_catchments(world, water, *numbers, least, run));
   if (!outputs.wants("basins")) remove_together(world.ranks(), std::vector{numbers});
@@ -167,7 +160,7 @@ void keep_catchments(World& world, size_t step, const Drainage& water, const Out
 
 std::string fill_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
   if (step.in.at("terrain").from_file()) return "its terrain comes from a file";
-  return params_of<hydrology::FillParams>(step).depressions == hydrology::Depressions::breach
+  return step_params<hydrology::FillParams>(step).depressions == hydrology::Depressions::breach
              ? "breaching looks at everything; depressions fill does not"
              : "";
 }
@@ -175,13 +168,13 @@ std::string fill_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
 std::string flow_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
   if (step.in.at("terrain").from_file()) return "its terrain comes from a file";
   if (step.in.contains("sinks")) return "sinks are looked at from everything";
-  return params_of<hydrology::FlowParams>(step).method != hydrology::FlowMethod::d8
+  return step_params<hydrology::FlowParams>(step).method != hydrology::FlowMethod::d8
              ? "only the method d8 is run in tiles"
              : "";
 }
 
 void run_tiled_fill(World& world, size_t step, const RunContext& run) {
-  const auto params = params_of<hydrology::FillParams>(world.step(step));
+  const auto params = step_params<hydrology::FillParams>(world.step(step));
   const OutputOf terrain = world.output_of(world.step(step).in.at("terrain"));
   Outputs outputs(world, step, world.frame(terrain));
   Drainage water(world, step, terrain, params.sea ? 0.0F : geom::kNoSea, params.min_sea_m2, run);
@@ -199,7 +192,7 @@ void run_tiled_fill(World& world, size_t step, const RunContext& run) {
 }
 
 void run_tiled_flow(World& world, size_t step, const RunContext& run) {
-  const auto params = params_of<hydrology::FlowParams>(world.step(step));
+  const auto params = step_params<hydrology::FlowParams>(world.step(step));
   const OutputOf terrain = world.output_of(world.step(step).in.at("terrain"));
   Outputs outputs(world, step, world.frame(terrain));
   Drainage water(world, step, terrain, params.sea ? 0.0F : geom::kNoSea, params.min_sea_m2, run);

@@ -9,7 +9,9 @@
 #include <sstream>
 
 #include "seamount/io/raster.h"
+#include "seamount/io/test_files.h"
 #include "seamount/tiles/run.h"
+#include "seamount/tiles/test_world.h"
 
 namespace seamount::tiles {
 namespace {
@@ -29,14 +31,6 @@ std::string recipe_of(const std::string& steps, const std::string& fill, const s
     {"from": "flow.cells", "path": "cells.tif"}, {"from": "flow.area", "path": "area.tif"},
     {"from": "flow.basins", "path": "basins.tif"}, {"from": "flow.direction", "path": "direction.tif"}, {"from": "flow.terrain", "path": "surface.tif"},
     {"from": "filled.lakes", "path": "lakes.geojson"}, {"from": "flow.catchments", "path": "catchments.geojson"}]})";
-}
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  EXPECT_FALSE(text.str().empty()) << path;
-  return text.str();
 }
 
 struct Case {
@@ -64,16 +58,11 @@ const Case kCases[] = {
 
 class TiledWater : public ::testing::TestWithParam<Case> {
  protected:
-  TiledWater() : path_(fs::temp_directory_path() / ("seamount_water_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~TiledWater() override { fs::remove_all(path_); }
-  std::string folder(const std::string& name) const { return (path_ / name).string(); }
+  std::string folder(const std::string& name) const { return folder_(name); }
   std::string text() const { return recipe_of(GetParam().steps, GetParam().fill, GetParam().flow); }
 
  private:
-  fs::path path_;
+  io::TestFolder folder_;
 };
 
 TEST_P(TiledWater, HasTheBytesOfTheWhole) {

@@ -9,25 +9,14 @@
 #include <map>
 #include <sstream>
 
+#include "seamount/io/test_files.h"
 #include "seamount/tiles/run.h"
+#include "seamount/tiles/test_world.h"
 
 namespace seamount::tiles {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("seamount_outs_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 std::map<std::string, std::string> files_in(const std::string& folder) {
   std::map<std::string, std::string> files;
@@ -41,21 +30,10 @@ std::map<std::string, std::string> files_in(const std::string& folder) {
   return files;
 }
 
-const char* const kSteps = R"({"seamount": 1, "seed": 4,
-  "domain": {"width_m": 9000, "height_m": 7000, "cell_m": 23.7},
-  "steps": [
-    {"id": "hills", "op": "terrain.noise", "params": {"wavelength_m": 2500, "height_m": 900, "base_m": -120}},
-    {"id": "steep", "op": "terrain.mask", "params": {"criteria": [{"tool": "slope", "low_deg": 14, "scale_m": 150}]}}],
-  "outputs": )";
-
-recipe::Recipe parse(const std::string& outputs) {
-  return recipe::parse_recipe(kSteps + outputs + "}", "world.json", "");
-}
-
 /// Every file of every format that is written by windows, for tiles of the run that fit the output's in no way.
 TEST(WindowedOutputs, HaveTheBytesOfTheWholeRun) {
-  const Folder folder;
-  const recipe::Recipe recipe = parse(R"([
+  const io::TestFolder folder;
+  const recipe::Recipe recipe = small_world(R"([
     {"from": "hills", "path": "unreal/a.r16", "as": "tiles", "engine": "unreal", "tile_size": 127},
     {"from": "hills", "path": "unity/a.raw", "as": "tiles", "engine": "unity", "tile_size": 129},
     {"from": "hills", "path": "godot/a.exr", "as": "tiles", "engine": "godot", "tile_size": 256},
@@ -64,13 +42,13 @@ TEST(WindowedOutputs, HaveTheBytesOfTheWholeRun) {
     {"from": "steep.mask", "path": "gis/steep.npy", "as": "tiles", "tile_size": 200, "share_border": false},
     {"from": "hills", "path": "mesh/a.glb", "as": "mesh_tiles", "tile_size": 129, "lods": 2, "max_error_m": 8, "texture_px": 128},
     {"from": "hills", "path": "mesh/b.obj", "as": "mesh_tiles", "tile_size": 257, "max_error_m": 8, "texture_px": 0}])");
-  recipe::execute(recipe, {folder / "whole", ""}, {});
-  const auto whole = files_in(folder / "whole");
+  recipe::execute(recipe, {folder("whole"), ""}, {});
+  const auto whole = files_in(folder("whole"));
   EXPECT_GT(whole.size(), 60U);
   EXPECT_TRUE(whole.contains("mesh/a.gltf"));
   for (const int tile : {100, 333}) {
-    const std::string out = folder / std::to_string(tile);
-    execute(recipe, {out, folder / ("cache" + std::to_string(tile)), tile, 0}, {});
+    const std::string out = folder(std::to_string(tile));
+    execute(recipe, {out, folder("cache" + std::to_string(tile)), tile, 0}, {});
     const auto files = files_in(out);
     EXPECT_EQ(files.size(), whole.size());
     for (const auto& [name, bytes] : whole) {
@@ -83,31 +61,31 @@ TEST(WindowedOutputs, HaveTheBytesOfTheWholeRun) {
 
 /// Nothing but a tile and its surroundings may be in memory at once.
 TEST(WindowedOutputs, NeedNoWhole) {
-  const Folder folder;
-  const recipe::Recipe recipe = parse(R"([
+  const io::TestFolder folder;
+  const recipe::Recipe recipe = small_world(R"([
     {"from": "hills", "path": "a.r16", "as": "tiles", "engine": "unreal", "tile_size": 127},
     {"from": "hills", "path": "b.glb", "as": "mesh_tiles", "tile_size": 129, "texture_px": 0}])");
-  EXPECT_NO_THROW(execute(recipe, {folder / "out", folder / "cache", 100, 200000}, {}));
-  const recipe::Recipe png = parse(R"([{"from": "hills", "path": "a.png"}])");
-  EXPECT_THROW(execute(png, {folder / "out", folder / "cache", 100, 200000}, {}), Error) << "so little that it tells";
+  EXPECT_NO_THROW(execute(recipe, {folder("out"), folder("cache"), 100, 200000}, {}));
+  const recipe::Recipe png = small_world(R"([{"from": "hills", "path": "a.png"}])");
+  EXPECT_THROW(execute(png, {folder("out"), folder("cache"), 100, 200000}, {}), Error) << "so little that it tells";
 }
 
 /// Cells without a value are filled as in the whole run, where that fits.
 TEST(WindowedOutputs, FillWhatHasNoValueAsTheWholeRunDoes) {
-  const Folder folder;
+  const io::TestFolder folder;
   recipe::Recipe first = recipe::parse_recipe(R"({"seamount": 1,
     "domain": {"width_m": 3000, "height_m": 3000, "cell_m": 20}, "steps": [{"id": "a", "op": "terrain.noise"}],
     "outputs": [{"from": "a", "path": "small.tif"}]})",
                                               "a.json", "");
-  recipe::execute(first, {folder / "in", ""}, {});
+  recipe::execute(first, {folder("in"), ""}, {});
   const std::string text = R"({"seamount": 1, "domain": {"width_m": 4000, "height_m": 3600, "cell_m": 20},
     "steps": [{"id": "read", "op": "terrain.import", "params": {"file": ")" +
-                           (folder / "in/small.tif") + R"("}}, {"id": "on", "op": "terrain.resample"}],
+                           folder("in/small.tif") + R"("}}, {"id": "on", "op": "terrain.resample"}],
     "outputs": [{"from": "on", "path": "a.r16", "as": "tiles", "engine": "unreal", "tile_size": 127}]})";
   const recipe::Recipe recipe = recipe::parse_recipe(text, "b.json", "");
-  recipe::execute(recipe, {folder / "whole", ""}, {});
-  execute(recipe, {folder / "tiled", folder / "cache", 64, 0}, {});
-  EXPECT_TRUE(files_in(folder / "whole") == files_in(folder / "tiled"));
+  recipe::execute(recipe, {folder("whole"), ""}, {});
+  execute(recipe, {folder("tiled"), folder("cache"), 64, 0}, {});
+  EXPECT_TRUE(files_in(folder("whole")) == files_in(folder("tiled")));
 }
 
 }  // namespace

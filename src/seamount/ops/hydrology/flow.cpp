@@ -102,6 +102,11 @@ ScalarField number_basins(const FlowDirections& directions, const Grid<uint32_t>
 
 }  // namespace
 
+double least_catchment_m2(const FlowParams& params, const GridFrame& frame) {
+  constexpr double kPart = 500.0;
+  return params.min_catchment_m2.value_or(frame.width_m() * frame.height_m() / kPart);
+}
+
 Flow flow(const HeightField& terrain, const ScalarField* sinks, const FlowParams& params, const RunContext& run) {
   check_params(params);
   say_mostly_sea(terrain, params.sea, run);
@@ -118,9 +123,7 @@ Flow flow(const HeightField& terrain, const ScalarField* sinks, const FlowParams
   const FlowDirections d8 = geom::flow_directions(out.terrain, sea, run.part(0.4, 0.5));
   const Grid<uint32_t> cells = geom::flow_accumulation(d8, run.part(0.5, 0.6));
   out.basins = number_basins(d8, cells, sinks, sea, out.terrain, run);
-  constexpr double kCatchmentPart = 500.0;
-  out.catchments = trace_catchments(
-      out.basins, cells, params.min_catchment_m2.value_or(frame.width_m() * frame.height_m() / kCatchmentPart), run);
+  out.catchments = trace_catchments(out.basins, cells, least_catchment_m2(params, frame), run);
   ScalarField eighths(frame);
   if (params.method == FlowMethod::dinf) {
     eighths = dinf_directions(out.terrain, d8, sea, run.part(0.6, 0.7));

@@ -50,6 +50,9 @@ struct Flow {
   Drawing catchments;  ///< the larger of them as areas "catchment 1", ... with area_m2, mouth_x and mouth_y
 };
 
+/// Area in m2 from which on a catchment is drawn: as asked for, or else a five hundredth of the terrain.
+double least_catchment_m2(const FlowParams& params, const GridFrame& frame);
+
 /// A catchment is what drains through one cell of the border or of the sea, or into sinks that hang together: cells
 /// where `sinks` (may be null) is above 0, in which flow ends, as in the closed lakes of hydrology.lakes. The sum of
 /// `cells` over the ends of flow is the number of cells. Throws InvalidArgument for params out of range,

@@ -3,8 +3,8 @@
 // Source: P0 sec. 1.5 to 1.7, eq. 1.16 ff.: pix2pix of hue (region) and value (subsidence). Ours: shares of regions
 // instead of hues, so that blurred borders and mixed colours mean what they show; any size, since the network is
 // evaluated over the whole map (network.h); noise of a seed; painted coasts are met. P0's future work, the wind field
-// and the reef's depth, are inputs that may be left out; the wind bends the map, for what it does to the ground behind
-// that the network learns nothing from its field that the map does not show (models/island.md).
+// and the reef's depth, are inputs that may be left out; the wind bends the map, and the network does not see its
+// field, from which it learned nothing that the bent map does not show (models/island.md).
 #pragma once
 
 #include <optional>

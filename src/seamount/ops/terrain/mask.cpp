@@ -134,10 +134,9 @@ class Judge {
   }
 
   ScalarField judge(const ByDepth& by) const {
-    const auto negative = [](std::optional<double> depth) { return depth ? std::optional(-*depth) : std::nullopt; };
-    constexpr float kLand_m = 9000.0F;  // ground below sea level that the sea does not reach is no depth
-    return pass(geom::fill_hollows(in_.terrain, 0.0F, kLand_m, run_), negative(by.high_m), negative(by.low_m),
-                by.falloff_m, by.invert);
+    const ByValue height = over_the_sea(by);
+    return pass(geom::fill_hollows(in_.terrain, 0.0F, kDryGround_m, run_), height.low, height.high, height.falloff,
+                height.invert);
   }
 
   ScalarField judge(const BySlope& by) const {
@@ -244,6 +243,11 @@ void check_inputs(const MaskInputs& in) {
 }
 
 }  // namespace
+
+ByValue over_the_sea(const ByDepth& by) {
+  const auto negative = [](std::optional<double> depth) { return depth ? std::optional(-*depth) : std::nullopt; };
+  return {negative(by.high_m), negative(by.low_m), by.falloff_m, by.invert};
+}
 
 double soft_range(double x, std::optional<double> low, std::optional<double> high, double falloff) {
   const double outside = std::max({low ? *low - x : 0.0, high ? x - *high : 0.0, 0.0});

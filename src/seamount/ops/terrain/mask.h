@@ -58,6 +58,13 @@ struct MaskInputs {
   const Mask* mask = nullptr;           ///< one more mask, combined like a criterion
 };
 
+/// Height in metres that ground below sea level gets that the sea does not reach: it is no depth.
+inline constexpr float kDryGround_m = 9000.0F;
+
+/// The criterion of heights over the sea in metres, with kDryGround_m where the sea does not reach, that selects as
+/// `by` does.
+ByValue over_the_sea(const ByDepth& by);
+
 /// 1 in [low, high], falling by a smoothstep to 0 at `falloff` beyond; a limit that is absent does not limit.
 double soft_range(double x, std::optional<double> low, std::optional<double> high, double falloff);
 
