@@ -171,6 +171,7 @@ class Engine::Work {
     make_view(full, recipe, wants_full ? wanted : std::vector<Source>());
     if (coarse_recipe) make_view(coarse, coarse_recipe, wanted);
     lock.lock();
+    collect();  // how long steps took that have just been finished
     std::vector<View> views;
     if (coarse_recipe && !(wants_full && gesture_.empty() && comes_soon(full))) {
       if (const View* going_on = coarse_in_flight()) views.push_back(*going_on);
