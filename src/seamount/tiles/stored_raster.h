@@ -1,5 +1,5 @@
 // A raster on disk, tile by tile: a file for each tile, written whole or not at all, so that what a killed run has made
-// is of use to the next one. Rows are checksummed in bands: a part of a tile is read without the rest.
+// is of use to the next one. Rows are packed and checksummed in bands: a part of a tile is read without the rest.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ class StoredRaster {
   const recipe::Kind& kind() const { return *kind_; }
   const Layout& layout() const { return layout_; }
 
-  /// Is the tile there, as far as its file's beginning and length say?
+  /// Is the tile there, as far as its file's beginning, length and list of bands say?
   bool has(int tile) const;
   bool complete() const;
 
