@@ -1317,6 +1317,29 @@ export interface OperatorParams {
       }[];
     };
   };
+  /** The erosion of a coarse terrain carried on to smaller cells: valleys of the one, gullies and detail of the other, however large */
+  "erosion.refine": {
+    /** how long gullies cut into the slopes: 0 leaves them to the terrain's own detail [yr] */
+    years?: number;
+    /** share of the terrain's own detail, finer than the coarse cells, that stays where nothing buries it */
+    detail?: number;
+    /** depth of the gullies that run down bare slopes: 0 none, 1 as in old volcanic islands */
+    gullies?: number;
+    /** rain that runs off, as for erosion.run [mm/yr] */
+    runoff_mm_yr?: number;
+    /** K in K sqrt(discharge) slope, as for erosion.run [1/sqrt(m yr)] */
+    erodibility?: number;
+    /** area that is drained without a channel [m2] */
+    channel_m2?: number;
+    /** steepest slope over gullies and rivers [deg] */
+    angle_deg?: number;
+    /** diffusivity of soil: rounds crests [m2/yr] */
+    creep_m2_yr?: number;
+    /** level of the sea, below which nothing is cut; far below the terrain for none [m] */
+    sea_m?: number;
+    /** steps over which water gathers on the fine cells, rounded up to a power of two; some times as many as fine cells lie along a coarse one. Larger, slower */
+    gather_cells?: number;
+  };
   /** Ice that gathers over the equilibrium line, flows, and carves valleys and cirques */
   "glacier.run": {
     /** how long glaciers carve; 0 shows the ice on the terrain as it is [yr] */

@@ -5,6 +5,7 @@
 #include "seamount/base/simd.h"
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/flow_flats.h"
+#include "seamount/geom/water/path_areas.h"
 
 namespace seamount::geom {
 namespace {
@@ -55,12 +56,16 @@ void steepest_rows(const HeightField& terrain, float sea, FlowDirections& out, i
 
 }  // namespace
 
-FlowDirections flow_directions(const HeightField& terrain, float sea_level_m, const RunContext& run) {
-  const GridFrame& frame = terrain.frame();
-  FlowDirections directions(frame);
-  parallel_blocks(run, frame.height, 32, [&](int64_t begin, int64_t end) {
+FlowDirections steepest_directions(const HeightField& terrain, float sea_level_m, const RunContext& run) {
+  FlowDirections directions(terrain.frame());
+  parallel_blocks(run, terrain.height(), 32, [&](int64_t begin, int64_t end) {
     steepest_rows(terrain, sea_level_m, directions, static_cast<int>(begin), static_cast<int>(end));
   });
+  return directions;
+}
+
+FlowDirections flow_directions(const HeightField& terrain, float sea_level_m, const RunContext& run) {
+  FlowDirections directions = steepest_directions(terrain, sea_level_m, run);
   drain_flats(terrain, directions, run);
   return directions;
 }

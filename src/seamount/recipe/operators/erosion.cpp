@@ -2,6 +2,7 @@
 #include "seamount/geom/water/follow_labels.h"
 #include "seamount/model/same_size.h"
 #include "seamount/ops/erosion/balance.h"
+#include "seamount/ops/erosion/refine.h"
 #include "seamount/ops/erosion/run.h"
 #include "seamount/recipe/ports.h"
 
@@ -66,6 +67,26 @@ void add_erosion_operators(Registry& registry) {
                                  "volumes in m3: bedrock worn, laid down on land and under water, left over "
                                  "the border; and the error")),
       run));
+  registry.add(make_operator<erosion::RefineParams>(
+      {.name = "erosion.refine",
+       .summary = "The erosion of a coarse terrain carried on to smaller cells: valleys of the one, gullies and detail "
+                  "of the other, however large",
+       .source = "Braun and Willett 2013, Leopold and Maddock 1953",
+       .stochastic = true,
+       .looks = "some times gather_cells around; at the coarse rasters as wholes"},
+      inputs(in<kinds::Terrain>("terrain", "heights in metres on the small cells, as they were before"),
+             placed(Placing::system, in<kinds::Terrain>("before", "the same on the large cells: terrain.resample")),
+             placed(Placing::system, in<kinds::Terrain>("worn", "that terrain, eroded: erosion.run")),
+             placed(Placing::system, in<Field>("flow", "its discharge in m3 per year: erosion.run")),
+             placed(Placing::system, optional_in<Field>("sediment",
+                                                        "thickness of what was laid down, which buries detail: "
+                                                        "erosion.run"))),
+      outputs(out<kinds::Terrain>("terrain", "heights in metres")),
+      [](const erosion::RefineParams& params, const Call& call, const HeightField& terrain, const HeightField& before,
+         const HeightField& worn, const ScalarField& flow, const ScalarField* sediment) {
+        return erosion::refine(terrain, {before, worn, flow, sediment}, params, call.seed, call.run);
+      },
+      erosion::refine_reach));
 }
 
 }  // namespace seamount::recipe

@@ -28,7 +28,8 @@ const ALSO: { readonly [word: string]: string } = {
   "terrain.noise": "perlin simplex fbm fractal mountain ridged base heightmap",
   "terrain.import": "dem geotiff heightmap file load open",
   "terrain.smooth": "blur sharpen", "terrain.blend": "combine mix merge max min",
-  "erosion.run": "hydraulic thermal weathering rivers", "hydrology.flow": "accumulation drainage",
+  "erosion.run": "hydraulic thermal weathering rivers", "erosion.refine": "enlarge large amplify gullies detail",
+  "hydrology.flow": "accumulation drainage",
   "terrain.mask": "select slope height selector", "render.perspective": "picture view render 3d",
   "ecosystem.scatter": "trees instances place", "island.build": "volcano atoll coast draw",
 };
