@@ -55,12 +55,17 @@ void steepest_rows(const HeightField& terrain, float sea, FlowDirections& out, i
 
 }  // namespace
 
-FlowDirections flow_directions(const HeightField& terrain, float sea_level_m, const RunContext& run) {
+FlowDirections steepest_directions(const HeightField& terrain, float sea_level_m, const RunContext& run) {
   const GridFrame& frame = terrain.frame();
   FlowDirections directions(frame);
   parallel_blocks(run, frame.height, 32, [&](int64_t begin, int64_t end) {
     steepest_rows(terrain, sea_level_m, directions, static_cast<int>(begin), static_cast<int>(end));
   });
+  return directions;
+}
+
+FlowDirections flow_directions(const HeightField& terrain, float sea_level_m, const RunContext& run) {
+  FlowDirections directions = steepest_directions(terrain, sea_level_m, run);
   drain_flats(terrain, directions, run);
   return directions;
 }
