@@ -2,143 +2,182 @@
 
 #include <algorithm>
 
-#include "seamount/geom/water/groups.h"
-
 namespace seamount::tiles {
 namespace {
 
-/// Is a cell of a surface one of a flat: no neighbour is lower, and it is neither sea nor on the whole's edge?
-bool is_flat(const HeightField& surface, int x, int y, const geom::OpenSides& open, float sea) {
-  const float z = surface(x, y);
-  if (z <= sea || open.at(x, y, surface.width(), surface.height())) return false;
-  for (size_t k = 0; k < 8; ++k) {
-    if (surface(x + geom::kFlowDx[k], y + geom::kFlowDy[k]) < z) return false;
-  }
-  return true;
+using geom::kFarAway, geom::kNoFlat;
+
+std::vector<geom::FlatStart> starts_in(const geom::FlowDirections& marked, size_t from) {
+  return from == kFromOutlets ? geom::cells_that_drain(marked) : geom::cells_beside_higher(marked);
 }
 
-/// The cells of the flat around one of its cells, within [x0, x1) x [y0, y1) of a surface.
-struct FlatCells {
-  std::vector<int32_t> cells;
-
-  FlatCells(const HeightField& surface, int32_t first, const geom::OpenSides& open, float sea, const Rect& within,
-            Grid<uint8_t>& seen) {
-    const float z = surface.data()[first];
-    cells.push_back(first);
-    seen.data()[first] = 1;
-    for (size_t next = 0; next < cells.size(); ++next) {
-      const int x = cells[next] % surface.width(), y = cells[next] / surface.width();
-      for (size_t k = 0; k < 8; ++k) {
-        const int nx = x + geom::kFlowDx[k], ny = y + geom::kFlowDy[k];
-        if (!within.contains({nx, ny, 1, 1}) || seen(nx, ny) != 0 || surface(nx, ny) != z) continue;
-        if (!is_flat(surface, nx, ny, open, sea)) continue;
-        seen(nx, ny) = 1;
-        cells.push_back(ny * surface.width() + nx);
-      }
-    }
-  }
-};
-
-geom::OpenSides open_sides_of(const Rect& rect, const Layout& layout) {
-  return {rect.column == 0, rect.row == 0, rect.column + rect.width == layout.width,
-          rect.row + rect.height == layout.height};
-}
+int32_t rims_of(const geom::FlowDirections& codes) { return geom::rim_size(codes.width(), codes.height()); }
 
 }  // namespace
 
-TileFlats find_flats(const Layout& layout, const GridFrame& frame, int tile, const HeightField& surface, float sea_m) {
-  const Rect rect = layout.tile(tile), window = with_reach(rect, Reach::neighbourhood(1), frame);
-  const geom::OpenSides open = open_sides_of(window, layout);
-  const Rect own{rect.column - window.column, rect.row - window.row, rect.width, rect.height};
-  Grid<uint8_t> seen(surface.frame(), uint8_t{0});
-  const auto rims = static_cast<size_t>(rim_size(layout, tile));
-  TileFlats found{{}, std::vector<int32_t>(rims, -1), std::vector<float>(rims)};
-  for (int32_t rim = 0; rim < static_cast<int32_t>(rims); ++rim) {
-    const int32_t cell = geom::rim_cell(rim, rect.width, rect.height);
-    const int x = own.column + cell % rect.width, y = own.row + cell / rect.width;
-    found.height_of_rim[static_cast<size_t>(rim)] = surface(x, y);
-    if (seen(x, y) != 0 || !is_flat(surface, x, y, open, sea_m)) continue;
-    const FlatCells flat(surface, y * surface.width() + x, open, sea_m, own, seen);
-    FlatPart part{{}, {window.column + x, window.row + y}};
-    for (const int32_t one : flat.cells) {
-      const int cx = one % surface.width() - own.column, cy = one / surface.width() - own.row;
-      part.around = united(part.around, {rect.column + cx, rect.row + cy, 1, 1});
-      const int32_t number = geom::rim_number(cx, cy, rect.width, rect.height);
-      if (number >= 0) found.part_of_rim[static_cast<size_t>(number)] = static_cast<int32_t>(found.parts.size());
-    }
-    found.parts.push_back(part);
+TileFlats look_at_flats(const geom::FlowDirections& marked, const RunContext& run) {
+  TileFlats found;
+  const auto cells = marked.cells();
+  if (std::none_of(cells.begin(), cells.end(), [](uint8_t code) { return code >= geom::kRimFlat; })) return found;
+  for (const size_t from : {kFromOutlets, kFromHigher}) {
+    geom::FlatSteps steps(marked);
+    steps.spread(starts_in(marked, from), run);
+    for (int32_t rim = 0; rim < rims_of(marked); ++rim)
+      found.steps[from].push_back(steps.of_cell(geom::rim_cell(rim, marked.width(), marked.height())));
   }
+  found.links = geom::link_rims(marked, run);
   return found;
 }
 
-BorderFlats::BorderFlats(const Layout& layout, const GridFrame& frame, float sea_m, std::vector<TileFlats> tiles)
-    : layout_(layout), frame_(frame), sea_m_(sea_m), flats_(tiles.size()), owners_(tiles.size()) {
-  std::vector<FlatPart> parts;
-  std::vector<int> tile_of;
-  for (size_t tile = 0; tile < tiles.size(); ++tile) {
-    for (int32_t& part : tiles[tile].part_of_rim)
-      if (part >= 0) part += static_cast<int32_t>(parts.size());
-    parts.insert(parts.end(), tiles[tile].parts.begin(), tiles[tile].parts.end());
-    tile_of.resize(parts.size(), static_cast<int>(tile));
+BorderFlats::BorderFlats(const Layout& layout, const std::vector<int32_t>& first_node)
+    : layout_(layout),
+      first_node_(first_node),
+      linked_(static_cast<size_t>(first_node.back()), 0),
+      waits_(static_cast<size_t>(layout.count())),
+      walked_(waits_.size()) {
+  for (std::vector<int32_t>& of_node : steps_) of_node.assign(linked_.size(), kNoFlat);
+  for (std::vector<uint8_t>& of_node : entered_) of_node.assign(linked_.size(), 0);
+}
+
+RimPlace BorderFlats::place_of(int32_t node) const {
+  const auto next = std::upper_bound(first_node_.begin(), first_node_.end(), node);
+  const auto tile = static_cast<int>(next - first_node_.begin()) - 1;
+  return {tile, node - first_node_[static_cast<size_t>(tile)]};
+}
+
+void BorderFlats::add(int tile, const TileFlats& flats) {
+  const int32_t first = first_node_[static_cast<size_t>(tile)];
+  for (const size_t from : {kFromOutlets, kFromHigher})
+    std::copy(flats.steps[from].begin(), flats.steps[from].end(), steps_[from].begin() + first);
+  std::copy(flats.links.linked.begin(), flats.links.linked.end(), linked_.begin() + first);
+  for (const geom::FlatLink& link : flats.links.links) told_.push_back({first + link.a, first + link.b, link.steps});
+}
+
+/// By the node that they begin at, each link both ways.
+void BorderFlats::sort_links() {
+  first_link_.assign(linked_.size() + 1, 0);
+  for (const geom::FlatLink& link : told_) {
+    ++first_link_[static_cast<size_t>(link.a) + 1];
+    ++first_link_[static_cast<size_t>(link.b) + 1];
   }
-  geom::Groups groups(static_cast<int32_t>(parts.size()));
-  for_each_border_pair(layout_, [&](const RimPlace& a, const RimPlace& b) {
-    const TileFlats &one = tiles[static_cast<size_t>(a.tile)], &other = tiles[static_cast<size_t>(b.tile)];
-    const auto i = static_cast<size_t>(a.rim), k = static_cast<size_t>(b.rim);
-    if (one.part_of_rim[i] < 0 || other.part_of_rim[k] < 0 || one.height_of_rim[i] != other.height_of_rim[k]) return;
-    const int32_t x = groups.find(one.part_of_rim[i]), y = groups.find(other.part_of_rim[k]);
-    if (x != y) groups.join(x, y);
-  });
-  for (int32_t i = 0; i < static_cast<int32_t>(parts.size()); ++i) {
-    if (groups.find(i) != i) continue;
-    const int owner = tile_of[static_cast<size_t>(i)];
-    Flat flat{{}, parts[static_cast<size_t>(i)].first};
-    groups.for_each_member(i, [&](int32_t k) {
-      flat.around = united(flat.around, parts[static_cast<size_t>(k)].around);
-      owners_[static_cast<size_t>(tile_of[static_cast<size_t>(k)])].insert(owner);
+  for (size_t node = 1; node < first_link_.size(); ++node) first_link_[node] += first_link_[node - 1];
+  links_.resize(2 * told_.size());
+  std::vector<int32_t> next(first_link_.begin(), first_link_.end() - 1);
+  for (const geom::FlatLink& link : told_) {
+    links_[static_cast<size_t>(next[static_cast<size_t>(link.a)]++)] = {link.b, link.steps};
+    links_[static_cast<size_t>(next[static_cast<size_t>(link.b)]++)] = {link.a, link.steps};
+  }
+  told_ = {};
+}
+
+void BorderFlats::settle() {
+  sort_links();
+  for (const size_t from : {kFromOutlets, kFromHigher}) {
+    for (int32_t node = 0; node < static_cast<int32_t>(linked_.size()); ++node)
+      if (const int32_t steps = steps_of(from, node); steps != kNoFlat && steps != kFarAway)
+        queue_[from].push({steps, node});
+    settle(from);
+  }
+}
+
+/// Is that fewer steps than were known?
+bool BorderFlats::lower(size_t from, int32_t node, int64_t steps) {
+  int32_t& known = steps_[from][static_cast<size_t>(node)];
+  if (steps >= known) return false;
+  known = static_cast<int32_t>(steps);
+  queue_[from].push({known, node});
+  return true;
+}
+
+/// Dijkstra: what is reached over borders and links from where there are fewer steps now.
+void BorderFlats::settle(size_t from) {
+  auto& queue = queue_[from];
+  while (!queue.empty()) {
+    const auto [steps, node] = queue.top();
+    queue.pop();
+    if (steps != steps_of(from, node)) continue;
+    for (int32_t i = first_link_[static_cast<size_t>(node)]; i < first_link_[static_cast<size_t>(node) + 1]; ++i)
+      lower(from, links_[static_cast<size_t>(i)].to, int64_t{steps} + links_[static_cast<size_t>(i)].steps);
+    for_each_beyond(layout_, place_of(node), [&](const RimPlace& beyond) {
+      const int32_t other = node_of(beyond);
+      if (!lower(from, other, int64_t{steps} + 1) || linked_[static_cast<size_t>(other)] != 0) return;
+      uint8_t& entered = entered_[from][static_cast<size_t>(other)];
+      if (entered == 0) waits_[static_cast<size_t>(beyond.tile)][from].push_back(other);
+      entered = 1;
     });
-    flats_[static_cast<size_t>(owner)].push_back(flat);
   }
 }
 
-std::map<int, FlatCodes> BorderFlats::drain(int tile, const std::function<HeightField(const Rect&)>& read,
-                                            const std::function<void(const GridFrame&)>& check,
-                                            const RunContext& run) const {
-  // Most are small and lie near: their ground is read once.
-  const Rect near = with_reach(layout_.tile(tile), Reach::neighbourhood(layout_.size / 4 + 3), frame_);
-  Rect common;
-  for (const Flat& flat : flats_[static_cast<size_t>(tile)])
-    if (near.contains(window_of(flat))) common = united(common, window_of(flat));
-  const HeightField ground = common.empty() ? HeightField() : read(common);
-  std::map<int, FlatCodes> codes;
-  for (const Flat& flat : flats_[static_cast<size_t>(tile)]) {
-    run.check_cancelled();
-    const Rect window = window_of(flat);
-    check(frame_.window(window.column, window.row, window.width, window.height));
-    drain_one(flat, common.contains(window) ? inner(ground, common, window) : read(window), run, codes);
+std::vector<int> BorderFlats::next_tiles() {
+  std::vector<int64_t> fewest(waits_.size(), kFarAway);  // steps with which a tile is entered
+  for (size_t tile = 0; tile < waits_.size(); ++tile) {
+    for (const size_t from : {kFromOutlets, kFromHigher})
+      for (const int32_t node : waits_[tile][from])
+        fewest[tile] = std::min(fewest[tile], int64_t{steps_of(from, node)});
   }
-  return codes;
+  const int64_t up_to = *std::min_element(fewest.begin(), fewest.end()) + layout_.size;
+  std::vector<int> tiles;
+  for (size_t tile = 0; tile < waits_.size(); ++tile) {
+    walked_[tile] = {};
+    if (fewest[tile] == kFarAway || fewest[tile] > up_to) continue;
+    tiles.push_back(static_cast<int>(tile));
+    walked_[tile].swap(waits_[tile]);
+    for (const size_t from : {kFromOutlets, kFromHigher})
+      for (const int32_t node : walked_[tile][from]) entered_[from][static_cast<size_t>(node)] = 0;
+  }
+  return tiles;
 }
 
-/// Two cells more around it: whether a neighbour drains is told by its own neighbours.
-Rect BorderFlats::window_of(const Flat& flat) const { return with_reach(flat.around, Reach::neighbourhood(2), frame_); }
-
-void BorderFlats::drain_one(const Flat& flat, const HeightField& surface, const RunContext& run,
-                            std::map<int, FlatCodes>& codes) const {
-  const Rect &around = flat.around, window = window_of(flat);
-  const geom::FlowDirections made = geom::flow_directions(surface, sea_m_, run);
-  Grid<uint8_t> seen(surface.frame(), uint8_t{0});
-  const Rect inside{around.column - window.column, around.row - window.row, around.width, around.height};
-  const int32_t from = (flat.first.row - window.row) * window.width + flat.first.column - window.column;
-  const FlatCells all(surface, from, open_sides_of(window, layout_), sea_m_, inside, seen);
-  for (const int32_t cell : all.cells) {
-    const int column = window.column + cell % window.width, row = window.row + cell / window.width;
-    const int tile = row / layout_.size * layout_.columns() + column / layout_.size;
-    const Rect rect = layout_.tile(tile);
-    FlatCodes& of_tile = codes[tile];
-    of_tile.cells.push_back((row - rect.row) * rect.width + column - rect.column);
-    of_tile.codes.push_back(made.data()[cell]);
+std::vector<Reached> BorderFlats::walk(int tile, const geom::FlowDirections& marked, const RunContext& run) const {
+  std::vector<Reached> reached;
+  const int32_t first = first_node_[static_cast<size_t>(tile)];
+  const auto cell_of = [&](int32_t node) { return geom::rim_cell(node - first, marked.width(), marked.height()); };
+  for (const size_t from : {kFromOutlets, kFromHigher}) {
+    std::vector<geom::FlatStart> starts;
+    for (const int32_t node : walked_[static_cast<size_t>(tile)][from])
+      starts.push_back({cell_of(node), steps_of(from, node)});
+    if (starts.empty()) continue;
+    geom::FlatSteps steps(marked);
+    steps.spread(std::move(starts), run);
+    for (int32_t node = first; node < first + rims_of(marked); ++node)
+      if (const int32_t there = steps.of_cell(cell_of(node)); there < steps_of(from, node))
+        reached.push_back({node, static_cast<int32_t>(from), there});
   }
+  return reached;
+}
+
+void BorderFlats::lower(const std::vector<Reached>& reached) {
+  for (const Reached& one : reached) lower(static_cast<size_t>(one.from), one.node, one.steps);
+  for (const size_t from : {kFromOutlets, kFromHigher}) settle(from);
+}
+
+int BorderFlats::waiting() const {
+  return static_cast<int>(std::count_if(waits_.begin(), waits_.end(), [](const Entered& entered) {
+    return !entered[kFromOutlets].empty() || !entered[kFromHigher].empty();
+  }));
+}
+
+/// Of a tile's cells and of those around it.
+geom::FlatSteps BorderFlats::all_steps(int tile, const geom::FlowDirections& marked, size_t from,
+                                       const RunContext& run) const {
+  std::vector<geom::FlatStart> starts = starts_in(marked, from);
+  for (int32_t rim = 0; rim < rims_of(marked); ++rim)
+    if (const int32_t steps = steps_of(from, node_of({tile, rim})); steps != kNoFlat && steps != kFarAway)
+      starts.push_back({geom::rim_cell(rim, marked.width(), marked.height()), steps});
+  geom::FlatSteps steps(marked);
+  steps.spread(std::move(starts), run);
+  const Rect rect = layout_.tile(tile);
+  for (int32_t rim = 0; rim < rims_of(marked); ++rim) {
+    for_each_beyond(layout_, {tile, rim}, [&](const RimPlace& beyond) {
+      const CellPlace at = cell_place(layout_, beyond);
+      steps.set(at.column - rect.column, at.row - rect.row, steps_of(from, node_of(beyond)));
+    });
+  }
+  return steps;
+}
+
+void BorderFlats::aim(int tile, geom::FlowDirections& marked, const RunContext& run) const {
+  geom::aim_rim_flats(marked, all_steps(tile, marked, kFromOutlets, run), all_steps(tile, marked, kFromHigher, run));
 }
 
 }  // namespace seamount::tiles

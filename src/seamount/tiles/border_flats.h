@@ -1,68 +1,89 @@
-// Flats that lie over the borders of tiles: found tile by tile, drained each as a whole.
+// Flats that lie over the borders of tiles: how many steps their rim cells are from where they drain, and from higher
+// ground (geom/water/piece_flats.h).
+//
+// Shortest ways over a graph of all rim cells in memory: neighbours across borders are a step apart, and rim cells of a
+// small part of a flat are linked pair by pair. Through large parts ways are walked on the tile's cells, from all rim
+// cells at once that were reached since it was walked last: such tiles are asked for in rounds, those first that are
+// reached with the fewest steps. Through a wide lake that is once or twice a tile; at worst as often as its shortest
+// ways come back into one part of it from beside the tile.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <functional>
-#include <map>
-#include <set>
+#include <queue>
+#include <utility>
 #include <vector>
 
 #include "seamount/base/run_context.h"
-#include "seamount/geom/water/flow.h"
+#include "seamount/geom/water/piece_flats.h"
 #include "seamount/tiles/borders.h"
 
 namespace seamount::tiles {
 
-/// The part in a tile of a flat that reaches its rim.
-struct FlatPart {
-  Rect around;  ///< of the whole
-  CellPlace first;
-};
+/// What steps are counted from: index of what there is of each.
+inline constexpr size_t kFromOutlets = 0, kFromHigher = 1;
+using RimSteps = std::array<std::vector<int32_t>, 2>;
 
-/// What a tile says of them.
+/// What a tile says of the flats that reach its rim, by rim number; nothing where there are none.
 struct TileFlats {
-  std::vector<FlatPart> parts;
-  std::vector<int32_t> part_of_rim;  ///< by rim number: an index in `parts`; -1: no flat
-  std::vector<float> height_of_rim;
+  RimSteps steps;  ///< counted within the tile; geom::kNoFlat and geom::kFarAway
+  geom::RimLinks links;
 };
+TileFlats look_at_flats(const geom::FlowDirections& marked, const RunContext& run);
 
-/// `surface`: filled heights of the tile and a ring of one cell around it, as far as the whole goes.
-TileFlats find_flats(const Layout& layout, const GridFrame& frame, int tile, const HeightField& surface, float sea_m);
-
-/// Directions of cells of flats in a tile.
-struct FlatCodes {
-  std::vector<int32_t> cells;
-  std::vector<uint8_t> codes;
+/// A rim cell that is reached with fewer steps than before.
+struct Reached {
+  int32_t node, from, steps;
 };
 
 class BorderFlats {
  public:
-  /// `tiles`: what each of them says.
-  BorderFlats(const Layout& layout, const GridFrame& frame, float sea_m, std::vector<TileFlats> tiles);
+  /// `first_node`: of each tile's rim, and behind the last. Both must outlive this.
+  BorderFlats(const Layout& layout, const std::vector<int32_t>& first_node);
 
-  /// Drains those that are a tile's: each flat belongs to the first tile that it lies in. By tile in which cells lie;
-  /// 5 bytes a cell. `read` gives filled heights;
-  /// `check` may throw for a rectangle that is too large.
-  std::map<int, FlatCodes> drain(int tile, const std::function<HeightField(const Rect&)>& read,
-                                 const std::function<void(const GridFrame&)>& check, const RunContext& run) const;
+  /// In the order of tiles, and then settle().
+  void add(int tile, const TileFlats& flats);
+  void settle();
 
-  /// The tiles whose flats lie in a tile too.
-  const std::set<int>& owners(int tile) const { return owners_[static_cast<size_t>(tile)]; }
+  /// The tiles to be walked now, all of which must be, and what lower() is told of it before they are asked for again.
+  /// None: all is known.
+  std::vector<int> next_tiles();
+  void lower(const std::vector<Reached>& reached);
+  /// Where a tile is entered in this round, by its cells, and what is reached from there.
+  std::vector<Reached> walk(int tile, const geom::FlowDirections& marked, const RunContext& run) const;
+  /// Tiles that wait to be walked.
+  int waiting() const;
+
+  /// Gives the marked cells of a tile their directions, once all is known.
+  void aim(int tile, geom::FlowDirections& marked, const RunContext& run) const;
 
  private:
-  struct Flat {
-    Rect around;
-    CellPlace first;
+  struct Link {
+    int32_t to, steps;
   };
-  Rect window_of(const Flat& flat) const;
-  /// `surface`: of its window.
-  void drain_one(const Flat& flat, const HeightField& surface, const RunContext& run,
-                 std::map<int, FlatCodes>& codes) const;
+  using Entered = std::array<std::vector<int32_t>, 2>;  ///< nodes, by what is counted from
+
+  RimPlace place_of(int32_t node) const;
+  int32_t node_of(const RimPlace& place) const { return first_node_[static_cast<size_t>(place.tile)] + place.rim; }
+  int32_t steps_of(size_t from, int32_t node) const { return steps_[from][static_cast<size_t>(node)]; }
+  void sort_links();
+  void settle(size_t from);
+  bool lower(size_t from, int32_t node, int64_t steps);
+  geom::FlatSteps all_steps(int tile, const geom::FlowDirections& marked, size_t from, const RunContext& run) const;
 
   const Layout& layout_;
-  const GridFrame& frame_;
-  float sea_m_;
-  std::vector<std::vector<Flat>> flats_;  ///< by the tile that they belong to
-  std::vector<std::set<int>> owners_;
+  const std::vector<int32_t>& first_node_;
+  RimSteps steps_;                               ///< by node
+  std::vector<uint8_t> linked_;                  ///< by node
+  std::array<std::vector<uint8_t>, 2> entered_;  ///< by node: from beside its tile, since that was walked
+  std::vector<Entered> waits_, walked_;          ///< by tile: entered nodes, and those of this round
+  std::vector<geom::FlatLink> told_;             ///< links between nodes, until they are sorted
+  std::vector<Link> links_;
+  std::vector<int32_t> first_link_;  ///< by node
+  std::array<std::priority_queue<std::pair<int32_t, int32_t>, std::vector<std::pair<int32_t, int32_t>>, std::greater<>>,
+             2>
+      queue_;  ///< steps and node
 };
 
 }  // namespace seamount::tiles

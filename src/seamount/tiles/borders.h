@@ -57,6 +57,18 @@ inline geom::OpenSides open_sides(const Layout& layout, int tile) {
           rect.row + rect.height == layout.height};
 }
 
+/// Calls visit(place) for each neighbour, by side or corner, of a rim cell that lies in another tile.
+template <class Visit>
+void for_each_beyond(const Layout& layout, const RimPlace& place, const Visit& visit) {
+  const CellPlace here = cell_place(layout, place);
+  const Rect own = layout.tile(place.tile);
+  for (size_t k = 0; k < 8; ++k) {
+    const int column = here.column + geom::kFlowDx[k], row = here.row + geom::kFlowDy[k];
+    if (column < 0 || row < 0 || column >= layout.width || row >= layout.height) continue;
+    if (!own.contains({column, row, 1, 1})) visit(rim_place(layout, column, row));
+  }
+}
+
 /// Calls visit(a, b) once for every pair of neighbours, by side or corner, in different tiles.
 template <class Visit>
 void for_each_border_pair(const Layout& layout, const Visit& visit) {

@@ -42,16 +42,15 @@ Drainage::Drainage(const World& world, size_t step, OutputOf terrain, float sea_
   if (node > std::numeric_limits<int32_t>::max())
     throw NeedsWhole{"tiles of " + std::to_string(layout_.size) + " cells have too long rims"};
   flooded_ = raster("-flooded", Field::kind());
-  basins_ = raster("-basins", Field::kind());  // rims have fewer than 2^24 cells: a float holds their numbers
-  codes_ = raster("-codes", Labels::kind());   // a byte a cell
+  basins_ = raster("-basins", Field::kind());   // rims have fewer than 2^24 cells: a float holds their numbers
+  marked_ = raster("-marked", Labels::kind());  // a byte a cell
   directions_ = raster("-directions", Labels::kind());
   waters_ = notes("-waters");
   spills_ = notes("-spills");
-  flats_ = notes("-flats");
-  drained_ = notes("-drained");
+  flats_ = notes("-rim_flats");
+  walks_ = notes("-walks");
   exits_ = notes("-exits");
   ends_ = notes("-ends");
-  flat_codes_ = notes("-flat_codes");
 }
 
 Drainage::Raster Drainage::raster(const std::string& name, const recipe::Kind& kind) const {
@@ -63,8 +62,8 @@ std::shared_ptr<const StoredNotes> Drainage::notes(const std::string& name) cons
 }
 
 void Drainage::forget() const {
-  remove_together(world_.ranks(), std::vector<Raster>{flooded_, basins_, codes_, directions_});
-  remove_together(world_.ranks(), std::vector<Notes>{waters_, spills_, flats_, flat_codes_, drained_, exits_, ends_});
+  remove_together(world_.ranks(), std::vector<Raster>{flooded_, basins_, marked_, directions_});
+  remove_together(world_.ranks(), std::vector<Notes>{waters_, spills_, flats_, walks_, exits_, ends_});
 }
 
 /// Is something there on the disk? All ranks get the answer of the first.

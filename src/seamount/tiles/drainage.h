@@ -3,7 +3,7 @@
 //
 // Each pass makes something of every tile, spread over ranks and threads, and leaves it on disk: rasters, and what the
 // tile says of its rim. From what all tiles say every rank makes the same graph in memory, some 40 bytes a rim cell.
-// Flats that lie across borders are drained one by one on the rectangle around them.
+// Flats that lie across borders are drained from the steps of their rim cells (border_flats.h).
 #pragma once
 
 #include <functional>
@@ -23,6 +23,7 @@
 namespace seamount::tiles {
 
 class BorderFlats;
+struct Reached;
 
 class Drainage {
  public:
@@ -82,9 +83,8 @@ class Drainage {
   HeightField filled_window(const Rect& rect) const;
   HeightField with_ring(int tile) const;
   void direct_tiles(const RunContext& run);
-  BorderFlats border_flats() const;
-  bool has_drained(int tile) const;
-  void put_flats(int tile, const BorderFlats& flats) const;
+  void walk_flats(BorderFlats& flats, const RunContext& run) const;
+  std::vector<Reached> walk_round(const BorderFlats& flats, const std::vector<int>& tiles) const;
   std::vector<bool> tilt_round(const std::vector<int>& tiles);
   void gather_tiles(const RunContext& run);
   int32_t entered_from(int tile, int32_t cell, uint8_t code) const;
@@ -93,7 +93,6 @@ class Drainage {
   int32_t basin_at(int tile, int32_t cell) const;
   bool all_have(const std::function<bool()>& complete) const;
   Raster raster(const std::string& name, const recipe::Kind& kind) const;
-  int64_t pair_of(int owner, int tile) const { return int64_t{owner} * layout_.count() + tile; }
   int32_t node_of(const RimPlace& place) const { return first_node_[static_cast<size_t>(place.tile)] + place.rim; }
 
   const World& world_;
@@ -107,9 +106,9 @@ class Drainage {
   std::vector<int32_t> first_node_;         ///< number of a tile's first rim cell among all of them, from 1 on
   std::vector<std::vector<bool>> hollows_;  ///< of each tile's waters
   Raster flooded_, basins_;                 ///< each tile's own level, and over which rim cell (+ 1) its water leaves
-  Raster codes_, directions_;               ///< without the flats across borders, and with them
-  Notes waters_, spills_, flats_, drained_, exits_, ends_;
-  Notes flat_codes_;                ///< of flats of one tile in another, by both
+  Raster marked_, directions_;              ///< flats across borders marked, and drained
+  Notes waters_, spills_, flats_, exits_, ends_;
+  Notes walks_;                     ///< what was reached in each round through flats
   std::vector<float> levels_;       ///< by node: at which it overflows
   std::vector<float> rims_;         ///< by node: filled heights of rims
   std::vector<float> tilted_;       ///< by node: heights of rims once they fall; empty: filled as it is

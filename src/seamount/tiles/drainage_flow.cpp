@@ -1,12 +1,10 @@
-// Directions, falling ground and accumulation (drainage.h).
+// Falling ground and accumulation (drainage.h).
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
 #include <numeric>
 
-#include "seamount/recipe/kinds.h"
-#include "seamount/tiles/border_flats.h"
 #include "seamount/tiles/drainage.h"
 #include "seamount/tiles/rank_lists.h"
 #include "seamount/tiles/spread.h"
@@ -14,25 +12,8 @@
 namespace seamount::tiles {
 namespace {
 
-using recipe::kinds::Labels;
-
 /// A rectangle and a ring of one cell around it, as far as the whole goes.
 Rect ringed(const Rect& rect, const GridFrame& frame) { return with_reach(rect, Reach::neighbourhood(1), frame); }
-
-geom::FlowDirections codes_in(const StoredRaster& raster, const Rect& rect) {
-  const recipe::Value kept = raster.read(rect);
-  geom::FlowDirections codes(*kept.frame());
-  const auto cells = kept.get<Labels>().cells();
-  std::transform(cells.begin(), cells.end(), codes.cells().begin(), [](Region code) { return uint8_t(code); });
-  return codes;
-}
-
-void keep_codes(const StoredRaster& raster, int tile, const geom::FlowDirections& codes) {
-  LabelMap kept(codes.frame());
-  std::transform(codes.cells().begin(), codes.cells().end(), kept.cells().begin(),
-                 [](uint8_t code) { return Region(code); });
-  raster.write(tile, recipe::Value::of<Labels>(std::move(kept)));
-}
 
 /// The height of a rim's cell once the ground falls.
 struct Risen {
@@ -41,71 +22,6 @@ struct Risen {
 };
 
 }  // namespace
-
-/// Directions within each tile, and which of its flats reach its rim.
-void Drainage::direct_tiles(const RunContext& run) {
-  each_tile(run, [&](int tile) {
-    if (flats_->has(tile) && codes_->has(tile)) return;
-    const Rect rect = layout_.tile(tile), window = ringed(rect, frame_);
-    const HeightField surface = filled_window(window);
-    keep_codes(*codes_, tile, inner(geom::flow_directions(surface, sea_m_, run_), window, rect));
-    const TileFlats found = find_flats(layout_, frame_, tile, surface, sea_m_);
-    flats_->write(tile, found.parts, found.part_of_rim, found.height_of_rim);
-  });
-}
-
-BorderFlats Drainage::border_flats() const {
-  std::vector<TileFlats> all(static_cast<size_t>(layout_.count()));
-  for (int tile = 0; tile < layout_.count(); ++tile) {
-    TileFlats& one = all[static_cast<size_t>(tile)];
-    flats_->read(tile, one.parts, one.part_of_rim, one.height_of_rim);
-  }
-  return {layout_, frame_, sea_m_, std::move(all)};
-}
-
-/// Are the flats of a tile drained, in all tiles in which they lie?
-bool Drainage::has_drained(int tile) const {
-  if (!drained_->has(tile)) return false;
-  std::vector<int32_t> in;
-  drained_->read(tile, in);
-  return std::all_of(in.begin(), in.end(), [&](int32_t other) { return flat_codes_->has(pair_of(tile, other)); });
-}
-
-void Drainage::put_flats(int tile, const BorderFlats& flats) const {
-  geom::FlowDirections codes = codes_in(*codes_, layout_.tile(tile));
-  FlatCodes drained;
-  for (const int owner : flats.owners(tile)) {
-    flat_codes_->read(pair_of(owner, tile), drained.cells, drained.codes);
-    for (size_t i = 0; i < drained.cells.size(); ++i) codes.data()[drained.cells[i]] = drained.codes[i];
-  }
-  keep_codes(*directions_, tile, codes);
-}
-
-void Drainage::direct(const RunContext& run) {
-  if (all_have([&] { return directions_->complete(); })) return;
-  direct_tiles(run.part(0.0, 0.6));
-  const BorderFlats flats = border_flats();
-  const auto read = [this](const Rect& rect) { return filled_window(rect); };
-  const auto check = [this](const GridFrame& around) {
-    constexpr double kBytes = 24;  // of a cell, while its flat is drained
-    world_.check_fits(kBytes * static_cast<double>(around.cells()), "a lake over the borders of tiles",
-                      "is drained as a whole", around);
-  };
-  each_tile(run.part(0.6, 0.8), [&](int tile) {
-    if (has_drained(tile)) return;
-    std::vector<int32_t> in;
-    for (const auto& [other, codes] : flats.drain(tile, read, check, run_)) {
-      flat_codes_->write(pair_of(tile, other), codes.cells, codes.codes);
-      in.push_back(other);
-    }
-    drained_->write(tile, in);
-  });
-  each_tile(run.part(0.8, 1.0), [&](int tile) {
-    if (!directions_->has(tile)) put_flats(tile, flats);
-  });
-}
-
-geom::FlowDirections Drainage::directions(int tile) const { return codes_in(*directions_, layout_.tile(tile)); }
 
 /// The tile's filled surface as it falls, in a ring of its neighbours' rims.
 HeightField Drainage::with_ring(int tile) const {
@@ -149,13 +65,8 @@ std::vector<bool> Drainage::tilt_round(const std::vector<int>& tiles) {
     tilted_[static_cast<size_t>(one.node)] = one.height;
     const auto next = std::upper_bound(first_node_.begin(), first_node_.end(), one.node);
     const auto tile = static_cast<int>(next - first_node_.begin()) - 1;
-    const CellPlace at = cell_place(layout_, {tile, one.node - first_node_[static_cast<size_t>(tile)]});
-    for (size_t k = 0; k < 8; ++k) {
-      const int column = at.column + geom::kFlowDx[k], row = at.row + geom::kFlowDy[k];
-      if (column < 0 || row < 0 || column >= layout_.width || row >= layout_.height) continue;
-      const int other = row / layout_.size * layout_.columns() + column / layout_.size;
-      if (other != tile) matters[static_cast<size_t>(other)] = true;
-    }
+    for_each_beyond(layout_, {tile, one.node - first_node_[static_cast<size_t>(tile)]},
+                    [&](const RimPlace& beyond) { matters[static_cast<size_t>(beyond.tile)] = true; });
   }
   return matters;
 }

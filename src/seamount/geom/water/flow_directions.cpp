@@ -5,7 +5,6 @@
 #include "seamount/base/simd.h"
 #include "seamount/geom/water/flow.h"
 #include "seamount/geom/water/flow_flats.h"
-#include "seamount/geom/water/path_areas.h"
 
 namespace seamount::geom {
 namespace {

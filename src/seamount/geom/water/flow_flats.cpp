@@ -172,8 +172,7 @@ class FlatWalker {
       check(i);
       uint8_t& code = code_[cells_[i]];
       if (const unsigned out = around_[i].outlets; out != 0) {
-        constexpr unsigned kStraight = 0b01010101;
-        code = static_cast<uint8_t>(std::countr_zero((out & kStraight) != 0 ? out & kStraight : out));
+        code = first_outlet(out);
         continue;
       }
       float best = 0.0F;

@@ -9,10 +9,6 @@
 
 namespace seamount::geom {
 
-/// Steepest descent as flow_directions() finds it, but flats do not drain: kPit where no neighbour is lower. A cell
-/// hangs on its eight neighbours. Parallel; a byte per cell.
-FlowDirections steepest_directions(const HeightField& terrain, float sea_level_m, const RunContext& run);
-
 /// Cells whose water passes through each cell after fewer than 2^doublings steps, itself included: flow_accumulation()
 /// cut off there. A cell hangs on cells so many steps away. By doubling of ways: each pass adds what comes over ways
 /// twice as long. REQUIRES: doublings in [0, 20]. Parallel; doublings passes, 16 bytes per cell.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "seamount/base/rng.h"
+#include "seamount/geom/water/flow_flats.h"
 
 namespace seamount::geom {
 namespace {

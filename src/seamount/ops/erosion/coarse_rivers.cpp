@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "seamount/base/parallel.h"
-#include "seamount/geom/water/path_areas.h"
+#include "seamount/geom/water/flow_flats.h"
 
 namespace seamount::erosion {
 namespace {

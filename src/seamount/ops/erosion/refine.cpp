@@ -12,6 +12,7 @@
 #include "seamount/base/text.h"
 #include "seamount/geom/grid/resample.h"
 #include "seamount/geom/scalar/blend.h"
+#include "seamount/geom/water/flow_flats.h"
 #include "seamount/geom/water/gullies.h"
 #include "seamount/geom/water/path_areas.h"
 #include "seamount/model/same_size.h"
