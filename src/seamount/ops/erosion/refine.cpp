@@ -25,6 +25,7 @@ constexpr int kRounds = 6;
 constexpr int kPitSteps = 4;       ///< cells across that small pits are filled in a round
 constexpr int kFailSteps = 8;      ///< cells that a slope fails back in a round
 constexpr double kRiverCells = 8;  ///< coarse cells drained by the smallest coarse river
+constexpr float kWornOff = 0.1F;   ///< of a coarse cell's width: depth of change that takes half of the detail away
 constexpr float kBuried_m = 1.5F;  ///< of sediment that hides half of the detail
 
 int doublings_of(const RefineParams& params) { return std::bit_width(static_cast<unsigned>(params.gather_cells) - 1U); }
@@ -53,6 +54,18 @@ void each_neighbour(const Grid<float>& grid, int x, int y, const F& f) {
     const int nx = x + geom::kFlowDx[k], ny = y + geom::kFlowDy[k];
     if (nx >= 0 && ny >= 0 && nx < grid.width() && ny < grid.height()) f(grid(nx, ny), geom::kFlowLength[k]);
   }
+}
+
+/// How much the coarse terrain has changed, a coarse cell around a place: where wear gives way to what is laid down,
+/// ground has not stayed as it was.
+float change_around(const CoarseErosion& coarse, double column, double row) {
+  float sum = 0.0F;
+  for (const double dx : {-1.0, 1.0}) {
+    for (const double dy : {-1.0, 1.0})
+      sum += std::abs(geom::sample_bilinear(coarse.worn, column + dx, row + dy) -
+                      geom::sample_bilinear(coarse.before, column + dx, row + dy));
+  }
+  return 0.25F * sum;
 }
 
 class Refinement {
@@ -109,6 +122,7 @@ class Refinement {
   void add_detail(const HeightField& terrain, const CoarseErosion& coarse) {
     const GridFrame &fine = terrain.frame(), &large = coarse.worn.frame();
     const auto detail = static_cast<float>(params_.detail), wide = static_cast<float>(large.cell_m);
+    const float worn_off = kWornOff * wide;
     const HeightField worn = geom::resample(coarse.worn, fine, run_),
                       before = geom::resample(coarse.before, fine, run_);
     bare_ = ScalarField(fine, 1.0F);
@@ -121,8 +135,9 @@ class Refinement {
       const auto spread = [&](float through, const HeightField& cells) {
         return away == 0.0F ? through : through + away * (geom::sample_bspline(cells, column, row) - through);
       };
-      const float own = terrain(x, y) - spread(before(x, y), coarse.before);
-      z_(x, y) = spread(worn(x, y), coarse.worn) + detail * bare_(x, y) * own;
+      const float now = spread(worn(x, y), coarse.worn), then = spread(before(x, y), coarse.before);
+      const float change = change_around(coarse, column, row) / worn_off;
+      z_(x, y) = now + detail * bare_(x, y) * (terrain(x, y) - then) / (1.0F + change * change);
     });
   }
 

@@ -2,12 +2,12 @@
 //
 // Erosion looks at everything, so a world of 65 536 cells a side cannot be eroded as a whole. Its large valleys can be
 // found on larger cells: erosion.run on what terrain.resample makes of it. Here they come back. Each cell gets the worn
-// height and what it differed from its coarse cell before, as far as sediment has not buried that; the coarse rivers
-// become smooth courses that fall all the way (coarse_rivers.h), cut through what lies across them. Then years of
-// gullies: small pits fill, water gathers over ways of `gather_cells` (geom/water/path_areas.h), cuts as rivers do
-// (dh/dt = -K sqrt(Q) dh/dx, implicit as in Braun and Willett 2013, each cell towards where its neighbour was), what
-// is too steep over a neighbour fails, and soil creeps. All of that looks a stated number of cells far, so a world can
-// be made tile by tile without a seam.
+// height and what it differed from its coarse cell before, as far as sediment has not buried that or the change has
+// taken it away; the coarse rivers become smooth courses that fall all the way (coarse_rivers.h), cut through what lies
+// across them. Then years of gullies: small pits fill, water gathers over ways of `gather_cells`
+// (geom/water/path_areas.h), cuts as rivers do (dh/dt = -K sqrt(Q) dh/dx, implicit as in Braun and Willett 2013, each
+// cell towards where its neighbour was), what is too steep over a neighbour fails, and soil creeps. All of that looks a
+// stated number of cells far, so a world can be made tile by tile without a seam.
 #pragma once
 
 #include <tuple>
@@ -38,7 +38,8 @@ struct RefineParams {
         field(&P::years, "years", "yr", between(0, 1e6),
               "how long gullies cut into the slopes: 0 leaves them to the terrain's own detail"),
         field(&P::detail, "detail", "", between(0, 2),
-              "share of the terrain's own detail, finer than the coarse cells, that stays where nothing buries it"),
+              "share of the terrain's own detail, finer than the coarse cells, that stays where little was worn or "
+              "laid down"),
         field(&P::gullies, "gullies", "", between(0, 2),
               "depth of the gullies that run down bare slopes: 0 none, 1 as in old volcanic islands"),
         field(&P::runoff_mm_yr, "runoff_mm_yr", "mm/yr", between(1, 20000), "rain that runs off, as for erosion.run"),
