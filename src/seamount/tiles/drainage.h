@@ -107,8 +107,7 @@ class Drainage {
   std::vector<std::vector<bool>> hollows_;  ///< of each tile's waters
   Raster flooded_, basins_;                 ///< each tile's own level, and over which rim cell (+ 1) its water leaves
   Raster marked_, directions_;              ///< flats across borders marked, and drained
-  Notes waters_, spills_, flats_, rises_, exits_, ends_;
-  Notes walks_;                     ///< what was reached in each round through flats
+  Notes waters_, spills_, flats_, walks_, rises_, exits_, ends_;
   std::vector<float> levels_;       ///< by node: at which it overflows
   std::vector<float> tilted_;       ///< by node: heights of rims once they fall; empty: filled as it is
   std::vector<uint64_t> entering_;  ///< by node: what enters a tile there
