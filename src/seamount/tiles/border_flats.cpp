@@ -93,7 +93,7 @@ bool BorderFlats::lower(size_t from, int32_t node, int64_t steps) {
 void BorderFlats::settle(size_t from) {
   auto& queue = queue_[from];
   while (!queue.empty()) {
-    const auto [steps, node] = queue.top();
+    const int32_t steps = queue.top().first, node = queue.top().second;
     queue.pop();
     if (steps != steps_of(from, node)) continue;
     for (int32_t i = first_link_[static_cast<size_t>(node)]; i < first_link_[static_cast<size_t>(node) + 1]; ++i)
