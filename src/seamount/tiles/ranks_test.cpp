@@ -154,7 +154,7 @@ TEST(Ranks, OneThatFailsStopsAll) {
 }
 
 /// Chains, a step that is run as a whole, one that is small, water over the borders of tiles, with its lakes and
-/// catchments, a mask by depth, colours that hang on the relief, a part cut out.
+/// catchments, a plain through many of them, a mask by depth, colours that hang on the relief, a part cut out.
 const char* const kWorld = R"({"seamount": 1, "seed": 9,
   "domain": {"width_m": 12000, "height_m": 9500, "cell_m": 31.3},
   "steps": [
@@ -164,6 +164,9 @@ const char* const kWorld = R"({"seamount": 1, "seed": 9,
     {"id": "soft", "op": "terrain.smooth", "in": {"terrain": "filled.terrain", "mask": "steep"}, "params": {"radius_m": 90}},
     {"id": "flow", "op": "hydrology.flow", "in": {"terrain": "soft"}},
     {"id": "traced", "op": "hydrology.flow", "in": {"terrain": "filled.terrain"}, "params": {"min_catchment_m2": 90000}},
+    {"id": "level", "op": "terrain.noise", "params": {"height_m": 0, "base_m": 60}},
+    {"id": "plain", "op": "terrain.blend", "in": {"terrain": "hills", "with": "level"}, "params": {"mode": "max"}},
+    {"id": "across", "op": "hydrology.flow", "in": {"terrain": "plain"}},
     {"id": "shore", "op": "terrain.noise", "params": {"kind": "smooth", "wavelength_m": 300, "base_m": 80}},
     {"id": "wet", "op": "terrain.mask", "in": {"terrain": "shore"}, "params": {"criteria": [{"tool": "depth", "low_m": 2, "falloff_m": 20}]}},
     {"id": "layered", "op": "terrain.layers", "in": {"terrain": "soft"}},
@@ -175,6 +178,7 @@ const char* const kWorld = R"({"seamount": 1, "seed": 9,
     {"from": "filled.change", "path": "change.tif"}, {"from": "isle.labels", "path": "labels.tif"},
     {"from": "filled.lakes", "path": "lakes.geojson"}, {"from": "flow.basins", "path": "basins.tif"},
     {"from": "flow.catchments", "path": "catchments.geojson"}, {"from": "traced.catchments", "path": "traced.geojson"},
+    {"from": "across.direction", "path": "across.tif"}, {"from": "across.cells", "path": "cells.tif"},
     {"from": "wet", "path": "wet.tif"}, {"from": "layered.high", "path": "layered.tif"}, {"from": "peak", "path": "peak.tif"},
     {"from": "soft.terrain", "path": "u.r16", "as": "tiles", "engine": "unreal", "tile_size": 127},
     {"from": "soft.terrain", "path": "m.glb", "as": "mesh_tiles", "tile_size": 200, "texture_px": 0},
@@ -200,8 +204,8 @@ TEST_F(TiledRanks, MakeTheSameBytes) {
     });
     for (const auto& failure : failures) EXPECT_FALSE(failure) << failure->text;
     for (const char* name : {"height.tif", "water.tif", "change.tif", "labels.tif", "lakes.geojson", "basins.tif",
-                             "catchments.geojson", "traced.geojson", "wet.tif", "layered.tif", "peak.tif",
-                             "u_x3_y2.r16", "u_tiles.json", "m_x1_y1_lod0.glb", "m.gltf"})
+                             "catchments.geojson", "traced.geojson", "across.tif", "cells.tif", "wet.tif",
+                             "layered.tif", "peak.tif", "u_x3_y2.r16", "u_tiles.json", "m_x1_y1_lod0.glb", "m.gltf"})
       EXPECT_TRUE(bytes_of(out + "/" + name) == bytes_of(at("one/") + name)) << name << ", " << count << " ranks";
     EXPECT_TRUE(fs::exists(out + "/map.png")) << "from larger cells";
     if (cache.empty()) continue;
