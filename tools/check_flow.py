@@ -17,6 +17,7 @@ import sys
 
 import numpy
 import rasterio
+import rasterio.errors
 import rasterio.windows
 
 DX = [1, 1, 0, -1, -1, -1, 0, 1]
@@ -70,6 +71,9 @@ class Check:
     def __init__(self, options):
         self.water, self.direction = Windows(options.water, 0), Windows(options.direction, numpy.nan)
         self.surface = Windows(options.surface, numpy.nan) if options.surface else None
+        sizes = {(one.width, one.height) for one in (self.water, self.direction, self.surface) if one}
+        if len(sizes) > 1:
+            sys.exit(f"they have different cells: {sorted(sizes)}")
         self.sea, self.one = options.sea, self.cells_of_a_count()
         self.known, self.ended, self.wrong = 0, 0.0, []
 
@@ -110,7 +114,7 @@ class Check:
         outside = edge | (here <= self.sea)
         self.note(known & (outside != (code == ENDS)), column, row, "flow ends elsewhere than at the edge or the sea")
         lowest = numpy.where(numpy.isnan(surface), -numpy.inf, surface)  # the unknown is below all
-        way = steepest(lowest, self.sea if self.sea > -numpy.inf else -numpy.inf)
+        way = steepest(lowest, self.sea)
         inner = known & ~outside
         self.note(inner & (way != ENDS) & (way != code), column, row, "not the steepest descent")
         climbs = numpy.zeros_like(known)
@@ -134,7 +138,10 @@ def main():
     parser.add_argument("--sea", type=float, default=-numpy.inf, help="height at and below which is open water; none if absent")
     parser.add_argument("--block", type=int, default=2048, help="cells of a side of what is looked at at once")
     options = parser.parse_args()
-    check = Check(options)
+    try:
+        check = Check(options)
+    except rasterio.errors.RasterioIOError as error:
+        sys.exit(str(error))
     check.run(options.block)
     for line in check.wrong:
         print(line)

@@ -49,6 +49,7 @@ Drainage::Drainage(const World& world, size_t step, OutputOf terrain, float sea_
   spills_ = notes("-spills");
   flats_ = notes("-rim_flats");
   walks_ = notes("-walks");
+  rises_ = notes("-rises");
   exits_ = notes("-exits");
   ends_ = notes("-ends");
 }
@@ -63,7 +64,7 @@ std::shared_ptr<const StoredNotes> Drainage::notes(const std::string& name) cons
 
 void Drainage::forget() const {
   remove_together(world_.ranks(), std::vector<Raster>{flooded_, basins_, marked_, directions_});
-  remove_together(world_.ranks(), std::vector<Notes>{waters_, spills_, flats_, walks_, exits_, ends_});
+  remove_together(world_.ranks(), std::vector<Notes>{waters_, spills_, flats_, walks_, rises_, exits_, ends_});
 }
 
 /// Is something there on the disk? All ranks get the answer of the first.
@@ -199,9 +200,6 @@ void Drainage::find_levels() {
                       outside[other] != 0 ? 0 : static_cast<int32_t>(other), std::max(rim_z[one], rim_z[other])});
   });
   levels_ = geom::overflow_levels(first_node_.back(), std::move(spills));
-  rims_ = std::move(rim_z);
-  for (size_t node = 1; node < rims_.size(); ++node)
-    if (outside[node] == 0) rims_[node] = std::max(rims_[node], levels_[node]);
 }
 
 void Drainage::fill(const RunContext& run) {

@@ -85,7 +85,7 @@ class Drainage {
   void direct_tiles(const RunContext& run);
   void walk_flats(BorderFlats& flats, const RunContext& run) const;
   std::vector<Reached> walk_round(const BorderFlats& flats, const std::vector<int>& tiles) const;
-  std::vector<bool> tilt_round(const std::vector<int>& tiles);
+  void note_rises(int tile) const;
   void gather_tiles(const RunContext& run);
   int32_t entered_from(int tile, int32_t cell, uint8_t code) const;
   void note_mouths(int tile) const;
@@ -107,10 +107,9 @@ class Drainage {
   std::vector<std::vector<bool>> hollows_;  ///< of each tile's waters
   Raster flooded_, basins_;                 ///< each tile's own level, and over which rim cell (+ 1) its water leaves
   Raster marked_, directions_;              ///< flats across borders marked, and drained
-  Notes waters_, spills_, flats_, exits_, ends_;
+  Notes waters_, spills_, flats_, rises_, exits_, ends_;
   Notes walks_;                     ///< what was reached in each round through flats
   std::vector<float> levels_;       ///< by node: at which it overflows
-  std::vector<float> rims_;         ///< by node: filled heights of rims
   std::vector<float> tilted_;       ///< by node: heights of rims once they fall; empty: filled as it is
   std::vector<uint64_t> entering_;  ///< by node: what enters a tile there
   std::vector<std::unordered_map<int32_t, int32_t>> mouths_;  ///< of each tile: basins by cell

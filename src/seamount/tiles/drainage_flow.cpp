@@ -1,25 +1,14 @@
 // Falling ground and accumulation (drainage.h).
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <mutex>
-#include <numeric>
 
+#include "seamount/geom/water/piece_rise.h"
 #include "seamount/tiles/drainage.h"
-#include "seamount/tiles/rank_lists.h"
-#include "seamount/tiles/spread.h"
 
 namespace seamount::tiles {
 namespace {
 
 /// A rectangle and a ring of one cell around it, as far as the whole goes.
 Rect ringed(const Rect& rect, const GridFrame& frame) { return with_reach(rect, Reach::neighbourhood(1), frame); }
-
-/// The height of a rim's cell once the ground falls.
-struct Risen {
-  int32_t node;
-  float height;
-};
 
 }  // namespace
 
@@ -42,48 +31,45 @@ HeightField Drainage::with_ring(int tile) const {
   return z;
 }
 
-/// Lets the ground of some tiles fall, each in what was known of the rims before. Which tiles it matters to.
-std::vector<bool> Drainage::tilt_round(const std::vector<int>& tiles) {
-  std::vector<Risen> mine;
-  std::mutex finding;
-  constexpr double kBytes = 24;  // of a cell
-  const int pieces = at_once(kBytes * layout_.size * layout_.size, world_.memory_bytes(), run_);
-  spread(world_.ranks(), run_, static_cast<int>(tiles.size()), pieces, [&](int i, const RunContext&) {
-    const int tile = tiles[static_cast<size_t>(i)];
-    const Rect rect = layout_.tile(tile);
-    const HeightField z = inner(with_ring(tile), ringed(rect, frame_), rect);
-    const std::lock_guard lock(finding);
-    for (int32_t rim = 0; rim < rim_size(layout_, tile); ++rim) {
-      const int32_t node = node_of({tile, rim});
-      const float height = z.data()[geom::rim_cell(rim, z.width(), z.height())];
-      if (height != tilted_[static_cast<size_t>(node)]) mine.push_back({node, height});
-    }
-    return true;
-  });
-  std::vector<bool> matters(static_cast<size_t>(layout_.count()), false);
-  for (const Risen& one : from_all(world_.ranks(), mine)) {
-    tilted_[static_cast<size_t>(one.node)] = one.height;
-    const auto next = std::upper_bound(first_node_.begin(), first_node_.end(), one.node);
-    const auto tile = static_cast<int>(next - first_node_.begin()) - 1;
-    for_each_beyond(layout_, {tile, one.node - first_node_[static_cast<size_t>(tile)]},
-                    [&](const RimPlace& beyond) { matters[static_cast<size_t>(beyond.tile)] = true; });
+/// Of each rim cell, the node that its flow enters next and how it lies above that.
+void Drainage::note_rises(int tile) const {
+  const geom::FlowDirections codes = directions(tile);
+  const std::vector<geom::RimRise> rises = geom::rim_rises(filled_window(layout_.tile(tile)), codes, run_);
+  std::vector<int32_t> next, steps, least;
+  for (const geom::RimRise& rise : rises) {
+    const int32_t cell = rise.exit < 0 ? -1 : geom::rim_cell(rise.exit, codes.width(), codes.height());
+    next.push_back(cell < 0 ? -1 : entered_from(tile, cell, codes.data()[cell]));
+    steps.push_back(rise.steps);
+    least.push_back(rise.least);
   }
-  return matters;
+  rises_->write(tile, next, steps, least);
 }
 
-/// Heights along a way hang on those downstream: tiles are looked at again while the rims beside them rise.
+/// The heights of rims from what all tiles say, each once that downstream is known.
 void Drainage::tilt(const RunContext& run) {
-  tilted_ = rims_;
-  std::vector<int> tiles(static_cast<size_t>(layout_.count()));
-  std::iota(tiles.begin(), tiles.end(), 0);
-  while (!tiles.empty()) {
-    run_.check_cancelled();
-    const std::vector<bool> matters = tilt_round(tiles);
-    tiles.clear();
-    for (int tile = 0; tile < layout_.count(); ++tile)
-      if (matters[static_cast<size_t>(tile)]) tiles.push_back(tile);
-    run.report(1.0 - static_cast<double>(tiles.size()) / layout_.count());
+  each_tile(run, [&](int tile) {
+    if (!rises_->has(tile)) note_rises(tile);
+  });
+  std::vector<int32_t> next(1, -1), steps(1, 0), least(1, 0), way;
+  std::vector<int32_t> next_of_tile, steps_of_tile, least_of_tile;
+  for (int tile = 0; tile < layout_.count(); ++tile) {
+    rises_->read(tile, next_of_tile, steps_of_tile, least_of_tile);
+    next.insert(next.end(), next_of_tile.begin(), next_of_tile.end());
+    steps.insert(steps.end(), steps_of_tile.begin(), steps_of_tile.end());
+    least.insert(least.end(), least_of_tile.begin(), least_of_tile.end());
   }
+  for (size_t first = 1; first < next.size(); ++first) {
+    auto node = static_cast<int32_t>(first);
+    for (; next[static_cast<size_t>(node)] >= 0; node = next[static_cast<size_t>(node)]) way.push_back(node);
+    for (int32_t below = node; !way.empty(); way.pop_back()) {
+      const auto here = static_cast<size_t>(way.back());
+      least[here] = std::max(least[here], least[static_cast<size_t>(below)] + steps[here]);
+      next[here] = -1;
+      below = way.back();
+    }
+  }
+  tilted_.clear();
+  for (const int32_t number : least) tilted_.push_back(geom::float_of_number(number));
 }
 
 HeightField Drainage::filled(int tile) const {
