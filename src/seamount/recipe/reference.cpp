@@ -37,7 +37,9 @@ std::string source_text(const std::string& source) {
 }
 
 /// How far a cell of its rasters looks: whether it can be run tile by tile.
-std::string looks_text(const Operator& op) { return op.looks.empty() ? "at everything" : op.looks; }
+std::string looks_text(const Operator& op) {
+  return (op.looks.empty() ? "at everything" : op.looks) + (op.in_tiles.empty() ? "" : "; in tiles " + op.in_tiles);
+}
 
 std::string params_text(const std::vector<ParamInfo>& params) {
   std::string text;

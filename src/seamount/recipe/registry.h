@@ -57,9 +57,10 @@ struct Operator {
   std::string summary;  ///< one line: what it makes
   std::string source;   ///< paper and section
   bool stochastic = false;
-  bool cached = true;      ///< false: made faster than read back
-  bool needs_one = false;  ///< one of its inputs is needed, whichever, though none is required alone
-  std::string looks = {};  ///< how far a cell looks, for people; empty: at everything
+  bool cached = true;         ///< false: made faster than read back
+  bool needs_one = false;     ///< one of its inputs is needed, whichever, though none is required alone
+  std::string looks = {};     ///< how far a cell looks, for people; empty: at everything
+  std::string in_tiles = {};  ///< how worlds that do not fit into memory have it all the same; empty: as `looks` says
 
   // Filled in by Registry::add from the typed ports and the field table.
   std::vector<Port> in;

@@ -73,6 +73,7 @@ Json step_schema(const Operator& op) {
         {"params", params_schema(op.params)}}},
       {"required", {"id", "op"}},
       {"additionalProperties", false}};
+  if (!op.in_tiles.empty()) schema["x-in-tiles"] = op.in_tiles;
   return schema;
 }
 

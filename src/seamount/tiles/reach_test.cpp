@@ -9,6 +9,7 @@
 #include "seamount/recipe/kinds.h"
 #include "seamount/recipe/registry.h"
 #include "seamount/tiles/layout.h"
+#include "seamount/tiles/tiled_ways.h"
 #include "seamount/tiles/windows.h"
 
 namespace seamount::tiles {
@@ -248,6 +249,14 @@ TEST(Reaches, EveryClaimHasACase) {
   }
   for (const auto& op : recipe::standard_registry().operators())
     EXPECT_EQ(op->reach != nullptr, tried.contains(op->name)) << op->name;
+}
+
+TEST(Reaches, WhatHasAWayOfItsOwnInTilesSaysSo) {
+  for (const auto& op : recipe::standard_registry().operators()) {
+    recipe::Step step;
+    step.op = op.get();
+    EXPECT_EQ(find_tiled_way(step) != nullptr, !op->in_tiles.empty()) << op->name;
+  }
 }
 
 TEST(WithReach, BeginsAtASteppedCellAndStaysWithin) {

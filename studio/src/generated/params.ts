@@ -1321,7 +1321,7 @@ export interface OperatorParams {
   "erosion.refine": {
     /** how long gullies cut into the slopes: 0 leaves them to the terrain's own detail [yr] */
     years?: number;
-    /** share of the terrain's own detail, finer than the coarse cells, that stays where nothing buries it */
+    /** share of the terrain's own detail, finer than the coarse cells, that stays where little was worn or laid down */
     detail?: number;
     /** depth of the gullies that run down bare slopes: 0 none, 1 as in old volcanic islands */
     gullies?: number;

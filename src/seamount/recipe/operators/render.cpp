@@ -14,6 +14,8 @@ namespace {
 using kinds::Drawing, kinds::Labels, kinds::Terrain;
 using Lines = const seamount::Drawing*;
 
+const char* const kLargerCells = "from means over larger cells, as many as fit";
+
 In<Terrain> terrain_in() { return with_voids(in<Terrain>("terrain", "heights in metres")); }
 OptionalIn<Labels> labels_in() {
   return optional_in<Labels>("labels", "its regions: where beach, lagoon and reef are");
@@ -54,7 +56,10 @@ std::tuple<ScalarField, ScalarField, ScalarField> layers(const render::LayersPar
 
 void add_views(Registry& registry) {
   registry.add(make_operator<render::ReliefParams>(
-      {.name = "render.relief", .revision = 3, .summary = "Shaded relief with light from several directions"},
+      {.name = "render.relief",
+       .revision = 3,
+       .summary = "Shaded relief with light from several directions",
+       .in_tiles = kLargerCells},
       inputs(terrain_in()), picture_out(),
       [](const render::ReliefParams& params, const Call& call, const HeightField& terrain) {
         return render::relief(terrain, params, call.run);
@@ -62,7 +67,8 @@ void add_views(Registry& registry) {
   registry.add(make_operator<render::PerspectiveParams>(
       {.name = "render.perspective",
        .revision = 6,
-       .summary = "A picture from a point of view, with sun, shadows, sky and water"},
+       .summary = "A picture from a point of view, with sun, shadows, sky and water",
+       .in_tiles = kLargerCells},
       inputs(terrain_in(), labels_in(),
              optional_in<kinds::Things>("things", "what stands on it, drawn from its models"), lake_in(), rivers_in()),
       picture_out(),
@@ -72,7 +78,10 @@ void add_views(Registry& registry) {
                                    call.run);
       }));
   registry.add(make_operator<render::TextureParams>(
-      {.name = "render.texture", .revision = 5, .summary = "The ground from above, as a texture for meshes"},
+      {.name = "render.texture",
+       .revision = 5,
+       .summary = "The ground from above, as a texture for meshes",
+       .in_tiles = kLargerCells},
       inputs(terrain_in(), labels_in(), lake_in(), rivers_in()), picture_out(),
       [](const render::TextureParams& params, const Call& call, const HeightField& terrain, const LabelMap* labels,
          const ScalarField* lake, Lines rivers) {
@@ -88,7 +97,8 @@ void add_render_operators(Registry& registry) {
       {.name = "render.map",
        .revision = 4,
        .summary = "A map with tints by height and depth, relief, contours, legend and scale bar; rivers, lakes, "
-                  "ridges, peaks, currents and objects over it"},
+                  "ridges, peaks, currents and objects over it",
+       .in_tiles = kLargerCells},
       inputs(terrain_in(), labels_in(), optional_in<Drawing>("lakes", "areas to fill as water"),
              optional_in<Drawing>("rivers", "lines of water, as wide as their order"),
              optional_in<Drawing>("ridges", "lines of ridges"), optional_in<Drawing>("peaks", "points with heights"),

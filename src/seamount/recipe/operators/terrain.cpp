@@ -102,9 +102,11 @@ HeightField compose(const terrain::ComposeParams& params, const Call& call,
 }
 
 void add_sources(Registry& registry) {
-  registry.add(make_operator<ImportParams>(
-      {.name = "terrain.import", .revision = 2, .summary = "A terrain from a file, in metres and square cells"},
-      inputs(), outputs(out<Terrain>("terrain", kHeights)), import_terrain));
+  registry.add(make_operator<ImportParams>({.name = "terrain.import",
+                                            .revision = 2,
+                                            .summary = "A terrain from a file, in metres and square cells",
+                                            .in_tiles = "a GeoTIFF window by window"},
+                                           inputs(), outputs(out<Terrain>("terrain", kHeights)), import_terrain));
   registry.add(make_operator<JoinParams>(
       {.name = "terrain.join", .summary = "Neighbouring files of elevation as one terrain, cell by cell"}, inputs(),
       outputs(out<Terrain>("terrain", kHeights)), join));
@@ -126,7 +128,8 @@ void add_sampling(Registry& registry) {
       {.name = "terrain.resample",
        .revision = 2,
        .summary = "A terrain at another cell size, or on the document's domain",
-       .looks = "at everything; with centre off and beyond edge at its own place in the domain, at the whole terrain"},
+       .looks = "at everything; with centre off and beyond edge at its own place in the domain, at the whole terrain",
+       .in_tiles = "window by window"},
       inputs(with_voids(placed(Placing::system, in<Terrain>("terrain", kHeights)))),
       outputs(out<Terrain>("terrain", kHeights)),
       [](const terrain::ResampleParams& params, const Call& call, const HeightField& terrain) {
@@ -158,7 +161,8 @@ HeightField crop(const terrain::CropParams& params, const Call& call, const Heig
 void add_shaping(Registry& registry) {
   registry.add(make_operator<terrain::CropParams>(
       {.name = "terrain.crop",
-       .summary = "A part of a terrain around a place, its summit or its middle, where it lies"},
+       .summary = "A part of a terrain around a place, its summit or its middle, where it lies",
+       .in_tiles = "window by window"},
       inputs(with_voids(placed(Placing::system, in<Terrain>("terrain", kHeights)))),
       outputs(out<Terrain>("terrain", kHeights)), crop));
   registry.add(make_operator<terrain::SmoothParams>(
@@ -259,7 +263,8 @@ void add_terrain_operators(Registry& registry) {
            "any field",
        .stochastic = true,
        .looks = "at its own place; with slope, aspect and curvature 2 scale_m around, with region as far as its "
-                "limits; with depth, and where heights are unknown with slope, aspect and curvature, at everything"},
+                "limits; with depth, and where heights are unknown with slope, aspect and curvature, at everything",
+       .in_tiles = "depth over their borders"},
       inputs(with_voids(in<Terrain>("terrain", kHeights)),
              optional_in<kinds::Labels>("labels", "its regions, for the criterion region"),
              optional_in<kinds::Drawing>("drawing", "areas and lines, for the criteria area and line"),
