@@ -214,9 +214,9 @@ void check_coarse(const HeightField& terrain, const CoarseErosion& coarse) {
   check_same_size("flow", coarse.flow.frame(), coarse.before.frame());
   if (coarse.laid != nullptr) check_same_size("sediment", coarse.laid->frame(), coarse.before.frame());
   const double ratio = coarse.worn.cell_m() / terrain.cell_m();
-  if (!(ratio >= 2.0 && ratio <= 64.0)) {
+  if (!(ratio >= 1.0 - 1e-9 && ratio <= 64.0 + 1e-9)) {
     throw IncompatibleInputs("worn has cells of " + format_number(coarse.worn.cell_m()) + " m, the terrain of " +
-                             format_number(terrain.cell_m()) + " m: 2 to 64 times as large are meant");
+                             format_number(terrain.cell_m()) + " m: as large to 64 times as large are meant");
   }
 }
 

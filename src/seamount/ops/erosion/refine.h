@@ -66,8 +66,8 @@ struct CoarseErosion {
 };
 
 /// The fine terrain, eroded. Beyond the coarse one its border goes on. Throws InvalidArgument for params out of range,
-/// IncompatibleInputs for coarse rasters of different frames, or of cells less than twice or more than 64 times the
-/// terrain's. Parallel; about 0.5 us and 40 bytes per cell.
+/// IncompatibleInputs for coarse rasters of different frames, or of cells smaller or more than 64 times as large as
+/// the terrain's. Parallel; about 0.5 us and 40 bytes per cell.
 HeightField refine(const HeightField& terrain, const CoarseErosion& coarse, const RefineParams& params, Seed seed,
                    const RunContext& run);
 

@@ -107,7 +107,10 @@ TEST(ErosionRefine, SaysWhatDoesNotBelongTogether) {
   const World world(1);
   const HeightField other(GridFrame::centred(40, 48, 80.0));
   EXPECT_THROW(refine(world.terrain, {world.before, other, world.eroded.flow}, {}, Seed{1}, {}), IncompatibleInputs);
-  EXPECT_THROW(refine(world.before, world.coarse(), {}, Seed{1}, {}), IncompatibleInputs);
+  EXPECT_THROW(refine(HeightField(GridFrame::centred(20, 20, 160.0)), world.coarse(), {}, Seed{1}, {}),
+               IncompatibleInputs);
+  EXPECT_THROW(refine(HeightField(GridFrame::centred(20, 20, 1.0)), world.coarse(), {}, Seed{1}, {}),
+               IncompatibleInputs);
   EXPECT_THROW(refine(world.terrain, world.coarse(), {.gather_cells = 7}, Seed{1}, {}), InvalidArgument);
 }
 
