@@ -109,7 +109,7 @@ test("a climate that is chosen colours the ground, and the place's own comes bac
     Math.max(...colours.flatMap((r, i) => (i % 4 === 0 ? [r - colours[i + 1]!] : [])));
   const own = await picture("3D view"), arid = await choose("arid"), polar = await choose("polar");
   const tropical = await choose("tropical");
-  assert.ok(red(arid) >= red(tropical) + 12, `${red(arid)} ${red(tropical)}`);
+  assert.ok(red(arid) > red(tropical) + 12, `${red(arid)} ${red(tropical)}`);
   assert.ok(difference(arid, polar) > 1 && difference(tropical, polar) > 1);
   assert.ok(difference(own, await choose("automatic")) < 0.3);
 });
@@ -120,18 +120,6 @@ test("without water one sees the sea's floor", async () => {
   await page.getByRole("checkbox", { name: "Water" }).uncheck();
   await page.keyboard.press("Escape");
   assert.ok(difference(first, await picture("3D view")) > 5);
-});
-
-test("what was chosen for the view is there again after a reload", async () => {
-  const settings = page.getByRole("button", { name: "How the ground is shown" });
-  await settings.click();
-  await page.getByLabel("Climate").selectOption("polar");
-  await page.keyboard.press("Escape");
-  await page.reload();
-  await settings.click();
-  assert.equal(await page.getByLabel("Climate").inputValue(), "polar");
-  assert.equal(await page.getByRole("checkbox", { name: "Water" }).isChecked(), false);
-  await page.keyboard.press("Escape");
 });
 
 test("nothing went wrong on the page", () => assert.deepEqual(errors, []));

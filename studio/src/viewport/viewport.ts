@@ -11,11 +11,10 @@ import { sourceOf } from "./detail_window";
 import { Follower, mostCells } from "./follower";
 import { Gestures } from "./gestures";
 import { HeightField, sameRectangle } from "./heights";
-import { keepOptions, keptOptions, windowStorage } from "./kept_options";
 import { legendElement } from "./legend";
 import { labelAt, legendOf } from "./ground_overlay";
 import { MapView } from "./map_view";
-import { suggestedExaggeration, type ViewOptions } from "./options";
+import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./options";
 import { OverlayKeeper } from "./overlay_keeper";
 import { PenStrokes } from "./pen_strokes";
 import { PictureRenderer } from "./picture_renderer";
@@ -57,7 +56,7 @@ export class Viewport {
   readonly label: ReadonlySignal<string | null> = computed(() => labelAt(this.activeOverlay, this.pointer.value));
   /** Metres a pixel of the map. */
   readonly scale: Signal<number> = signal(1);
-  readonly options: Signal<ViewOptions> = signal(keptOptions(windowStorage()));
+  readonly options: Signal<ViewOptions> = signal(defaultOptions);
   /** Key of the result that is drawn, and whether it is a coarse one. */
   readonly drawn: Signal<{ key: string; coarse: boolean } | null> = signal(null);
   readonly map: MapView;
@@ -128,7 +127,7 @@ export class Viewport {
     );
     this.stops.push(
       followContent(studio, (content) => this.contentCame(content)), registerActions(viewActions(this)),
-      mountControls(this, worldElement), keepOptions(windowStorage(), this.options),
+      mountControls(this, worldElement),
     );
     const themes = new MutationObserver(() => {
       this.map.inkStale = true;
