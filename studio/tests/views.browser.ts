@@ -20,15 +20,19 @@ let errors: string[];
 before(async () => {
   [browser, server] = await Promise.all([openBrowser(), Server.start(recipe)]);
   ({ page, errors } = await openPage(browser, server.address));
-  await until(
-    "both views are drawn", () => page.locator("[data-ground-view][data-key]").count().then((count) => count === 2), 60,
-  );
-  await atRest();
+  await drawn();
 });
 after(async () => {
   await browser?.close();
   await server?.end();
 });
+
+async function drawn(): Promise<void> {
+  await until(
+    "both views are drawn", () => page.locator("[data-ground-view][data-key]").count().then((count) => count === 2), 60,
+  );
+  await atRest();
+}
 
 /** Counts pictures until there are no more for a while. */
 async function atRest(): Promise<void> {
@@ -96,14 +100,15 @@ test("keys alone move a view", async () => {
   assert.ok(difference(first, await picture("Map")) > 2);
 });
 
+async function choose(climate: string): Promise<number[]> {
+  await page.getByRole("button", { name: "How the ground is shown" }).click();
+  await page.getByLabel("Climate").selectOption(climate);
+  if (process.env["LOOKS"]) await page.screenshot({ path: `${process.env["LOOKS"]}/climate_${climate}.png` });
+  await page.keyboard.press("Escape");
+  return picture("3D view");
+}
+
 test("a climate that is chosen colours the ground, and the place's own comes back", async () => {
-  const choose = async (name: string): Promise<number[]> => {
-    await page.getByRole("button", { name: "How the ground is shown" }).click();
-    await page.getByLabel("Climate").selectOption(name);
-    if (process.env["LOOKS"]) await page.screenshot({ path: `${process.env["LOOKS"]}/climate_${name}.png` });
-    await page.keyboard.press("Escape");
-    return picture("3D view");
-  };
   /** How much redder than green the ground is, where it is reddest. */
   const red = (colours: number[]): number =>
     Math.max(...colours.flatMap((r, i) => (i % 4 === 0 ? [r - colours[i + 1]!] : [])));
@@ -112,6 +117,18 @@ test("a climate that is chosen colours the ground, and the place's own comes bac
   assert.ok(red(arid) > red(tropical) + 12, `${red(arid)} ${red(tropical)}`);
   assert.ok(difference(arid, polar) > 1 && difference(tropical, polar) > 1);
   assert.ok(difference(own, await choose("automatic")) < 0.3);
+});
+
+test("a climate that was chosen is there when the page is opened again", async () => {
+  const again = async (): Promise<number[]> => {
+    await page.reload();
+    await drawn();
+    return picture("3D view");
+  };
+  const own = await again(), arid = await choose("arid"), kept = await again();
+  assert.ok(difference(own, kept) > 1, `${difference(own, kept)}`);
+  assert.ok(difference(arid, kept) < 0.3, `${difference(arid, kept)}`);
+  await choose("automatic");
 });
 
 test("without water one sees the sea's floor", async () => {

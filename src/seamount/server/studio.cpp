@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <filesystem>
 
 #include "seamount/base/version.h"
@@ -11,6 +10,8 @@
 #include "seamount/recipe/file_info.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/server/edit_json.h"
+#include "seamount/server/reply.h"
+#include "seamount/server/request.h"
 #include "seamount/server/schema_json.h"
 #include "seamount/server/value_bytes.h"
 
@@ -24,108 +25,6 @@ const std::vector<std::pair<std::string, std::string>> kForEver = {
     {"Cache-Control", "private, max-age=31536000, immutable"}};
 constexpr const char* kBlank =
     R"({"seamount": 1, "domain": {"width_m": 10240, "height_m": 10240, "cell_m": 20}, "seed": 0, "steps": []})";
-
-Reply json_reply(const OrderedJson& json, int status = 200) { return {.status = status, .bytes = one_line(json)}; }
-
-/// The members of a request's body. Throws InvalidArgument for what is missing or of another type.
-class Body {
- public:
-  explicit Body(const std::string& text) : json_(parse(text)) {}
-
-  std::string text(const char* name) const {
-    const auto found = json_.find(name);
-    if (found == json_.end() || !found->is_string()) throw InvalidArgument(name, "is missing, or no text");
-    return found->get<std::string>();
-  }
-  std::string text_or(const char* name, const std::string& absent) const {
-    return json_.contains(name) ? text(name) : absent;
-  }
-  bool flag(const char* name) const {
-    const auto found = json_.find(name);
-    if (found == json_.end()) return false;
-    if (!found->is_boolean()) throw InvalidArgument(name, "is true or false");
-    return found->get<bool>();
-  }
-  double number_or(const char* name, double absent) const {
-    const auto found = json_.find(name);
-    if (found == json_.end()) return absent;
-    if (!found->is_number()) throw InvalidArgument(name, "is no number");
-    return found->get<double>();
-  }
-  const OrderedJson& list(const char* name) const {
-    const auto found = json_.find(name);
-    if (found == json_.end() || !found->is_array()) throw InvalidArgument(name, "is missing, or no list");
-    return *found;
-  }
-  bool has(const char* name) const { return json_.contains(name); }
-  Asker asker() const {
-    const auto base = json_.find("base");
-    if (base == json_.end() || !base->is_number_unsigned()) throw InvalidArgument("base", "is missing, or no revision");
-    return {window(), base->get<uint64_t>()};
-  }
-  std::string window() const {
-    std::string name = text("window");
-    if (name.empty() || name.size() > 64) throw InvalidArgument("window", "is empty or longer than 64 bytes");
-    return name;
-  }
-
- private:
-  static OrderedJson parse(const std::string& text) {
-    recipe::parse_json(text, "the request");  // strict: depth, duplicate keys, numbers
-    OrderedJson json = OrderedJson::parse(text);
-    if (!json.is_object()) throw InvalidArgument("the request", "is no JSON object");
-    return json;
-  }
-  OrderedJson json_;
-};
-
-int whole_number(const Request& request, const char* name, int absent) {
-  const auto found = request.query.find(name);
-  if (found == request.query.end()) return absent;
-  int number = 0;
-  const std::string& text = found->second;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || rest != text.data() + text.size()) throw InvalidArgument(name, "is no whole number");
-  return number;
-}
-
-std::string query_text(const Request& request, const char* name) {
-  const auto found = request.query.find(name);
-  if (found == request.query.end() || found->second.empty()) throw InvalidArgument(name, "is missing");
-  return found->second;
-}
-
-Reply error_reply(int status, const std::string& message) { return json_reply({{"error", message}}, status); }
-
-Reply refusal_of(const OutOfDate& error) {
-  OrderedJson missed = OrderedJson::array();
-  for (const std::string& event : error.missed) missed.push_back(OrderedJson::parse(event));
-  return json_reply({{"error", error.what()}, {"missed", missed}}, 409);
-}
-
-/// Calls handle() and makes a reply of what it throws.
-template <class Handle>
-Reply guarded(const Handle& handle) {
-  try {
-    return handle();
-  } catch (const OutOfDate& error) {
-    return refusal_of(error);
-  } catch (const recipe::RecipeError& error) {
-    return json_reply({{"error", error.what()}, {"diagnostics", write_diagnostics(error.diagnostics())}}, 422);
-  } catch (const InvalidArgument& error) {
-    return error_reply(400, error.what());
-  } catch (const IncompatibleInputs& error) {
-    return error_reply(400, error.what());
-  } catch (const WriteError& error) {
-    return error_reply(507, error.what());
-  } catch (const IoError& error) {
-    return error_reply(404, error.what());
-  } catch (const std::bad_alloc&) {
-    return error_reply(503, "not enough memory");
-  } catch (const std::exception& error) {
-    return error_reply(500, error.what());
-  }
-}
 
 }  // namespace
 

@@ -13,6 +13,8 @@
 #include "seamount/server/dry_ground.h"
 #include "seamount/server/event_hub.h"
 #include "seamount/server/jobs.h"
+#include "seamount/server/reply.h"
+#include "seamount/server/request.h"
 #include "seamount/server/session.h"
 #include "seamount/server/workplace.h"
 
@@ -39,24 +41,6 @@ struct StudioOptions {
   /// A picture file of an example; "" if there is none.
   std::function<std::string(const std::string& name)> example_picture = {};
 };
-
-struct Request {
-  std::string method, path;
-  std::map<std::string, std::string> query;
-  std::string body;
-};
-
-struct Reply {
-  int status = 200;
-  std::string type = "application/json";
-  std::string bytes;
-  std::vector<std::pair<std::string, std::string>> headers = {};
-  std::shared_ptr<EventHub::Stream> stream = nullptr;  ///< instead of bytes: lines, until it is closed
-  std::string file = {};                               ///< instead of bytes: a file
-};
-
-/// Hands over the body of a request piece by piece; false: it did not come to its end.
-using Receive = std::function<bool(const std::function<bool(const char*, size_t)>&)>;
 
 class Studio {
  public:

@@ -1,5 +1,5 @@
 // How the views show the ground: what a person sets in the view's own controls. Never part of a recipe.
-import type { ClimateChoice } from "./climate";
+import { climateNames, type ClimateChoice } from "./climate";
 
 /** texture: natural ground; relief: one pale stone; slope: steepness in colours; contours: natural with height
  * lines. */
@@ -31,6 +31,38 @@ export const defaultOptions: ViewOptions = {
   grid: false,
   navigation: "blender",
 };
+
+const styles: readonly GroundStyle[] = ["texture", "relief", "slope", "contours"];
+
+/** What of the options outlasts the page: taste. Heights follow the terrain, and what hides or uncovers something of
+ * it is of the moment. */
+export type Taste = Pick<ViewOptions, "ground" | "climate" | "sun" | "grid" | "navigation">;
+
+export function tasteOf({ ground, climate, sun, grid, navigation }: ViewOptions): Taste {
+  return { ground, climate, sun, grid, navigation };
+}
+
+/** Of what was kept: what is no such option, or not in its range, is the default's. */
+export function readTaste(kept: unknown): Taste | undefined {
+  if (kept === null || typeof kept !== "object") return undefined;
+  const { ground, climate, sun, grid, navigation } = kept as { readonly [name in keyof Taste]?: unknown };
+  const { azimuth_deg, elevation_deg } = (sun ?? {}) as { readonly [name in keyof ViewOptions["sun"]]?: unknown };
+  const usual = tasteOf(defaultOptions);
+  return {
+    ground: styles.find((style) => style === ground) ?? usual.ground,
+    climate: climateNames.find(([name]) => name === climate)?.[0] ?? usual.climate,
+    sun: {
+      azimuth_deg: within(azimuth_deg, 0, 360) ?? usual.sun.azimuth_deg,
+      elevation_deg: within(elevation_deg, 1, 90) ?? usual.sun.elevation_deg,
+    },
+    grid: typeof grid === "boolean" ? grid : usual.grid,
+    navigation: navigation === "gaea" || navigation === "blender" ? navigation : usual.navigation,
+  };
+}
+
+function within(value: unknown, low: number, high: number): number | undefined {
+  return typeof value === "number" && value >= low && value <= high ? value : undefined;
+}
 
 /** Unit vector to the sun: x east, y north, z up. */
 export function sunVector(sun: ViewOptions["sun"]): [number, number, number] {

@@ -3,6 +3,7 @@
 import { computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { registerActions } from "../actions/registry";
 import type { ValueEvent } from "../api/types";
+import { remembered } from "../document/remember";
 import type { Shown, Studio } from "../document/studio";
 import { followContent, type Content } from "./content";
 import { finerOf, heightAt } from "./detail_ground";
@@ -14,7 +15,7 @@ import { HeightField, sameRectangle } from "./heights";
 import { legendElement } from "./legend";
 import { labelAt, legendOf } from "./ground_overlay";
 import { MapView } from "./map_view";
-import { defaultOptions, suggestedExaggeration, type ViewOptions } from "./options";
+import { defaultOptions, readTaste, suggestedExaggeration, tasteOf, type ViewOptions } from "./options";
 import { OverlayKeeper } from "./overlay_keeper";
 import { PenStrokes } from "./pen_strokes";
 import { PictureRenderer } from "./picture_renderer";
@@ -36,6 +37,7 @@ export interface ViewportStats {
   upload_ms: number;
 }
 
+const taste = remembered("ground", tasteOf(defaultOptions), readTaste);
 const restAfter_ms = 160;
 const otherAfter_ms = 250;
 
@@ -56,7 +58,7 @@ export class Viewport {
   readonly label: ReadonlySignal<string | null> = computed(() => labelAt(this.activeOverlay, this.pointer.value));
   /** Metres a pixel of the map. */
   readonly scale: Signal<number> = signal(1);
-  readonly options: Signal<ViewOptions> = signal(defaultOptions);
+  readonly options: Signal<ViewOptions> = signal({ ...defaultOptions, ...taste.peek() });
   /** Key of the result that is drawn, and whether it is a coarse one. */
   readonly drawn: Signal<{ key: string; coarse: boolean } | null> = signal(null);
   readonly map: MapView;
@@ -146,6 +148,7 @@ export class Viewport {
       if (now.climate !== before.climate) this.renderer.recolour();
       if (relit || now.ground !== before.ground) this.renderer.relight(relit);
       before = now;
+      taste.value = tasteOf(now);
       this.dirty(this.map, this.world);
     }));
   }

@@ -1,6 +1,6 @@
 // How the page is laid out: which view is big, what is open, how wide and high things are. Remembered by the browser.
 import { computed, signal } from "@preact/signals";
-import { numberWithin, oneOf, remembered } from "./remember";
+import { numberWithin, oneOf, remembered } from "../../document/remember";
 
 export type ViewName = "map" | "world";
 export type Arrangement = "inset" | "split" | "single";

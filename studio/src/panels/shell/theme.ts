@@ -1,6 +1,6 @@
 // Light or dark: as the system says, or as chosen here, which this browser remembers.
 import { effect, signal } from "@preact/signals";
-import { remembered } from "./remember";
+import { remembered } from "../../document/remember";
 
 export type ThemeChoice = "system" | "dark" | "light";
 export type Theme = "dark" | "light";

@@ -1,4 +1,4 @@
-// Signals that this browser remembers: how the page is laid out, never anything of a document.
+// Signals that this browser remembers: how the page is laid out and shows the ground, never anything of a document.
 import { effect, signal } from "@preact/signals";
 import type { Signal } from "@preact/signals";
 
