@@ -7,6 +7,7 @@
 #include "seamount/base/error.h"
 #include "seamount/base/text.h"
 #include "seamount/io/glb_node.h"
+#include "seamount/io/glb_number.h"
 
 namespace seamount::io {
 namespace {
@@ -27,8 +28,8 @@ class Reader {
   explicit Reader(const Json& json) : json_(json) { mesh_.format = "GLB"; }
 
   MeshSummary summary() {
-    const Json& scene = json_.at("scenes").at(json_.value("scene", size_t{0}));
-    for (const Json& node : scene.value("nodes", Json::array())) visit(node.get<size_t>(), kIdentityMatrix, 0);
+    const Json& scene = json_.at("scenes").at(natural(json_, "scene", 0));
+    for (const Json& node : scene.value("nodes", Json::array())) visit(natural(node), kIdentityMatrix, 0);
     if (scene.contains("extras")) tell_things(scene.at("extras"));
     if (const Json asset = json_.value("asset", Json::object()); asset.contains("generator"))
       mesh_.said.emplace_back("made by", asset.at("generator").get<std::string>());
@@ -43,7 +44,7 @@ class Reader {
     const Json& node = json_.at("nodes").at(index);
     const Matrix4 matrix = product(outer, matrix_of(node));
     if (node.contains("mesh")) {
-      const Json& primitives = json_.at("meshes").at(node.at("mesh").get<size_t>()).at("primitives");
+      const Json& primitives = json_.at("meshes").at(natural(node.at("mesh"))).at("primitives");
       if (const Json* instancing = instancing_of(node)) {
         add_instances(primitives, instancing->at("attributes"), matrix);
       } else {
@@ -51,7 +52,7 @@ class Reader {
       }
     }
     if (node.contains("extras") && mesh_.said.empty()) tell(node.at("extras"));
-    for (const Json& child : node.value("children", Json::array())) visit(child.get<size_t>(), matrix, depth + 1);
+    for (const Json& child : node.value("children", Json::array())) visit(natural(child), matrix, depth + 1);
   }
 
   static const Json* instancing_of(const Json& node) {
@@ -64,11 +65,12 @@ class Reader {
   void add_instances(const Json& primitives, const Json& attributes, const Matrix4& matrix) {
     const Json none;
     const auto accessor = [&](const char* name) -> const Json& {
-      return attributes.contains(name) ? json_.at("accessors").at(attributes.at(name).get<size_t>()) : none;
+      return attributes.contains(name) ? json_.at("accessors").at(natural(attributes.at(name))) : none;
     };
+    if (attributes.empty()) throw std::invalid_argument("has instances without places");
     const Json &places = accessor("TRANSLATION"), &scales = accessor("SCALE");
-    const Json& any = places.is_null() ? json_.at("accessors").at(attributes.begin()->get<size_t>()) : places;
-    const auto count = any.at("count").get<size_t>();
+    const Json& any = places.is_null() ? json_.at("accessors").at(natural(*attributes.begin())) : places;
+    const auto count = natural(any.at("count"));
     constexpr size_t kMost = size_t{1} << 32;
     if (count > kMost) throw std::invalid_argument("has more instances than there can be");
     mesh_.instances += count;
@@ -87,12 +89,12 @@ class Reader {
   }
 
   void add(const Json& primitive, const Matrix4& matrix) {
-    const Json& places = json_.at("accessors").at(primitive.at("attributes").at("POSITION").get<size_t>());
-    const auto vertices = places.at("count").get<size_t>();
+    const Json& places = json_.at("accessors").at(natural(primitive.at("attributes").at("POSITION")));
+    const auto vertices = natural(places.at("count"));
     size_t corners = vertices;
     if (primitive.contains("indices"))
-      corners = json_.at("accessors").at(primitive.at("indices").get<size_t>()).at("count").get<size_t>();
-    const int mode = primitive.value("mode", 4);
+      corners = natural(json_.at("accessors").at(natural(primitive.at("indices"))).at("count"));
+    const size_t mode = natural(primitive, "mode", 4);
     if (mode == 4) mesh_.triangles += corners / 3;
     if ((mode == 5 || mode == 6) && corners > 2) mesh_.triangles += corners - 2;
     mesh_.vertices += vertices;

@@ -131,6 +131,13 @@ TEST(ThingFile, RefusesNumbersThatLeadNowhere) {
   };
   EXPECT_THAT(broken([](Json& j) { j["accessors"][0]["count"] = 4; }), HasSubstr("data beyond its end"));
   EXPECT_THAT(broken([](Json& j) { j["accessors"][0]["count"] = 1e18; }), HasSubstr("x.glb"));
+  for (const double none : {-1.0, -3e9, 0.5, 1e18, 1e30}) {
+    EXPECT_THAT(broken([&](Json& j) { j["scene"] = none; }), HasSubstr("damaged description")) << none;
+    EXPECT_THAT(broken([&](Json& j) { j["nodes"][0]["mesh"] = none; }), HasSubstr("damaged description")) << none;
+    EXPECT_THAT(broken([&](Json& j) { j["accessors"][0]["componentType"] = none; }), HasSubstr("x.glb")) << none;
+    EXPECT_THAT(broken([&](Json& j) { j["bufferViews"][1]["byteStride"] = none; }), HasSubstr("x.glb")) << none;
+  }
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0]["count"] = 3.0; }), "");
   EXPECT_THAT(broken([](Json& j) { j["bufferViews"][0]["byteOffset"] = 18446744073709551000ULL; }), HasSubstr("x.glb"));
   EXPECT_THAT(broken([](Json& j) { j["bufferViews"][1]["byteOffset"] = 0; }), HasSubstr(""));
   EXPECT_THAT(broken([](Json& j) { j["accessors"][1]["bufferView"] = 9; }), HasSubstr("damaged description"));

@@ -7,6 +7,7 @@
 #include "seamount/base/error.h"
 #include "seamount/base/printable.h"
 #include "seamount/io/glb_node.h"
+#include "seamount/io/glb_number.h"
 #include "seamount/io/thing_parts.h"
 
 namespace seamount::io {
@@ -47,9 +48,9 @@ class Numbers {
     const Json& accessor = glb.json.at("accessors").at(index);
     if (accessor.contains("sparse") || !accessor.contains("bufferView"))
       throw std::invalid_argument("has sparse data, which is not read");
-    const Json& view = glb.json.at("bufferViews").at(accessor.at("bufferView").get<size_t>());
-    if (view.value("buffer", size_t{0}) != 0) throw std::invalid_argument("keeps data in other files");
-    type_ = accessor.at("componentType").get<int>();
+    const Json& view = glb.json.at("bufferViews").at(natural(accessor.at("bufferView")));
+    if (natural(view, "buffer", 0) != 0) throw std::invalid_argument("keeps data in other files");
+    type_ = natural(accessor.at("componentType"));
     normalized_ = accessor.value("normalized", false);
     const auto type = accessor.at("type").get<std::string>();
     parts = type == "SCALAR" ? 1 : type == "VEC2" ? 2 : type == "VEC3" ? 3 : type == "VEC4" ? 4 : 0;
@@ -58,10 +59,10 @@ class Numbers {
             : type_ == 5125 || type_ == 5126 ? 4
                                              : 0;
     if (parts == 0 || size_ == 0) throw std::invalid_argument("has data of an unknown type");
-    count = accessor.at("count").get<size_t>();
-    stride_ = view.value("byteStride", parts * size_);
-    const auto view_at = view.value("byteOffset", size_t{0}), length = view.at("byteLength").get<size_t>(),
-               at = accessor.value("byteOffset", size_t{0});
+    count = natural(accessor.at("count"));
+    stride_ = natural(view, "byteStride", parts * size_);
+    const auto view_at = natural(view, "byteOffset", 0), length = natural(view.at("byteLength")),
+               at = natural(accessor, "byteOffset", 0);
     constexpr size_t kMost = size_t{1} << 28;
     if (count > kMost || stride_ > 4096 || length > glb.bin.size() || view_at > glb.bin.size() - length ||
         at > length || (count > 0 && (stride_ * (count - 1) + parts * size_ > length - at)))
@@ -99,8 +100,7 @@ class Numbers {
   double scaled(double value, double most) const { return normalized_ ? std::max(value / most, -1.0) : value; }
 
   const uint8_t* data_ = nullptr;
-  size_t size_ = 0, stride_ = 0;
-  int type_ = 0;
+  size_t type_ = 0, size_ = 0, stride_ = 0;
   bool normalized_ = false;
 };
 
@@ -117,8 +117,8 @@ class Reader {
     for (const Json& extension : glb_.json.value("extensionsRequired", Json::array()))
       if (extension != "KHR_materials_unlit" && extension != "KHR_mesh_quantization")
         throw std::invalid_argument("needs " + printable(extension.get<std::string>()) + ", which is not read");
-    const Json& scene = glb_.json.at("scenes").at(glb_.json.value("scene", size_t{0}));
-    for (const Json& node : scene.value("nodes", Json::array())) visit(node.get<size_t>(), kIdentityMatrix, 0);
+    const Json& scene = glb_.json.at("scenes").at(natural(glb_.json, "scene", 0));
+    for (const Json& node : scene.value("nodes", Json::array())) visit(natural(node), kIdentityMatrix, 0);
     if (textured_) run_.say(name + ": its textures are not read, only colours");
     return parts_.mesh();
   }
@@ -131,16 +131,16 @@ class Reader {
     const Json& node = glb_.json.at("nodes").at(index);
     const Matrix4 matrix = product(outer, matrix_of(node));
     if (node.contains("mesh")) {
-      for (const Json& primitive : glb_.json.at("meshes").at(node.at("mesh").get<size_t>()).at("primitives"))
-        if (primitive.value("mode", 4) == 4) add(primitive, matrix);
+      for (const Json& primitive : glb_.json.at("meshes").at(natural(node.at("mesh"))).at("primitives"))
+        if (natural(primitive, "mode", 4) == 4) add(primitive, matrix);
     }
-    for (const Json& child : node.value("children", Json::array())) visit(child.get<size_t>(), matrix, depth + 1);
+    for (const Json& child : node.value("children", Json::array())) visit(natural(child), matrix, depth + 1);
   }
 
   Surface surface_of(const Json& primitive) {
     Surface made;
     if (!primitive.contains("material")) return made;
-    const Json& material = glb_.json.at("materials").at(primitive.at("material").get<size_t>());
+    const Json& material = glb_.json.at("materials").at(natural(primitive.at("material")));
     made.two_sided = material.value("doubleSided", false);
     const Json pbr = material.value("pbrMetallicRoughness", Json::object());
     const auto factor = pbr.value("baseColorFactor", std::array<double, 4>{1, 1, 1, 1});
@@ -154,11 +154,11 @@ class Reader {
     if (primitive.contains("extensions") && primitive.at("extensions").contains("KHR_draco_mesh_compression"))
       throw std::invalid_argument("is compressed (Draco), which is not read");
     const Json& attributes = primitive.at("attributes");
-    const Numbers places(glb_, attributes.at("POSITION").get<size_t>());
+    const Numbers places(glb_, natural(attributes.at("POSITION")));
     std::optional<Numbers> normals, colours, indices;
-    if (attributes.contains("NORMAL")) normals.emplace(glb_, attributes.at("NORMAL").get<size_t>());
-    if (attributes.contains("COLOR_0")) colours.emplace(glb_, attributes.at("COLOR_0").get<size_t>());
-    if (primitive.contains("indices")) indices.emplace(glb_, primitive.at("indices").get<size_t>());
+    if (attributes.contains("NORMAL")) normals.emplace(glb_, natural(attributes.at("NORMAL")));
+    if (attributes.contains("COLOR_0")) colours.emplace(glb_, natural(attributes.at("COLOR_0")));
+    if (primitive.contains("indices")) indices.emplace(glb_, natural(primitive.at("indices")));
     for (const auto* numbers : {&normals, &colours})
       if (*numbers && ((*numbers)->count < places.count || (*numbers)->parts < 3))
         throw std::invalid_argument("has vertices without a normal or colour");
