@@ -21,20 +21,23 @@ const kTolerance = 10;  // times what is promised: other work may run beside the
 
 const median = (values: number[]): number => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)]!;
 
+interface Seen { at: number; revision: number; coarse: boolean }
+interface Stroke { up: number; results: Seen[] }
+
 /** Notes when the pointer goes up and when results are seen. */
 function watch(): void {
-  const seen: { up: number; results: { at: number; coarse: boolean }[] } = { up: 0, results: [] };
-  (window as unknown as { seen: typeof seen }).seen = seen;
-  addEventListener("pointerdown", () => Object.assign(seen, { up: 0, results: [] }), true);
-  addEventListener("pointerup", () => (seen.up = performance.now()), true);
-  const view = document.querySelector<HTMLElement>("[data-key]")!;
+  const stroke: Stroke = { up: 0, results: [] };
+  (window as unknown as { stroke: Stroke }).stroke = stroke;
+  addEventListener("pointerdown", () => Object.assign(stroke, { up: 0, results: [] }), true);
+  addEventListener("pointerup", () => (stroke.up = performance.now()), true);
+  const { dataset } = document.querySelector<HTMLElement>("[data-key]")!;
   new MutationObserver(() => {
-    seen.results.push({ at: performance.now(), coarse: view.dataset["coarse"] === "true" });
-  }).observe(view, { attributes: true, attributeFilter: ["data-key"] });
+    const revision = Number(dataset["revision"]), coarse = dataset["coarse"] === "true";
+    stroke.results.push({ at: performance.now(), revision, coarse });
+  }).observe(document.querySelector("[data-key]")!, { attributes: true, attributeFilter: ["data-key"] });
 }
 
-interface Seen { up: number; results: { at: number; coarse: boolean }[] }
-
+/** Medians of some strokes. Results of the way there do not count: the terrain is that of the whole stroke. */
 async function measure(name: string, document: Recipe, step: string, tool: RegExp): Promise<void> {
   const desk = await Desk.open(browser, document);
   await desk.select(step);
@@ -44,13 +47,14 @@ async function measure(name: string, document: Recipe, step: string, tool: RegEx
   for (let i = 0; i < kStrokes; ++i) {
     const y = 0.35 + 0.02 * i;
     await desk.drag([0.42, y], [0.58, y + 0.03]);
-    const seen = await until("the full result", async () => {
-      const now = (await desk.page.evaluate(() => (window as unknown as { seen: Seen }).seen)) as Seen;
-      return now.up > 0 && now.results.some((result) => !result.coarse && result.at > now.up) && now;
+    const { revision } = await desk.sent();
+    const { up, results } = await until("the full result", async () => {
+      const now = (await desk.page.evaluate(() => (window as unknown as { stroke: Stroke }).stroke)) as Stroke;
+      return now.results.some((seen) => seen.revision === revision && !seen.coarse) && now;
     });
-    full.push(seen.results.filter((result) => !result.coarse && result.at > seen.up)[0]!.at - seen.up);
-    const soon = seen.results.find((result) => result.at > seen.up);
-    first.push(soon!.at - seen.up);
+    const whole = results.filter((seen) => seen.revision === revision);
+    full.push(whole.find(({ coarse }) => !coarse)!.at - up);
+    first.push(whole[0]!.at - up);
   }
   const [whole, preview] = [median(full), median(first)].map(Math.round);
   console.log(`${name}: stroke released to the new terrain ${whole} ms (150), to its preview ${preview} ms (60)`);

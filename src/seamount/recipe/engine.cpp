@@ -61,7 +61,8 @@ class Engine::Work {
                            const std::string& author, bool ends) {
     const std::lock_guard lock(mutex_);
     std::vector<Change> changes = document_.apply(edits, gesture, label, author);
-    if (!changes.empty()) request(ends ? "" : gesture);
+    const bool is_over = ends && !gesture_.empty();  // a hand may rest before it lets go: nothing changes then
+    if (!changes.empty() || is_over) request(ends ? "" : gesture);
     return changes;
   }
 

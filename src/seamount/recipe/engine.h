@@ -33,7 +33,7 @@ struct EngineOptions {
   std::string cache_folder = Cache::default_folder();  ///< empty: nothing is kept on disk
   uint64_t memory_bytes = uint64_t{1} << 30;           ///< for results that are not in use
   int coarse_cells = 256;                              ///< along the longer side of a coarse result
-  /// Called after the state or a value has changed (for progress, at most once per per cent of a step), from the
+  /// Called after the state or a value has changed (for progress of a step, at most every 50 ms), from the
   /// engine's threads, one call at a time. It may call any member but wait(), and returns soon.
   std::function<void()> changed = {};
 };

@@ -26,6 +26,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// A step's progress is told at most so often: telling takes time from computing.
+constexpr std::chrono::milliseconds kProgressEvery{50};
+
 /// A result that the disk does not have yet.
 struct Unsaved {
   Digest key;
@@ -308,9 +311,13 @@ class Scheduler::Work {
     RunContext run;
     run.threads = arena_.max_concurrency() == 1 ? 1 : 0;  // 0: loops use the arena that they are called in
     run.cancelled = &result.cancelled;
+    std::atomic told = std::chrono::steady_clock::now().time_since_epoch();
     run.progress = [&](double fraction) {
       if (fraction < result.fraction.load() + 0.01) return;
       result.fraction = fraction;
+      const auto now = std::chrono::steady_clock::now().time_since_epoch();
+      if (now - told.load() < kProgressEvery) return;
+      told = now;
       announce();
     };
     run.note = [&](const std::string& line) {

@@ -100,7 +100,7 @@ export function createClient(token: string, origin = ""): Api {
       if (response.body) await readEvents(response.body, receive);
     },
     raster: async (key, part = {}) => {
-      const response = await request(value(key, "raster") + partQuery(part), { cache: "force-cache" });
+      const response = await request(value(key, "raster") + partQuery(part));
       return readRaster(response.headers.get("X-Raster"), await response.arrayBuffer());
     },
     value: (key, form) => get<Json>(value(key, form)),

@@ -314,6 +314,12 @@ export class FakeServer implements Api {
   }
 
   private take(next: Recipe, changes: Change[], window: string, label: string, gesture: string): DocumentEvent {
+    if (sameRecipe(next, this.recipe)) {  // nothing changes, and the others need not know
+      return {
+        event: "document", revision: this.revision, window, changes: [], label, done: this.done,
+        undone: this.history.length - this.done, saved: this.isSaved, missing: [],
+      };
+    }
     const last = this.history[this.done - 1];
     this.history = this.history.slice(0, this.done);
     if (gesture !== "" && last?.gesture === gesture && last.window === window) {

@@ -136,6 +136,7 @@ export async function openStudio(api: Api, window = randomName()): Promise<Opene
     connected: stream.connected,
     refused: stream.refused,
     edit: (edits, label, gesture = "", ends = false) => store.edit(edits, label, gesture, ends),
+    overtaken: (revision) => store.overtaken(revision),
     undo: () => store.undo(),
     redo: () => store.redo(),
     command: (run) => store.command(run, true),

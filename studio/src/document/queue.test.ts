@@ -16,7 +16,9 @@ test("nothing is overtaken across what moves places", () => {
 });
 
 test("only edits of the same gesture are joined", () => {
-  const waiting = (gesture: string) => ({ edits: [set("/a", 1)], label: "", gesture, ends: false, settle: [] });
+  const waiting = (gesture: string) => (
+    { edits: [set("/a", 1)], label: "", gesture, ends: false, idle: false, settle: [] }
+  );
   assert.equal(enqueue([waiting("g")], waiting("g")).length, 1);
   assert.equal(enqueue([waiting("g")], waiting("h")).length, 2);
   assert.equal(enqueue([waiting("")], waiting("")).length, 2);

@@ -8,6 +8,8 @@ export interface Waiting {
   gesture: string;
   /** The gesture is over with these. */
   ends: boolean;
+  /** They only say that: the hand rested before it let go. */
+  idle: boolean;
   /** Called once the server has answered: was it taken? */
   settle: ((taken: boolean) => void)[];
 }
@@ -40,6 +42,7 @@ export function enqueue(waiting: readonly Waiting[], next: Waiting): Waiting[] {
     label: next.label,
     gesture: next.gesture,
     ends: next.ends,
+    idle: last.idle && next.idle,
     settle: [...last.settle, ...next.settle],
   };
   return [...waiting.slice(0, -1), joined];

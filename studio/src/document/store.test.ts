@@ -49,6 +49,41 @@ test("of a gesture's edits only the newest is sent; all are answered; one undo t
   studio.close();
 });
 
+test("results of a gesture are overtaken once it has ended with something else, and not while it goes on", async () => {
+  const { studio } = await started();
+  const before = studio.document.value.revision;
+  await studio.edit(peak(1500), "peak", "drag");
+  assert.equal(studio.overtaken(before), false);
+  const resting = studio.edit(peak(1500), "peak", "drag", true);  // on its way, and it changes nothing
+  assert.equal(studio.overtaken(before), true);
+  assert.equal(studio.overtaken(before + 1), false);
+  await resting;
+  assert.equal(studio.overtaken(before + 1), false);
+  void studio.edit(peak(1600), "peak", "other drag");
+  assert.equal(studio.overtaken(before), false);
+  const last = studio.edit(peak(1700), "peak", "other drag", true);
+  assert.equal(studio.overtaken(studio.document.value.revision), true);
+  await last;
+  assert.equal(studio.overtaken(studio.document.value.revision - 1), true);
+  assert.equal(studio.overtaken(studio.document.value.revision), false);
+  studio.close();
+});
+
+test("what is confirmed as it was shown is the same state, and what is not has the same recipe", async () => {
+  const { studio } = await started();
+  let states = 0;
+  const stop = studio.document.subscribe(() => ++states);
+  const recipe = studio.document.value.recipe;
+  await studio.edit(peak(1500), "peak");
+  const after = studio.document.value.recipe;
+  assert.notEqual(after, recipe);
+  assert.ok(states <= 3, `${states}`);  // as it is, edited, confirmed
+  await studio.edit(peak(1500), "peak");
+  assert.equal(studio.document.value.recipe, after);
+  stop();
+  studio.close();
+});
+
 test("what the caller does with its lists afterwards is nothing to the document", async () => {
   const { studio } = await started();
   const points = [[0, 0]];

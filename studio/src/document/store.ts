@@ -8,7 +8,7 @@ import type { Api } from "../api/api";
 import type { DocumentAnswer, DocumentEvent, Edit, Json, Recipe } from "../api/types";
 import { applyChanges, applyEdits } from "./apply";
 import { followHistory } from "./history";
-import { freeze, NoSuchPlace } from "./pointer";
+import { equalJson, freeze, NoSuchPlace } from "./pointer";
 import { enqueue } from "./queue";
 import type { Waiting } from "./queue";
 import { refusalMessage } from "./refusals";
@@ -40,6 +40,8 @@ export class DocumentStore {
   private sending: Task | null = null;
   /** The stream has told of the request that is being sent before its answer came. */
   private told = false;
+  /** The newest edit of this window was the last one of its gesture. */
+  private gestureOver = false;
   private base = 0;
   private paused = false;
   private loading: Promise<void> | null = null;
@@ -53,15 +55,18 @@ export class DocumentStore {
 
   edit(edits: Edit[], label: string, gesture: string, ends = false): Promise<boolean> {
     const own = structuredClone(edits);  // the caller's lists go on changing under its pen
+    this.gestureOver = ends;
+    let idle = false;
     try {
-      applyEdits(this.state.value.recipe, own);
+      const after = applyEdits(this.state.value.recipe, own);
+      idle = ends && equalJson(after as unknown as Json, this.state.value.recipe as unknown as Json);
     } catch (error) {
       if (!(error instanceof NoSuchPlace)) throw error;
       this.say({ kind: "error", text: `This cannot be changed: ${error.message}` });
       return Promise.resolve(false);
     }
     return new Promise((settle) => {
-      const next = { edits: own, label, gesture, ends, settle: [settle] };
+      const next = { edits: own, label, gesture, ends, idle, settle: [settle] };
       const last = this.tasks[this.tasks.length - 1];
       if (last?.kind === "edits") {
         this.tasks.splice(-1, 1, ...enqueue([last.edits], next).map((edits) => ({ kind: "edits" as const, edits })));
@@ -71,6 +76,13 @@ export class DocumentStore {
       this.show();
       void this.pump();
     });
+  }
+
+  /** A result of a revision is not worth showing any more: the gesture that it is of has ended, and what it ended with
+   * is being computed. While one goes on, nothing is: the view follows the hand. */
+  overtaken(revision: number): boolean {
+    const changes = (task: Task): boolean => task.kind !== "edits" || !task.edits.idle;
+    return this.gestureOver && (this.onTheWay.some(changes) || revision < this.confirmed.revision);
   }
 
   undo(): Promise<boolean> {
@@ -172,9 +184,14 @@ export class DocumentStore {
     void this.pump();
   }
 
+  /** What the document does not have yet. */
+  private get onTheWay(): Task[] {
+    return [...(this.sending && !this.told ? [this.sending] : []), ...this.tasks];
+  }
+
   private show(): void {
     let recipe = this.confirmed.recipe;
-    const onTheWay = [...(this.sending && !this.told ? [this.sending] : []), ...this.tasks];
+    const { onTheWay } = this;
     for (const task of onTheWay) {
       if (task.kind !== "edits") continue;
       try {
@@ -184,7 +201,7 @@ export class DocumentStore {
       }
     }
     this.busy.value = onTheWay.length > 0;
-    this.state.value = { ...this.confirmed, recipe: frozenRecipe(recipe) };
+    this.state.value = sameAs(this.state.value, { ...this.confirmed, recipe });
   }
 
   private async pump(): Promise<void> {
@@ -256,6 +273,15 @@ export class DocumentStore {
     if (!quiet) this.say(refusalMessage(error, this.state.value.recipe));
     return false;
   }
+}
+
+/** The state before, or its recipe, where nothing has changed but that the server has confirmed it: panels are not
+ * drawn again then. */
+function sameAs(before: DocumentState, now: DocumentState): DocumentState {
+  const same = (name: keyof DocumentState): boolean => equalJson(before[name] as Json, now[name] as Json);
+  const names = Object.keys(now) as (keyof DocumentState)[];
+  if (names.every(same)) return before;
+  return { ...now, recipe: same("recipe") ? before.recipe : frozenRecipe(now.recipe) };
 }
 
 function settleTask(task: Task, taken: boolean): void {

@@ -52,6 +52,8 @@ export interface Studio {
    * (set at the same pointer) are not sent. `ends`: the gesture is over with these. False: refused; the copy is the
    * server's again and `message` says why. */
   edit(edits: Edit[], label: string, gesture?: string, ends?: boolean): Promise<boolean>;
+  /** A result of a revision is not worth showing: the gesture that it is of has ended, and a newer one will come. */
+  overtaken(revision: number): boolean;
   undo(): Promise<boolean>;
   redo(): Promise<boolean>;
 

@@ -20,6 +20,7 @@ export class Follower {
   private readonly stop: () => void;
   private wanted: ValueEvent | null = null;
   private gotKey = "";
+  private gotSource = "";
   private busy = false;
   private gone = false;
 
@@ -41,9 +42,15 @@ export class Follower {
         return;
       }
       if (value === undefined || value.key === this.gotKey) return;
+      if (this.overtaken(value)) return;
       this.wanted = value;
       void this.fetch();
     });
+  }
+
+  /** A newer one of what is seen already will come: to draw it would only delay that. */
+  private overtaken(value: ValueEvent): boolean {
+    return value.source === this.gotSource && this.studio.overtaken(value.revision);
   }
 
   /** Something that is no raster is laid there: what was there before is not any more. */
@@ -73,7 +80,9 @@ export class Follower {
           value.source, levelFor(value.frame.columns, value.frame.rows, this.most),
         );
         if (raster === null || this.gone || this.which(this.studio.shown.peek()) !== value.source) continue;
+        if (this.overtaken(value)) continue;
         this.gotKey = value.key;
+        this.gotSource = value.source;
         this.got(raster, value);
       } catch {
         // The result is gone: a newer one is announced.

@@ -28,7 +28,11 @@ export class HeightField {
   readonly lowestSea: number;
   readonly lowestDry: number;
   /** Finest first; the last has one block. */
-  readonly tree: readonly TreeLevel[];
+  get tree(): readonly TreeLevel[] {
+    this.built ??= markedTree(this.values, this.dry, this.columns, this.rows);
+    return this.built;
+  }
+  private built: TreeLevel[] | null = null;
   /** Root mean square tangent of slopes that are not nearly level. */
   readonly typicalSlope: number;
   /** Share of the border that lies under the sea. */
@@ -51,11 +55,7 @@ export class HeightField {
     this.rows = frame.rows;
     this.known = values;
     this.values = filled(values, frame.columns);
-    this.tree = buildTree(this.values, this.columns, this.rows);
-    if (dry !== null) markDry(this.tree, dry, this.columns, this.rows);
-    const root = this.tree[this.tree.length - 1]!;
-    this.min = root.low[0]!;
-    this.max = root.high[0]!;
+    [this.min, this.max] = extremes(this.values);
     this.typicalSlope = typicalSlope(this.values, this.columns, this.rows, frame.cell_m);
     [this.lowestSea, this.lowestDry] = lowest(this.values, dry, this.min);
     [this.seaBorder, this.borderDepth] = border(this.values, this.columns, this.rows);
@@ -201,6 +201,22 @@ function buildTree(values: Float32Array, columns: number, rows: number): TreeLev
     levels.push({ columns: across, rows: down, low, high });
   }
   return levels;
+}
+
+function markedTree(values: Float32Array, dry: Uint8Array | null, columns: number, rows: number): TreeLevel[] {
+  const tree = buildTree(values, columns, rows);
+  if (dry !== null) markDry(tree, dry, columns, rows);
+  return tree;
+}
+
+function extremes(values: Float32Array): [number, number] {
+  let min = Infinity, max = -Infinity;
+  for (let i = 0; i < values.length; ++i) {
+    const h = values[i]!;
+    if (h < min) min = h;
+    if (h > max) max = h;
+  }
+  return [min, max];
 }
 
 /** Tells the blocks of a tree which of their cells, and of those around, are dry below the sea. */

@@ -26,6 +26,8 @@ export interface MapPicture {
   /** Of the pixels that are drawn. */
   pixel_m: number;
   water: boolean;
+  /** No time for smooth heights between cells. */
+  quick: boolean;
   /** Linear light around the ground. */
   paper: readonly [number, number, number];
 }
@@ -56,7 +58,8 @@ export class MapScene {
     this.scene.add(this.mesh);
   }
 
-  render(renderer: WebGLRenderer, { field, detail, tinted, eye, size, pixel_m, water, paper }: MapPicture): void {
+  render(renderer: WebGLRenderer, picture: MapPicture): void {
+    const { field, detail, tinted, eye, size, pixel_m, water, quick, paper } = picture;
     const u = this.uniforms, { frame } = field;
     u.map_place!.value = [
       (eye.x - frame.west) / field.width_m, (frame.north - eye.y) / field.height_m,
@@ -75,7 +78,7 @@ export class MapScene {
       u.overlay_strength!.value > 0 ? "OVERLAY" : "",
       detail !== null && u.overlay_fine!.value === true ? "FINE_OVERLAY" : "", detail !== null ? "DETAIL" : "",
       field.dry !== null || (detail?.field.dry ?? null) !== null ? "DRY" : "",
-      pixel_m < 1.5 * (detail?.cell_m ?? frame.cell_m) ? "SMOOTH" : "",
+      !quick && pixel_m < 1.5 * (detail?.cell_m ?? frame.cell_m) ? "SMOOTH" : "",
     ];
     this.mesh.material = this.variant(names.filter((name) => name !== ""));
     renderer.render(this.scene, this.camera);

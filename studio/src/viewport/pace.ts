@@ -21,7 +21,7 @@ export class Pace {
       return;
     }
     this.quick += 0.3 * (ms - this.quick);
-    if (this.quick > 70 && this.size + 1 < sizes.length) {
+    if (this.quick > 24 && this.size + 1 < sizes.length) {
       ++this.size;
       this.quick *= 0.6;
     } else if (this.quick < 16 && this.size > 0) {

@@ -191,7 +191,8 @@ export class PictureRenderer {
     const pixel_m = (eye.pixel_m * size.width) / pixels.width;
     this.map.render(
       this.renderer,
-      { field: ground, detail: alone ? null : detail, tinted: field, eye, size, pixel_m, water: options.water, paper },
+      { field: ground, detail: alone ? null : detail, tinted: field, eye, size, pixel_m, water: options.water,
+        quick: this.hurry(sort), paper },
     );
     return detail;
   }

@@ -40,6 +40,7 @@ export interface ViewportStats {
 const taste = remembered("ground", tasteOf(defaultOptions), readTaste);
 const restAfter_ms = 160;
 const otherAfter_ms = 250;
+const awaited_ms = 600;
 
 type View = MapView | WorldView;
 
@@ -47,6 +48,7 @@ type View = MapView | WorldView;
 interface Untold {
   view: View;
   field: HeightField;
+  revision: number;
   detail_m: number | null;
   overlay_m: number | null;
 }
@@ -97,8 +99,17 @@ export class Viewport {
   /** When the last result was there; 0 in the first once it is seen. */
   private arrived = 0;
   private came = 0;
+  /** Of the document, that the last result is of. */
+  private revision = 0;
+  private readonly isOvertaken: () => boolean;
+  /** A picture was not drawn since a newer result is about to come. */
+  private waited = false;
 
   constructor(mapElement: HTMLElement, worldElement: HTMLElement, studio: Studio) {
+    this.isOvertaken = () => {
+      const shown = studio.shown.peek().terrain, value = shown === null ? undefined : studio.values.peek().get(shown);
+      return value !== undefined && studio.overtaken(value.key === this.field?.key ? value.revision : 0);
+    };
     this.computed = () => studio.engine.peek().settled && !studio.busy.peek();
     this.renderer = new PictureRenderer(() => this.restore());
     const { software } = this.renderer;
@@ -139,6 +150,10 @@ export class Viewport {
     this.stops.push(() => themes.disconnect());
     this.stops.push(effect(() => {
       if (studio.engine.value.settled && !studio.busy.value && this.restTimer === 0) this.seekDetail();
+    }));
+    this.stops.push(effect(() => {  // another revision may have the same result
+      studio.values.value;
+      if (this.waited) this.wake();
     }));
     let before = this.options.peek();
     this.stops.push(effect(() => {
@@ -237,6 +252,7 @@ export class Viewport {
   private terrain(raster: Raster | null, value: ValueEvent | null): void {
     if (raster === null) return;
     this.arrived = this.came = performance.now();
+    this.revision = value?.revision ?? 0;
     const before = this.field, field = HeightField.of(raster);
     this.field = field;
     this.map.field = this.world.field = field;
@@ -249,6 +265,7 @@ export class Viewport {
     this.profile.update();
     // A quick picture at once, since results may come in a row; a good one when they rest.
     this.moved(this.map, this.world);
+    if (before !== null && !raster.coarse) this.drawNow();
   }
 
   private detailCame(view: View): void {
@@ -337,7 +354,7 @@ export class Viewport {
   private restSoon(): void {
     clearTimeout(this.restTimer);
     this.restTimer = window.setTimeout(() => {
-      if (this.gestures.some((gestures) => gestures.navigating) || this.fullFollows(1500)) {
+      if (this.gestures.some((gestures) => gestures.navigating) || this.fullFollows(1500) || this.overtaken()) {
         this.wake();
         return this.restSoon();
       }
@@ -353,6 +370,12 @@ export class Viewport {
     return this.renderer.software && this.field?.coarse === true && performance.now() - this.came < within_ms;
   }
 
+  /** What is there is of a gesture that has ended, and what it ended with is about to come. */
+  private overtaken(): boolean {
+    const soon = performance.now() - this.came < awaited_ms;
+    return this.renderer.software && soon && this.isOvertaken();
+  }
+
   private dirty(...views: View[]): void {
     for (const { surface } of views) surface.samples = 0;
     this.wake();
@@ -365,11 +388,12 @@ export class Viewport {
   /** On the page, for who measures it: which result is seen in the views that were drawn last. */
   private tellDrawn(): void {
     const told = this.untold.splice(0);
-    for (const { view: { surface }, field, detail_m, overlay_m } of told) {
+    for (const { view: { surface }, field, revision, detail_m, overlay_m } of told) {
       for (const [name, cell_m] of [["detailCell", detail_m], ["overlayCell", overlay_m]] as const) {
         if (cell_m === null) delete surface.element.dataset[name];
         else surface.element.dataset[name] = String(cell_m);
       }
+      surface.element.dataset["revision"] = String(revision);
       surface.element.dataset["coarse"] = String(field.coarse);
       surface.element.dataset["key"] = field.key;
     }
@@ -377,6 +401,13 @@ export class Viewport {
       this.upload_ms = performance.now() - this.arrived;
       this.arrived = 0;
     }
+  }
+
+  /** Without waiting for the next frame, which shows it. */
+  private drawNow(): void {
+    if (!this.renderer.ready()) return;
+    cancelAnimationFrame(this.request);
+    this.frame();
   }
 
   private frame(): void {
@@ -388,11 +419,15 @@ export class Viewport {
     if (field === null) return;
     if (!this.renderer.ready()) return this.wake();
     this.tellDrawn();
-    if (this.draw(field, moving)) this.wake();
+    queueMicrotask(() => {  // whoever watches what is seen is told before the next picture takes its time
+      if (this.draw(field, moving)) this.wake();
+    });
   }
 
   /** Whether there is more to draw. */
   private draw(field: HeightField, moving: boolean): boolean {
+    this.waited = this.overtaken();
+    if (this.waited) return false;
     const { renderer } = this, { pace } = renderer, options = this.options.peek();
     const shown = this.inTurn(), alone = this.fullFollows(otherAfter_ms) && shown.includes(this.ahead);
     const inTurn = alone ? [this.ahead] : shown;
@@ -407,7 +442,8 @@ export class Viewport {
     for (const view of now) {
       const detail = view.draw(renderer, field, options, this.activeOverlay, moving ? pace.quickSize : 1, sort);
       if (moving) this.drawnQuickly.add(view);
-      this.untold.push({ view, field, detail_m: detail?.cell_m ?? null, overlay_m: renderer.overlayCell_m });
+      const detail_m = detail?.cell_m ?? null, overlay_m = renderer.overlayCell_m;
+      this.untold.push({ view, field, revision: this.revision, detail_m, overlay_m });
     }
     renderer.endFrame(sort);
     return true;

@@ -64,6 +64,8 @@ const OTHER: { readonly [kind: string]: () => JSX.Element } = {
 
 const WIDTH = 128;
 const HEIGHT = 80;
+/** Pictures that are made again wait for the large views. */
+const AFTER_VIEWS_ms = 150;
 
 /** Draws the newest value of the source; false: there is none that can be drawn. */
 async function draw(studio: Studio, source: string, kind: string, canvas: HTMLCanvasElement): Promise<boolean> {
@@ -94,7 +96,9 @@ export function Thumbnail({ studio, id, op, stale }: { studio: Studio; id: strin
   const source = pictured?.source ?? "";
   const canvas = useRef<HTMLCanvasElement>(null);
   const [drawn, setDrawn] = useState("");
-  const key = studio.values.value.get(source)?.key ?? "";
+  const value = studio.values.value.get(source);
+  // Coarse results come in a row while a pen draws: they are for the views.
+  const key = value === undefined || (value.coarse && drawn !== "") ? "" : value.key;
   useEffect(() => {
     const element = canvas.current;
     if (!element || source === "") return;
@@ -115,9 +119,14 @@ export function Thumbnail({ studio, id, op, stale }: { studio: Studio; id: strin
     const element = canvas.current;
     if (!element || !pictured || key === "" || key === drawn) return;
     let current = true;
-    draw(studio, source, pictured.kind, element).then((done) => { if (done && current) setDrawn(key); },
-      () => undefined);
-    return () => { current = false; };
+    const timer = setTimeout(() => {
+      draw(studio, source, pictured.kind, element).then((done) => { if (done && current) setDrawn(key); },
+        () => undefined);
+    }, drawn === "" ? 0 : AFTER_VIEWS_ms);
+    return () => {
+      current = false;
+      clearTimeout(timer);
+    };
   }, [studio, source, key]);
   const Icon = OTHER[op?.out[0]?.kind ?? ""] ?? (() => <Shapes />);
   return (
