@@ -8,6 +8,7 @@
 #include "seamount/recipe/import_params.h"
 #include "seamount/recipe/kinds.h"
 #include "seamount/tiles/step_params.h"
+#include "seamount/tiles/tiled_voids.h"
 #include "seamount/tiles/windows.h"
 
 namespace seamount::tiles {
@@ -60,7 +61,6 @@ void read_tiles(const io::LargeRaster& file, const StoredRaster& to, int at_once
 std::string import_refusal(const recipe::Step& step, const recipe::PlannedStep&) {
   const recipe::ImportParams params = step_params<recipe::ImportParams>(step);
   if (!is_tiff(params.file.path)) return "only a GeoTIFF is read in parts";
-  if (params.fill_voids) return "holes are filled from everything; fill_voids false leaves them unknown";
   if (params.low_m || params.high_m || params.coding != io::ElevationCoding::numbers)
     return "heights in codes or colours are read as a whole";
   return "";
@@ -80,11 +80,19 @@ void run_tiled_import(World& world, size_t step, const RunContext& run) {
   const recipe::Call call = call_of(world, step, looking);
   const io::LargeRaster file(call.resolve(params.file), recipe::read_options(params, call, looking));
   const auto stored = world.on_disk({step, "terrain"}, file.frame());
-  read_tiles(file, *stored, tiles_at_once(world, stored->layout()), run.part(0.3, 1.0));
+  const auto as_read = params.fill_voids
+                           ? world.on_disk_as({step, "terrain-as-read"}, recipe::kinds::Terrain::kind(), file.frame())
+                           : stored;
+  read_tiles(file, *as_read, tiles_at_once(world, stored->layout()), run.part(0.3, params.fill_voids ? 0.7 : 1.0));
   for (const auto& snapshot : world.plan().steps[step].files) {
     if (snapshot->still_valid()) continue;
-    stored->remove();
+    as_read->remove();
     throw IoError(snapshot->path(), "was written to while it was read; run again");
+  }
+  if (params.fill_voids) {
+    if (const int64_t filled = fill_tiled_voids(world, *as_read, *stored, run.part(0.7, 1.0)); filled > 0)
+      run.say(std::to_string(filled) + " cells without a height are filled from the rims of their holes");
+    as_read->remove();
   }
   world.keep_tiles({step, "terrain"}, stored);
 }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "seamount/base/rng.h"
 #include "seamount/io/raster.h"
 #include "seamount/io/test_files.h"
 #include "seamount/tiles/run.h"
@@ -24,14 +25,14 @@ class TiledImport : public ::testing::Test {
   std::string folder(const std::string& name) const { return folder_(name); }
 
   /// A terrain of 430 x 371 cells in a file.
-  std::string dem(const std::string& name, GridFrame frame, bool hole) const {
+  std::string dem(const std::string& name, GridFrame frame, bool hole, double radius = 30) const {
     frame.width = 430;
     frame.height = 371;
     HeightField made(frame);
     for (int y = 0; y < made.height(); ++y) {
       for (int x = 0; x < made.width(); ++x) {
         made(x, y) = static_cast<float>(700 * std::sin(0.021 * x) * std::cos(0.035 * y) + 3 * ((x * 7 + y * 13) % 29));
-        if (hole && std::hypot(x - 120, y - 200) < 30) made(x, y) = std::numeric_limits<float>::quiet_NaN();
+        if (hole && std::hypot(x - 120, y - 200) < radius) made(x, y) = std::numeric_limits<float>::quiet_NaN();
       }
     }
     io::write_heights(made, folder(name));
@@ -95,10 +96,29 @@ TEST_F(TiledImport, WarpedToMetres) {
                    R"("crs": "EPSG:32633", "x_m": 403000, "y_m": 5097000)"));
 }
 
+/// Small ones, ones on borders and corners of tiles, one around another, one on the raster's edge, one of a single
+/// cell.
+TEST_F(TiledImport, FillsHolesAsTheWholeDoes) {
+  const std::string file = dem("holes.tif", {0, 0, 12.5, 400000.25, 5.1e6, "EPSG:32632"}, true);
+  HeightField heights = io::read_heights(file);
+  Rng rng(Seed{5});
+  for (int k = 0; k < 60; ++k) {
+    const double x0 = rng.uniform(0, 430), y0 = rng.uniform(0, 371), r = rng.uniform(0.5, 9), ring = rng.uniform(0, r);
+    for (int y = 0; y < heights.height(); ++y)
+      for (int x = 0; x < heights.width(); ++x)
+        if (const double d = std::hypot(x - x0, 1.4 * (y - y0)); d < r && (k % 3 != 0 || d > ring))
+          heights(x, y) = std::numeric_limits<float>::quiet_NaN();
+  }
+  io::write_heights(heights, file);
+  expect_same(text(file, R"(, "fill_voids": true)", ""));
+}
+
 TEST_F(TiledImport, SaysWhatIsReadAsAWhole) {
   const std::string file = dem("utm.tif", {0, 0, 12.5, 400000.25, 5.1e6, "EPSG:32632"}, true);
-  EXPECT_THAT(error_of(text(file, R"(, "fill_voids": true)", "")),
-              HasSubstr("step 'dem' (terrain.import) looks at everything (holes are filled from everything"));
+  const std::string wide = dem("wide.tif", {0, 0, 12.5, 400000.25, 5.1e6, "EPSG:32632"}, true, 180);
+  EXPECT_THAT(
+      error_of(text(wide, R"(, "fill_voids": true)", "")),
+      HasSubstr("step 'dem' (terrain.import) looks at everything (a hole of 300 x 350 cells is filled as a whole)"));
   EXPECT_THAT(error_of(text(folder("none.tif"), "", "")), HasSubstr("none.tif"));
 }
 

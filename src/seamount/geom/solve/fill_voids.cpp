@@ -1,6 +1,7 @@
 #include "seamount/geom/solve/fill_voids.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -16,7 +17,7 @@ struct Hole {
   std::vector<int64_t> cells;
   int x0, x1, y0, y1;  ///< both ends included
 
-  int64_t window() const { return int64_t{x1 - x0 + 3} * (y1 - y0 + 3); }
+  int64_t window() const { return hole_window(x1 - x0 + 1, y1 - y0 + 1); }
   void add(const Hole& other) {
     cells.insert(cells.end(), other.cells.begin(), other.cells.end());
     x0 = std::min(x0, other.x0), x1 = std::max(x1, other.x1);
@@ -29,7 +30,7 @@ struct Hole {
 std::vector<Hole> solved_together(std::vector<Hole> holes, int64_t grid_cells) {
   int64_t windows = 0;
   for (const Hole& hole : holes) windows += hole.window();
-  if (windows <= 2 * grid_cells) return holes;
+  if (!filled_as_one(windows, grid_cells)) return holes;
   Hole all = std::move(holes.front());
   for (size_t i = 1; i < holes.size(); ++i) all.add(holes[i]);
   return {std::move(all)};
@@ -58,28 +59,33 @@ Hole gather(const Grid<float>& grid, Grid<uint8_t>& seen, int64_t start) {
   return hole;
 }
 
-/// Solves in the window of a hole. Other holes in it do not touch this one: what they hold does not count.
+/// Calls visit(x, y, height) for what is known beside the cells of a hole, once for each side.
+template <class Visit>
+void for_each_of_rim(const Grid<float>& grid, const Hole& hole, const Visit& visit) {
+  constexpr std::array<std::array<int, 2>, 4> kSides = {{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+  for (const int64_t cell : hole.cells) {
+    const int x = static_cast<int>(cell % grid.width()), y = static_cast<int>(cell / grid.width());
+    for (const auto& [dx, dy] : kSides) {
+      if (!grid.contains(x + dx, y + dy) || std::isnan(grid(x + dx, y + dy))) continue;
+      visit(x + dx, y + dy, grid(x + dx, y + dy));
+    }
+  }
+}
+
+/// Solves in the window of a hole, of which only the hole and its rim count: whatever else lies in it is as if it were
+/// at the rim's mean height.
 void fill(Grid<float>& grid, const Hole& hole, const RunContext& run) {
   const int x0 = std::max(0, hole.x0 - 1), x1 = std::min(grid.width() - 1, hole.x1 + 1);
   const int y0 = std::max(0, hole.y0 - 1), y1 = std::min(grid.height() - 1, hole.y1 + 1);
-  GridFrame window = GridFrame::centred(x1 - x0 + 1, y1 - y0 + 1, grid.cell_m());
-  ScalarField u(window);
+  const GridFrame window = GridFrame::centred(x1 - x0 + 1, y1 - y0 + 1, grid.cell_m());
+  double sum = 0;
+  int64_t sides = 0;
+  for_each_of_rim(grid, hole, [&](int, int, float z) { sum += static_cast<double>(z), ++sides; });
+  ScalarField u(window, static_cast<float>(sides > 0 ? sum / static_cast<double>(sides) : 0.0));
+  for_each_of_rim(grid, hole, [&](int x, int y, float z) { u(x - x0, y - y0) = z; });
   Grid<uint8_t> fixed(window, 1);
-  double mean = 0;
-  int64_t known = 0;
-  for (int y = y0; y <= y1; ++y) {
-    for (int x = x0; x <= x1; ++x) {
-      const float z = grid(x, y);
-      u(x - x0, y - y0) = std::isnan(z) ? 0.0F : z;
-      if (!std::isnan(z)) mean += z, ++known;
-    }
-  }
-  const auto start = static_cast<float>(known > 0 ? mean / static_cast<double>(known) : 0.0);
-  for (const int64_t cell : hole.cells) {
-    const int x = static_cast<int>(cell % grid.width()) - x0, y = static_cast<int>(cell / grid.width()) - y0;
-    fixed(x, y) = 0;
-    u(x, y) = start;
-  }
+  for (const int64_t cell : hole.cells)
+    fixed(static_cast<int>(cell % grid.width()) - x0, static_cast<int>(cell / grid.width()) - y0) = 0;
   solve_laplace(u, fixed, run);
   for (const int64_t cell : hole.cells) {
     const int x = static_cast<int>(cell % grid.width()) - x0, y = static_cast<int>(cell / grid.width()) - y0;
@@ -88,6 +94,15 @@ void fill(Grid<float>& grid, const Hole& hole, const RunContext& run) {
 }
 
 }  // namespace
+
+int64_t hole_window(int64_t columns, int64_t rows) { return (columns + 2) * (rows + 2); }
+
+bool filled_as_one(int64_t windows, int64_t grid_cells) { return windows > 2 * grid_cells; }
+
+void fill_hole(Grid<float>& window, int64_t first, const RunContext& run) {
+  Grid<uint8_t> seen(window.frame(), 0);
+  fill(window, gather(window, seen, first), run);
+}
 
 int64_t fill_voids(Grid<float>& grid, const RunContext& run) {
   const int64_t voids = count_voids(grid, run);

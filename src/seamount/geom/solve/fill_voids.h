@@ -14,4 +14,16 @@ namespace seamount::geom {
 /// per cell of a window, parallel, and eight more grids of a window's size.
 int64_t fill_voids(Grid<float>& grid, const RunContext& run);
 
+// The same piece by piece, for grids of which only windows are in memory. A window has the cells around what is filled,
+// one more on each side where the grid goes on, and may have other holes, which stay.
+
+/// Fills the hole that a cell of a window is in, by number: the first of its cells, row by row.
+void fill_hole(Grid<float>& window, int64_t first, const RunContext& run);
+
+/// Cells of a hole's window: two columns and rows more than the hole's.
+int64_t hole_window(int64_t columns, int64_t rows);
+
+/// Whether fill_voids() solves all holes of a grid as one, for all that their windows have together.
+bool filled_as_one(int64_t windows, int64_t grid_cells);
+
 }  // namespace seamount::geom
