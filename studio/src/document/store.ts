@@ -42,6 +42,8 @@ export class DocumentStore {
   private told = false;
   /** The newest edit of this window was the last one of its gesture. */
   private gestureOver = false;
+  /** What the last gesture of this window ended with. */
+  private endRevision = 0;
   private base = 0;
   private paused = false;
   private loading: Promise<void> | null = null;
@@ -82,7 +84,7 @@ export class DocumentStore {
    * is being computed. While one goes on, nothing is: the view follows the hand. */
   overtaken(revision: number): boolean {
     const changes = (task: Task): boolean => task.kind !== "edits" || !task.edits.idle;
-    return this.gestureOver && (this.onTheWay.some(changes) || revision < this.confirmed.revision);
+    return this.gestureOver && (this.onTheWay.some(changes) || revision < this.endRevision);
   }
 
   undo(): Promise<boolean> {
@@ -106,6 +108,9 @@ export class DocumentStore {
   /** An event of the stream, or of an answer: in the order of revisions, and each at most once. */
   receive(event: DocumentEvent): void {
     if (event.window === this.window && this.sending && event.revision > this.base) this.told = true;
+    if (event.window === this.window && this.sending?.kind === "edits" && this.sending.edits.ends) {
+      this.endRevision = event.revision;
+    }
     if (event.revision <= this.confirmed.revision) return this.receiveAgain(event);
     const history = followHistory(this.confirmed, event);
     if (event.revision !== this.confirmed.revision + 1 || !history) {
