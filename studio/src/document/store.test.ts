@@ -49,8 +49,9 @@ test("of a gesture's edits only the newest is sent; all are answered; one undo t
   studio.close();
 });
 
-test("results of a gesture are overtaken once it has ended with something else, and not while it goes on", async () => {
+test("results of a gesture are overtaken once it has ended with another, and not while it goes on", async (t) => {
   const { server, studio } = await started();
+  t.after(() => studio.close());
   const before = studio.document.value.revision;
   await studio.edit(peak(1500), "peak", "drag");
   assert.equal(studio.overtaken(before), false);
@@ -70,11 +71,11 @@ test("results of a gesture are overtaken once it has ended with something else, 
   await server.editFromElsewhere(peak(1800));
   await until(() => studio.document.value.revision > end);
   assert.equal(studio.overtaken(end), false, "another window's hand is followed");
-  studio.close();
 });
 
-test("what is confirmed as it was shown is the same state, and what is not has the same recipe", async () => {
+test("what is confirmed as it was shown is the same state, and what is not has the same recipe", async (t) => {
   const { studio } = await started();
+  t.after(() => studio.close());
   let states = 0;
   const stop = studio.document.subscribe(() => ++states);
   const recipe = studio.document.value.recipe;
@@ -85,7 +86,6 @@ test("what is confirmed as it was shown is the same state, and what is not has t
   await studio.edit(peak(1500), "peak");
   assert.equal(studio.document.value.recipe, after);
   stop();
-  studio.close();
 });
 
 test("what the caller does with its lists afterwards is nothing to the document", async () => {

@@ -58,6 +58,7 @@ export class DocumentStore {
   edit(edits: Edit[], label: string, gesture: string, ends = false): Promise<boolean> {
     const own = structuredClone(edits);  // the caller's lists go on changing under its pen
     this.gestureOver = ends;
+    if (ends) this.endRevision = this.confirmed.revision;  // or what its answer says
     let idle = false;
     try {
       const after = applyEdits(this.state.value.recipe, own);
