@@ -274,13 +274,13 @@ TEST(Engine, AHandThatRestsBeforeItLetsGoEndsItsGestureToo) {
   options.coarse_cells = 16;
   Engine engine(document(kSlow), options);
   const Source worn{"worn", "terrain", ""};
-  engine.edit(set_parameter("worn", "milliseconds", 60));
+  engine.edit(set_parameter("worn", "milliseconds", 20));
   engine.want({worn}, Quality::full);
   engine.wait();  // now it is known to come soon
   engine.want({worn}, Quality::coarse_then_full);
   const auto is_there = [&] { return engine.value(worn)->revision == engine.revision(); };
   bool in_time = false;
-  for (int i = 61; i < 100 && !in_time; ++i) {
+  for (int i = 21; i < 60 && !in_time; ++i) {
     engine.edit({set_parameter("worn", "milliseconds", i)}, "drag");
     wait_until_running(engine, "worn");
     EXPECT_TRUE(engine.edit({set_parameter("worn", "milliseconds", i)}, "drag", "", "", true).empty());
