@@ -70,9 +70,9 @@ TilePatches<P> find_patches(const GridFrame& frame, const Rect& rect, const Belo
 template <class P>
 std::vector<int32_t> patches_of_rim(const TilePatches<P>& patches, const Layout& layout, int tile) {
   const Rect rect = layout.tile(tile);
-  std::vector<int32_t> of_rim;
-  for (int32_t rim = 0; rim < rim_size(layout, tile); ++rim)
-    of_rim.push_back(patches.of.data()[geom::rim_cell(rim, rect.width, rect.height)]);
+  std::vector<int32_t> of_rim(static_cast<size_t>(rim_size(layout, tile)));
+  for (size_t rim = 0; rim < of_rim.size(); ++rim)
+    of_rim[rim] = patches.of.data()[geom::rim_cell(static_cast<int32_t>(rim), rect.width, rect.height)];
   return of_rim;
 }
 
