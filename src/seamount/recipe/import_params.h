@@ -1,6 +1,7 @@
 // The parameters of terrain.import, which has no algorithm of its own: they are the options of the raster reader.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -41,6 +42,11 @@ struct ImportParams {
         field(&P::byte_order, "byte_order", "which byte of a sample of a raw 16-bit file comes first: little, big"));
   }
 };
+
+/// What is said of cells that were filled.
+inline std::string filled_note(int64_t cells) {
+  return std::to_string(cells) + " cells without a height are filled from the rims of their holes";
+}
 
 /// For the reader: what a document in a coordinate system imports comes into it. Throws InvalidArgument.
 io::ReadOptions read_options(const ImportParams& params, const Call& call, const RunContext& run);

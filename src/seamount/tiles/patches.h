@@ -2,9 +2,11 @@
 // borders.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "seamount/geom/water/groups.h"

@@ -91,7 +91,7 @@ void run_tiled_import(World& world, size_t step, const RunContext& run) {
   }
   if (params.fill_voids) {
     if (const int64_t filled = fill_tiled_voids(world, *as_read, *stored, run.part(0.7, 1.0)); filled > 0)
-      run.say(std::to_string(filled) + " cells without a height are filled from the rims of their holes");
+      run.say(recipe::filled_note(filled));
     as_read->remove();
   }
   world.keep_tiles({step, "terrain"}, stored);

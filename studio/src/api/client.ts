@@ -100,7 +100,9 @@ export function createClient(token: string, origin = ""): Api {
       if (response.body) await readEvents(response.body, receive);
     },
     raster: async (key, part = {}) => {
-      const response = await request(value(key, "raster") + partQuery(part));
+      // The page keeps whole rasters itself; to store them once more would only take time.
+      const cache = part.x === undefined ? "no-store" : "force-cache";
+      const response = await request(value(key, "raster") + partQuery(part), { cache });
       return readRaster(response.headers.get("X-Raster"), await response.arrayBuffer());
     },
     value: (key, form) => get<Json>(value(key, form)),

@@ -17,13 +17,16 @@ int64_t fill_voids(Grid<float>& grid, const RunContext& run);
 // The same piece by piece, for grids of which only windows are in memory. A window has the cells around what is filled,
 // one more on each side where the grid goes on, and may have other holes, which stay.
 
-/// Fills the hole that a cell of a window is in, by number: the first of its cells, row by row.
+/// Fills the hole that a cell of a window is in: the first of its cells, row by row, by its number in the window. The
+/// same values as of fill_voids(), where that does not fill all as one. REQUIRES: the cell is NaN, and the hole has a
+/// rim. Linear; cost and memory as above.
 void fill_hole(Grid<float>& window, int64_t first, const RunContext& run);
 
-/// Cells of a hole's window: two columns and rows more than the hole's.
+/// Cells of the window of a hole that many cells wide and high: one more on each side.
 int64_t hole_window(int64_t columns, int64_t rows);
 
-/// Whether fill_voids() solves all holes of a grid as one, for all that their windows have together.
+/// Whether fill_voids() solves all holes of a grid of so many cells as one, by the cells that their windows have
+/// together.
 bool filled_as_one(int64_t windows, int64_t grid_cells);
 
 }  // namespace seamount::geom

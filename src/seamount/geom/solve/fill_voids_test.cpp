@@ -53,6 +53,44 @@ TEST(FillVoids, IsThePlaneThroughItsRim) {
   }
 }
 
+/// Hole by hole, in windows cut out of the grid, with other holes in them.
+TEST(FillVoids, OfAWindowHasTheValuesOfTheWhole) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    Grid<float> holes = plane(90, 70);
+    Rng rng(Seed{seed});
+    for (float& z : holes.cells()) z += static_cast<float>(rng.uniform(0, 40));
+    const auto dig = [&](int x0, int y0, int width, int height) {
+      for (int y = y0; y < y0 + height; ++y)
+        for (int x = x0; x < x0 + width; ++x) holes(x, y) = kNone;
+    };
+    dig(20, 20, 17, 9);
+    dig(20, 29, 4, 6);  // hangs together with it
+    dig(30, 31, 5, 4);  // in its window, and not of it
+    dig(0, 50, 3, 20);  // at the edge
+    Grid<float> whole = holes;
+    fill_voids(whole, {});
+    const auto compare = [&](int x0, int y0, int width, int height, int first_x, int first_y) {
+      Grid<float> window(holes.frame().window(x0, y0, width, height));
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) window(x, y) = holes(x0 + x, y0 + y);
+      const Grid<float> before = window;
+      fill_hole(window, int64_t{first_y - y0} * width + first_x - x0, {});
+      int filled = 0;
+      for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+          if (std::isnan(window(x, y))) continue;
+          ASSERT_EQ(window(x, y), whole(x0 + x, y0 + y)) << x << ", " << y;
+          filled += std::isnan(before(x, y)) ? 1 : 0;
+        }
+      }
+      EXPECT_EQ(filled, first_x == 0 ? 60 : first_x == 30 ? 20 : 17 * 9 + 24);
+    };
+    compare(19, 19, 19, 17, 20, 20);
+    compare(29, 30, 7, 6, 30, 31);
+    compare(0, 49, 4, 21, 0, 50);
+  }
+}
+
 /// Gaps between swaths: long, slanting, many; their windows are the whole grid each.
 TEST(FillVoids, OfManySlantingGapsIsThePlaneToo) {
   const Grid<float> whole = plane(120, 100);

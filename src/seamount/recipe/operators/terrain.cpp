@@ -57,8 +57,7 @@ struct JoinParams {
 
 HeightField fill_if_asked(HeightField terrain, bool fill, const RunContext& run) {
   if (!fill) return terrain;
-  if (const int64_t filled = geom::fill_voids(terrain, run); filled > 0)
-    run.say(std::to_string(filled) + " cells without a height are filled from the rims of their holes");
+  if (const int64_t filled = geom::fill_voids(terrain, run); filled > 0) run.say(filled_note(filled));
   return terrain;
 }
 
